@@ -1,0 +1,36 @@
+//! What every body offers, whether analytic or read from a file.
+
+use crate::{Bounds, Vector};
+
+/// The answer to "where is the surface from here?".
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Closest<const D: usize> {
+    /// Closest point on the surface.
+    pub point: Vector<D>,
+    /// Signed distance to it: negative inside the body.
+    pub distance: f64,
+    /// Unit normal there, out of the body into the fluid. Where the closest point is an edge
+    /// or a corner it is the direction from (or, inside, to) that point.
+    pub normal: Vector<D>,
+    /// Number of the smooth part of the surface (face, side, patch) that the point belongs to.
+    pub face: u32,
+}
+
+/// A closed body, or the solid side of an endless wall.
+pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
+    /// A box that holds the body; infinite where the body is.
+    fn bounds(&self) -> Bounds<D>;
+
+    /// Closest surface point, signed distance and outward normal, from any point in space.
+    fn closest(&self, point: &Vector<D>) -> Closest<D>;
+
+    /// Signed distance, negative inside.
+    fn signed_distance(&self, point: &Vector<D>) -> f64 {
+        self.closest(point).distance
+    }
+
+    /// Coordinate planes `(axis, position)` about which the body is mirror symmetric.
+    fn mirror_planes(&self) -> Vec<(usize, f64)> {
+        Vec::new()
+    }
+}

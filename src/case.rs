@@ -1,0 +1,183 @@
+//! What a scene meant: checked, in SI or stated units, with bodies packed. The solver reads this
+//! and nothing of the file.
+
+use std::sync::Arc;
+
+use aero_geometry::{Bounds, Shape, Vector};
+use aero_packer::{Ghosts, PackReport};
+
+/// A flow problem ready to run, in `D` dimensions.
+#[derive(Clone, Debug)]
+pub struct Case<const D: usize> {
+    /// Name of the scene.
+    pub name: String,
+    /// Particle spacing `dx` of the undisturbed lattice.
+    pub spacing: f64,
+    /// Time at which the run ends.
+    pub end_time: f64,
+    /// Ratio of specific heats.
+    pub gamma: f64,
+    /// Equations and boundary treatment.
+    pub scheme: Scheme,
+    /// Box of the flow and what bounds it.
+    pub domain: Domain<D>,
+    /// Undisturbed state: inlets, free-stream sides, reference of all coefficients.
+    pub free_stream: State<D>,
+    /// State at the start.
+    pub initial: Initial<D>,
+    /// Bodies in the flow.
+    pub bodies: Vec<Body<D>>,
+    /// When to write what.
+    pub output: OutputPlan,
+}
+
+/// Density, velocity and pressure at a point.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct State<const D: usize> {
+    /// Density.
+    pub density: f64,
+    /// Velocity.
+    pub velocity: Vector<D>,
+    /// Pressure.
+    pub pressure: f64,
+}
+
+/// State of the gas at the start.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Initial<const D: usize> {
+    /// The free stream everywhere.
+    FreeStream,
+    /// Two states on either side of a plane `x = position`.
+    Riemann {
+        /// State at `x < position`.
+        left: State<D>,
+        /// State at `x > position`.
+        right: State<D>,
+        /// Position of the diaphragm on the first axis.
+        position: f64,
+        /// Smooth density and pressure over a few spacings (Villodi & Ramachandran, eq. 38).
+        smooth: bool,
+    },
+}
+
+/// The set of equations that advances the gas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Equations {
+    /// The scheme of the paper, equations (5)-(17) and (19)-(23), misprints corrected.
+    Paper,
+    /// Its conservative successor: pairwise conduction, density read off the particles.
+    Conservative,
+}
+
+/// How ghosts get the state of the gas.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Extrapolation {
+    /// Without ghost mirrors: Shepard interpolation at the ghost.
+    Wom,
+    /// With ghost mirrors: first-order consistent interpolation at the mirror point.
+    Wm,
+}
+
+/// Equations and boundary treatment.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Scheme {
+    /// Set of equations.
+    pub equations: Equations,
+    /// How ghosts get their state.
+    pub extrapolation: Extrapolation,
+    /// Penetration shield through the transport velocity.
+    pub shield: bool,
+    /// Ghost volumes stay constant; false only to show what happens otherwise.
+    pub constant_ghost_volume: bool,
+    /// Courant number `C_CFL` of equation (33).
+    pub cfl: f64,
+}
+
+/// Box of the flow and its sides.
+#[derive(Clone, Debug)]
+pub struct Domain<const D: usize> {
+    /// The box in which particles are fluid.
+    pub bounds: Bounds<D>,
+    /// `[lower, upper]` side per axis.
+    pub sides: [[Side; 2]; D],
+}
+
+/// What bounds the domain on one side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Side {
+    /// Buffer of free-stream particles that turn into fluid when they enter.
+    Inlet,
+    /// Particles that cross freeze their state, drift on and are removed.
+    Outlet,
+    /// Buffer of free-stream particles along a side that the flow does not disturb.
+    FreeStream,
+    /// Mirror plane.
+    Symmetry,
+    /// Joined to the opposite side.
+    Periodic,
+    /// Plane wall.
+    Wall {
+        /// Slip or no slip.
+        kind: WallKind,
+        /// Velocity along the axis at the start.
+        velocity: f64,
+        /// Constant acceleration along the axis.
+        acceleration: f64,
+    },
+    /// Closed by a body that covers it.
+    Body,
+}
+
+/// Condition on the velocity at a wall.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WallKind {
+    /// The gas slides along the wall.
+    Slip,
+    /// The gas sticks to the wall.
+    NoSlip,
+}
+
+/// A rigid body with its packed ghosts.
+#[derive(Clone, Debug)]
+pub struct Body<const D: usize> {
+    /// Name, unique in the scene.
+    pub name: String,
+    /// The surface, at time zero.
+    pub shape: Arc<dyn Shape<D>>,
+    /// Slip or no slip.
+    pub wall: WallKind,
+    /// Prescribed motion.
+    pub motion: Motion<D>,
+    /// Packed ghosts, at time zero.
+    pub ghosts: Ghosts<D>,
+    /// Quality of the packing.
+    pub report: PackReport,
+    /// Area (3D) or length (2D) to which force coefficients refer.
+    pub reference_area: f64,
+    /// Length to which moment coefficients refer.
+    pub reference_length: f64,
+    /// Point to which moments refer.
+    pub moment_centre: Vector<D>,
+}
+
+/// Prescribed rigid motion; all zero for a body at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Motion<const D: usize> {
+    /// Velocity of the pivot at time zero.
+    pub velocity: Vector<D>,
+    /// Constant acceleration of the pivot.
+    pub acceleration: Vector<D>,
+    /// Angular velocity about the pivot, rad/s: `z` component in 2D, vector in 3D, unused in 1D.
+    pub angular_velocity: nalgebra::Vector3<f64>,
+    /// Pivot at time zero.
+    pub pivot: Vector<D>,
+}
+
+/// When to write what.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct OutputPlan {
+    /// Time between frames; the first and the last state are always written.
+    pub frame_interval: f64,
+    /// Steps between rows of the history.
+    pub history_every: usize,
+}
