@@ -1,2 +1,8 @@
 //! Exact solutions, metrics, tables and charts. Takes plain arrays and shares no code with the
 //! solver, which keeps the check independent.
+//!
+//! - [`exact`]: solutions of the Euler equations to compare with, one file each.
+//! - [`reference`]: the small tables that lie in the case folders beside this crate.
+
+pub mod exact;
+pub mod reference;
