@@ -2,7 +2,9 @@
 //! solver, which keeps the check independent.
 //!
 //! - [`exact`]: solutions of the Euler equations to compare with, one file each.
+//! - [`metrics`]: numbers read off particles, one file each.
 //! - [`reference`]: the small tables that lie in the case folders beside this crate.
 
 pub mod exact;
+pub mod metrics;
 pub mod reference;
