@@ -14,6 +14,7 @@ mod kernel;
 mod least_squares;
 pub mod order;
 pub mod plateau;
+pub mod probe;
 pub mod profile;
 pub mod shock_line;
 pub mod stand_off;
