@@ -4,9 +4,12 @@
 //! Not responsible for particles' physics or for how layers are laid.
 
 mod bounds;
+pub mod kernel;
+mod pencils;
 mod shape;
 
 pub use bounds::Bounds;
+pub use pencils::Pencils;
 pub use shape::{Closest, Shape};
 
 /// A point or a vector in `D` dimensions, SI units (metres) unless a case says otherwise.
