@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use aero::pack::{PackFile, Packed, pack_mesh, pack_scene};
 use aero::scene::file::Unit;
+use aero::scene::number::Positive;
 use aero::scene::{PackWishes, Scene};
 use clap::{Args, ValueEnum};
 
@@ -163,5 +164,5 @@ fn lines(file: &PackFile, files: &[PathBuf]) -> String {
 
 fn positive(text: &str) -> Result<f64, String> {
     let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
-    aero::scene::number::Positive::try_from(value).map(|positive| positive.get())
+    Positive::try_from(value).map(Positive::get)
 }

@@ -40,9 +40,9 @@ mod tests {
 
     #[test]
     fn a_cube_gets_so_many_spacings_across() {
-        let cube = Bounds::new(Vector::zeros(), Vector::<3>::repeat(0.3));
+        let cube = Bounds::new(Vector::zeros(), Vector::<3>::repeat(0.48));
         let (spacing, reason) = pick(&cube, 5);
-        assert_eq!(spacing, 0.013);
+        assert_eq!(spacing, 0.02);
         assert!(reason.contains("thinnest"));
     }
 

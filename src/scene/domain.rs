@@ -175,7 +175,7 @@ mod tests {
         let sides = [Side::Periodic; 2];
         let error = axis("y", [0.0, 1.0], sides, 0.03).unwrap_err();
         assert!(
-            error.to_string().contains("set spacing = 0.030303030"),
+            error.to_string().contains("set spacing = 0.030303"),
             "{error}"
         );
         assert!(axis("y", [0.0, 1.0], sides, 0.05).is_ok());
