@@ -1,6 +1,6 @@
 //! What every body offers, whether analytic or read from a file.
 
-use crate::{Bounds, Vector};
+use crate::{Bounds, Outline, Vector};
 
 /// The answer to "where is the surface from here?".
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,5 +32,14 @@ pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
     /// Coordinate planes `(axis, position)` about which the body is mirror symmetric.
     fn mirror_planes(&self) -> Vec<(usize, f64)> {
         Vec::new()
+    }
+    /// The exact curve, of a two-dimensional shape that is one.
+    fn outline(&self) -> Option<&Outline> {
+        None
+    }
+
+    /// Area (2D) or volume (3D) of the body, metres to the power `D`; `None` where it is endless.
+    fn measure(&self) -> Option<f64> {
+        None
     }
 }

@@ -9,6 +9,7 @@ impl<const D: usize> Case<D> {
     pub fn initial_state(&self, position: &Vector<D>) -> State<D> {
         match &self.initial {
             Initial::FreeStream => self.free_stream,
+            Initial::Field(field) => field.0(position),
             Initial::Riemann {
                 left,
                 right,

@@ -16,7 +16,8 @@ impl<const D: usize> Simulation<D> {
     /// [`super::wall_sides`]. They belong to the state of the last evaluation, half a step back.
     ///
     /// By the pair laws' symmetry the force on a ghost is minus what the ghost gives the gas:
-    /// `F = -sum m_i a_i^(body)`. A body that a symmetry plane cuts is reported whole.
+    /// `F = -sum m_i a_i^(body)`. A body that a symmetry plane cuts is reported whole; of a body that runs
+    /// on through an open side, what lies in the domain.
     pub fn loads(&self) -> Vec<Load> {
         let forces = self.ghost_forces();
         let mut loads = vec![Load::default(); self.walls.body_count()];
@@ -33,8 +34,12 @@ impl<const D: usize> Simulation<D> {
                 None => Vector3::zeros(),
             })
             .collect();
+        let domain = &self.case.domain.bounds;
         for (ghost, force) in self.walls.ghosts.iter().zip(&forces) {
             let body = ghost.body as usize;
+            if body < bodies.len() && !domain.contains(&ghost.foot()) {
+                continue;
+            }
             for (sign, shift) in &reflections[body] {
                 let force = pad(&sign.component_mul(force));
                 let arm = pad(&(sign.component_mul(&ghost.position) + shift)) - centres[body];
@@ -46,6 +51,21 @@ impl<const D: usize> Simulation<D> {
             }
         }
         loads
+    }
+
+    /// Rates of the fluid's momentum and energy by the pair sums of the last evaluation. In a
+    /// periodic box both are zero to round-off.
+    pub fn rates_of_totals(&self) -> Totals {
+        let mut rates = Totals::default();
+        for (particle, rate) in self.fluid.iter().zip(&self.rates) {
+            let acceleration = rate.acceleration + rate.wall_acceleration;
+            for k in 0..D {
+                rates.momentum[k] += particle.mass * acceleration[k];
+            }
+            let power = particle.velocity.dot(&acceleration) + rate.energy;
+            rates.energy += particle.mass * power;
+        }
+        rates
     }
 
     /// What the fluid received since the start: inflow minus outflow through open sides, the

@@ -24,6 +24,8 @@ mod records;
 mod rigid;
 mod side_walls;
 mod snapshot;
+#[cfg(test)]
+mod tests;
 mod time_step;
 mod walls;
 
@@ -33,7 +35,7 @@ use open::OpenBoundaries;
 use pairs::rates::{Conduction, rates};
 use pairs::renormalisation::{Renormalisation, renormalise};
 use pairs::shield::shield;
-use pairs::summation::{densities, lattice_sum};
+use pairs::summation::densities;
 use particle::{Particle, Rates};
 use records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, OPEN, Records, State};
 use walls::{WallLists, Walls};
@@ -113,7 +115,7 @@ impl<const D: usize> Simulation<D> {
             renormalisations: Vec::new(),
             densities: Vec::new(),
             last_step: f64::INFINITY,
-            lattice_sum: lattice_sum::<D>(SMOOTHING_RATIO),
+            lattice_sum: lattice::density_sum::<D>(SMOOTHING_RATIO),
             width,
             arch,
             lanes,
@@ -233,8 +235,7 @@ impl<const D: usize> Simulation<D> {
         ]);
         self.rates.resize(self.fluid.len(), Rates::default());
         self.fill_gas(0.0);
-        self.walls.fill(&mut self.records);
-        self.refresh_ghost_images();
+        self.fill_ghosts();
 
         let records = &self.records;
         let sets = [
@@ -311,9 +312,8 @@ impl<const D: usize> Simulation<D> {
         }
         self.walls
             .extrapolate(self.arch, &self.wall_lists, &self.records);
-        self.walls.fill(&mut self.records);
+        self.fill_ghosts();
         self.renormalise();
-        self.refresh_ghost_images();
         if self.case.scheme.shield {
             self.shield();
         }
@@ -330,8 +330,7 @@ impl<const D: usize> Simulation<D> {
         );
     }
 
-    /// Renormalisation of the fluid; buffers keep theirs, ghosts partition space evenly and need
-    /// none.
+    /// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
     fn renormalise(&mut self) {
         self.renormalisations
             .resize(self.fluid.len(), Renormalisation::default());
@@ -350,13 +349,6 @@ impl<const D: usize> Simulation<D> {
             .for_each(|((state, near), r)| {
                 state.renormalise(r.matrix, r.density_gradient, near.volume)
             });
-        let ghosts = self.records.segment(GHOSTS);
-        for (state, near) in self.records.state[ghosts.clone()]
-            .iter_mut()
-            .zip(&self.records.near[ghosts])
-        {
-            state.renormalise(records::Matrix::identity(), Vector::zeros(), near.volume);
-        }
         self.flow_images
             .refresh(&mut self.records, FLUID, FLOW_IMAGES);
     }
@@ -384,7 +376,9 @@ impl<const D: usize> Simulation<D> {
         );
     }
 
-    fn refresh_ghost_images(&mut self) {
+    /// Writes the records of ghosts and their images.
+    fn fill_ghosts(&mut self) {
+        self.walls.fill(&mut self.records);
         self.ghost_images
             .refresh(&mut self.records, GHOSTS, GHOST_IMAGES);
     }

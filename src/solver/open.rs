@@ -166,6 +166,7 @@ impl<const D: usize> OpenBoundaries<D> {
             next_id: 0,
         };
         let (first, last) = case.lattice_range(0.0);
+        let disorder = case.disorder * case.spacing;
         for index in lattice::points(first, last) {
             let position = case.lattice_position(&index, 0.0);
             let zone = case.zone(&position);
@@ -185,6 +186,7 @@ impl<const D: usize> OpenBoundaries<D> {
                 }
                 _ => {
                     let state = case.initial_state(&position);
+                    let position = position + lattice::displacement(&index) * disorder;
                     fluid.push(case.particle(position, &state, id));
                 }
             }
@@ -215,7 +217,11 @@ impl<const D: usize> OpenBoundaries<D> {
                     false
                 }
                 (Zone::Prescribed, lattice) => lattice.is_some(),
-                (Zone::Outlet, lattice) => lattice.is_none(),
+                (Zone::Outlet, _) => {
+                    // The lattice may drift round the corner of a free-stream side and an outlet.
+                    open.lattice = None;
+                    true
+                }
                 (Zone::Outside, _) => false,
             }
         });
@@ -279,7 +285,7 @@ fn still<const D: usize>(particle: Particle<D>, lattice: Option<[i64; D]>) -> Op
     OpenParticle {
         particle,
         lattice,
-        renormalisation: Matrix::identity(),
+        renormalisation: Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO),
         gradient: Vector::zeros(),
     }
 }

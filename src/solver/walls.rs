@@ -5,10 +5,11 @@ use aero_geometry::{Pencils, Vector};
 use pulp::Arch;
 use rayon::prelude::*;
 
+use super::lattice;
 use super::neighbours::{Candidates, GROWTH, Lists, Seeker};
 use super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
 use super::particle::Ghost;
-use super::records::{GHOSTS, Near, Records, State};
+use super::records::{GHOSTS, Matrix, Near, Records, State};
 use super::rigid::Pose;
 use super::side_walls;
 use crate::case::{Case, Extrapolation, Motion, WallKind};
@@ -230,9 +231,11 @@ impl<const D: usize> Walls<D> {
         }
     }
 
-    /// Writes the ghosts' records.
+    /// Writes the ghosts' records. Ghosts partition space evenly: their renormalisation is that
+    /// of a lattice, which the gas at rest has too.
     pub fn fill(&self, records: &mut Records<D>) {
         let slots = records.segment(GHOSTS);
+        let even = Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO);
         let (near, state) = (
             &mut records.near[slots.clone()],
             &mut records.state[slots.clone()],
@@ -255,6 +258,7 @@ impl<const D: usize> Walls<D> {
                     ghost.energy,
                     self.gamma,
                 );
+                state.renormalise(even, Vector::zeros(), ghost.volume);
             });
     }
 }

@@ -142,16 +142,16 @@ mod tests {
     #[test]
     fn the_inverse_undoes_the_matrix_in_every_dimension() {
         let one = Matrix::<1>::new(0.7);
-        assert!((one * inverse(&one) - Matrix::identity()).norm() < 1e-14);
+        assert!((one * inverse(&one) - Matrix::<1>::identity()).norm() < 1e-14);
         let two = Matrix::<2>::new(1.1, 0.2, 0.2, 0.9);
-        assert!((two * inverse(&two) - Matrix::identity()).norm() < 1e-14);
+        assert!((two * inverse(&two) - Matrix::<2>::identity()).norm() < 1e-14);
         let three = Matrix::<3>::new(1.1, 0.2, -0.1, 0.2, 0.9, 0.3, -0.1, 0.3, 1.2);
-        assert!((three * inverse(&three) - Matrix::identity()).norm() < 1e-14);
+        assert!((three * inverse(&three) - Matrix::<3>::identity()).norm() < 1e-14);
     }
 
     #[test]
     fn a_flat_neighbourhood_falls_back_to_the_identity() {
         let flat = Matrix::<2>::new(1.0, 0.0, 0.0, 1e-9);
-        assert_eq!(inverse(&flat), Matrix::identity());
+        assert_eq!(inverse(&flat), Matrix::<2>::identity());
     }
 }

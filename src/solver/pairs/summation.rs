@@ -1,6 +1,5 @@
 //! Density read off the particles.
 
-use aero_geometry::kernel::QuinticSpline;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
@@ -35,22 +34,6 @@ pub fn densities<const D: usize>(
                 densities,
             })
         });
-}
-
-/// `V sum_j W(r_ij)` over an endless square lattice with `h / dx` = `ratio`: 1 but for the kernel's
-/// quadrature error.
-pub fn lattice_sum<const D: usize>(ratio: f64) -> f64 {
-    let reach = (3.0 * ratio).ceil() as i32;
-    let side = 2 * reach + 1;
-    (0..side.pow(D as u32))
-        .map(|number| {
-            let squared: i32 = (0..D as u32)
-                .map(|k| (number / side.pow(k)) % side - reach)
-                .map(|offset| offset * offset)
-                .sum();
-            QuinticSpline::<D>::value(f64::from(squared).sqrt(), ratio)
-        })
-        .sum()
 }
 
 struct Summation<'a, const D: usize> {
