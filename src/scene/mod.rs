@@ -135,6 +135,7 @@ impl Scene {
             scheme: scheme(file.scheme),
             domain,
             free_stream,
+            disorder: 0.0,
             initial,
             bodies,
             output,
