@@ -10,6 +10,7 @@ pub mod kernel;
 pub mod outline;
 mod pencils;
 mod placement;
+mod revolution;
 mod shape;
 
 pub use bounds::Bounds;
@@ -17,6 +18,7 @@ pub use error::GeometryError;
 pub use outline::Outline;
 pub use pencils::Pencils;
 pub use placement::{Placed, Placement};
+pub use revolution::Revolution;
 pub use shape::{Closest, Shape};
 
 /// A point or a vector in `D` dimensions, SI units (metres) unless a case says otherwise.

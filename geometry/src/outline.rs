@@ -5,6 +5,7 @@
 
 mod assemble;
 mod check;
+mod copies;
 mod crossing;
 mod joint;
 mod measure;

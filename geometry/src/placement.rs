@@ -1,7 +1,7 @@
 //! Placing a body: scale, then turn, then move.
 
 use crate::error::GeometryError;
-use crate::{Bounds, Closest, Outline, Shape, Vector};
+use crate::{Bounds, Closest, Shape, Vector};
 
 type Matrix<const D: usize> = nalgebra::SMatrix<f64, D, D>;
 
@@ -125,7 +125,7 @@ pub struct Placed<S, const D: usize> {
 }
 
 impl<S: Shape<D>, const D: usize> Placed<S, D> {
-    /// `shape` after `placement`. An [`Outline`] is better placed itself ([`Outline::placed`]):
+    /// `shape` after `placement`. An [`Outline`] is better placed itself ([`crate::Outline::placed`]):
     /// it then stays an outline.
     pub fn new(shape: S, placement: Placement<D>) -> Self {
         Self { shape, placement }
@@ -192,9 +192,5 @@ impl<S: Shape<D>, const D: usize> Shape<D> for Placed<S, D> {
     fn measure(&self) -> Option<f64> {
         let measure = self.shape.measure()?;
         Some(measure * self.placement.scale.powi(D as i32))
-    }
-
-    fn outline(&self) -> Option<&Outline> {
-        None
     }
 }

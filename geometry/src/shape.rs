@@ -43,3 +43,38 @@ pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
         None
     }
 }
+
+/// A shape behind a pointer is the shape.
+macro_rules! forward {
+    ($pointer:ty) => {
+        impl<S: Shape<D> + ?Sized, const D: usize> Shape<D> for $pointer {
+            fn bounds(&self) -> Bounds<D> {
+                (**self).bounds()
+            }
+
+            fn closest(&self, point: &Vector<D>) -> Closest<D> {
+                (**self).closest(point)
+            }
+
+            fn signed_distance(&self, point: &Vector<D>) -> f64 {
+                (**self).signed_distance(point)
+            }
+
+            fn mirror_planes(&self) -> Vec<(usize, f64)> {
+                (**self).mirror_planes()
+            }
+
+            fn outline(&self) -> Option<&Outline> {
+                (**self).outline()
+            }
+
+            fn measure(&self) -> Option<f64> {
+                (**self).measure()
+            }
+        }
+    };
+}
+
+forward!(&S);
+forward!(Box<S>);
+forward!(std::sync::Arc<S>);

@@ -29,6 +29,18 @@ impl Outline {
         Self::checked(chains, false, crease)
     }
 
+    /// The meridian of a body of revolution about `y = 0`: one chain in `y >= 0`, either closed
+    /// or from the axis to the axis.
+    pub(crate) fn meridian(pieces: Vec<Piece>) -> Result<Self, GeometryError> {
+        let outline = Self::checked(vec![pieces], true, SMOOTH_TURN)?;
+        if outline.bounds.min.y < -check::SAME_POINT * outline.size {
+            return Err(GeometryError::Curve(
+                "a meridian must not pass below the axis y = 0".into(),
+            ));
+        }
+        Ok(outline)
+    }
+
     /// The outline scaled, turned and moved.
     #[must_use]
     pub fn placed(&self, placement: &Placement<2>) -> Self {

@@ -6,7 +6,7 @@ use crate::error::GeometryError;
 use crate::{Bounds, Vector};
 
 /// Ends that lie this close, relative to the outline's size, are one point.
-const SAME_POINT: f64 = 1e-9;
+pub(super) const SAME_POINT: f64 = 1e-9;
 
 /// Checks that the pieces of one chain are sound and meet, and says how the chain ends.
 pub(super) fn chain(pieces: &[Piece], axis: bool) -> Result<Ends, GeometryError> {

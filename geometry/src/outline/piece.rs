@@ -2,9 +2,9 @@
 //!
 //! A piece is travelled so that the solid lies to the left. Not responsible for how pieces join.
 
-use std::f64::consts::{PI, TAU};
+use std::f64::consts::TAU;
 
-use crate::{Bounds, Placement, Vector};
+use crate::{Bounds, Vector};
 
 /// A piece of an outline.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -224,107 +224,6 @@ impl Piece {
         match self {
             Self::Line(_) => 0.0,
             Self::Arc(arc) => arc.sweep.signum() / arc.radius,
-        }
-    }
-
-    /// The same piece travelled the other way.
-    #[must_use]
-    pub fn reversed(&self) -> Self {
-        match self {
-            Self::Line(line) => Self::Line(Line {
-                origin: line.origin,
-                direction: -line.direction,
-                from: -line.to,
-                to: -line.from,
-                start: line.end,
-                end: line.start,
-            })
-            .rebased(),
-            Self::Arc(arc) => Self::arc_between(
-                arc.center,
-                arc.radius,
-                [arc.start_angle + arc.sweep, -arc.sweep],
-                [arc.end, arc.start],
-            ),
-        }
-    }
-
-    /// The mirror image about the plane `(axis, position)`, travelled so that the solid's image
-    /// stays to the left.
-    #[must_use]
-    pub fn mirrored(&self, (axis, position): (usize, f64)) -> Self {
-        let image = |p: Vector<2>| {
-            let mut q = p;
-            q[axis] = 2.0 * position - q[axis];
-            q
-        };
-        let back = |d: Vector<2>| {
-            let mut e = -d;
-            e[axis] = d[axis];
-            e
-        };
-        match self {
-            Self::Line(line) => {
-                let (origin, direction) = (image(line.origin), back(line.direction));
-                match (line.from.is_finite(), line.to.is_finite()) {
-                    (true, true) => Self::segment(image(line.end), image(line.start)),
-                    (true, false) => Self::ray_to(origin, direction),
-                    (false, true) => Self::ray_from(origin, direction),
-                    (false, false) => Self::whole_line(origin, direction),
-                }
-            }
-            Self::Arc(arc) => {
-                let last = arc.start_angle + arc.sweep;
-                let start_angle = if axis == 0 { PI - last } else { -last };
-                Self::arc_between(
-                    image(arc.center),
-                    arc.radius,
-                    [start_angle, arc.sweep],
-                    [image(arc.end), image(arc.start)],
-                )
-            }
-        }
-    }
-
-    /// A finite line measured from its start again.
-    fn rebased(self) -> Self {
-        match self {
-            Self::Line(line) if line.from.is_finite() && line.to.is_finite() => {
-                Self::segment(line.start, line.end)
-            }
-            other => other,
-        }
-    }
-
-    /// The piece after scaling, turning and moving.
-    #[must_use]
-    pub fn placed(&self, placement: &Placement<2>) -> Self {
-        match self {
-            Self::Line(line) => {
-                if line.from.is_finite() && line.to.is_finite() {
-                    return Self::segment(placement.point(&line.start), placement.point(&line.end));
-                }
-                let (origin, direction) = (
-                    placement.point(&line.origin),
-                    placement.direction(&line.direction),
-                );
-                if line.from.is_finite() {
-                    Self::ray_from(origin, direction)
-                } else if line.to.is_finite() {
-                    Self::ray_to(origin, direction)
-                } else {
-                    Self::whole_line(origin, direction)
-                }
-            }
-            Self::Arc(arc) => {
-                let turned = placement.direction(&unit(arc.start_angle));
-                Self::arc_between(
-                    placement.point(&arc.center),
-                    placement.scale() * arc.radius,
-                    [turned.y.atan2(turned.x), arc.sweep],
-                    [placement.point(&arc.start), placement.point(&arc.end)],
-                )
-            }
         }
     }
 
