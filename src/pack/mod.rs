@@ -12,7 +12,7 @@ use aero_packer::{Ghosts, PackOptions, Packing};
 
 use crate::output::{self, OutputError};
 use crate::scene::file::{StlEntry, Unit};
-use crate::scene::shape_entry::ShapeEntry;
+use crate::scene::shapes::ShapeEntry;
 use crate::scene::{PackWishes, Scene, SceneError};
 
 /// Packed bodies and the name that their files carry.

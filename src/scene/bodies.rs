@@ -12,7 +12,7 @@ use super::error::SceneError;
 use super::file::{BodyEntry, MotionEntry, SceneFile};
 use super::flow::{vector, vector_or_zero};
 use super::number::Positive;
-use super::shape_entry::Made;
+use super::shapes::Made;
 use super::side::WallWord;
 use super::spin::Spin;
 use crate::case::{Body, Domain, Motion, Side, State};
@@ -163,8 +163,7 @@ impl<const D: usize> BodyPlan<D> {
         let packing = self.pack()?;
         let entry = &self.entry;
         let name = self.name();
-        // A force is only known for the part of the body that the domain holds.
-        let part = self.made.shape.bounds().intersection(&domain.bounds);
+        let part = modelled_part(&self.made.shape.bounds(), domain);
         let size = part.size();
         let moment_centre = match &entry.moment_centre {
             Some(point) => vector(&format!("body.{name}.moment_centre"), point)?,
@@ -185,6 +184,22 @@ impl<const D: usize> BodyPlan<D> {
             moment_centre,
         })
     }
+}
+
+/// The part of a body that forces are reported for: what the domain holds of it, and its image
+/// behind symmetry planes that cut it.
+fn modelled_part<const D: usize>(bounds: &Bounds<D>, domain: &Domain<D>) -> Bounds<D> {
+    let mut part = bounds.intersection(&domain.bounds);
+    for k in 0..D {
+        let [low, high] = domain.sides[k].map(|side| side == Side::Symmetry);
+        let (plane_low, plane_high) = (domain.bounds.min[k], domain.bounds.max[k]);
+        if low && bounds.min[k] < plane_low {
+            part.min[k] = 2.0 * plane_low - part.max[k];
+        } else if high && bounds.max[k] > plane_high {
+            part.max[k] = 2.0 * plane_high - part.min[k];
+        }
+    }
+    part
 }
 
 fn motion<const D: usize>(

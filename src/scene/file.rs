@@ -5,8 +5,10 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
-use super::number::{Count, Courant, Dimension, Finite, Gamma, Name, NonNegative, Positive};
-use super::shape_entry::ShapeEntry;
+use super::number::{
+    Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
+};
+use super::shapes::ShapeEntry;
 use super::side::{SideEntry, WallWord};
 use super::spin::{Rotation, Spin};
 use crate::case::{Equations, Extrapolation};
@@ -165,6 +167,9 @@ pub struct SidesEntry {
 pub struct InitialEntry {
     /// Two states beside a plane.
     pub riemann: Option<RiemannEntry>,
+    /// Random displacement of the starting lattice, as a fraction of the spacing; none unless
+    /// given.
+    pub disorder: Option<Disorder>,
 }
 
 /// `[initial.riemann]`

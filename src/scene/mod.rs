@@ -8,7 +8,7 @@ pub mod file;
 mod flow;
 pub mod number;
 mod overrides;
-pub mod shape_entry;
+pub mod shapes;
 pub mod side;
 pub mod spin;
 
@@ -19,7 +19,7 @@ use std::path::{Path, PathBuf};
 
 use crate::case::{Case, Equations, Extrapolation, OutputPlan, Scheme};
 use file::{OutputEntry, SceneFile, SchemeEntry};
-use number::{Count, Courant};
+use number::{Count, Courant, Disorder};
 
 /// A scene: read, with all single values in range, and open to overrides.
 #[derive(Clone, Debug)]
@@ -137,6 +137,7 @@ impl Scene {
             free_stream,
             disorder: 0.0,
             initial,
+            disorder: file.initial.disorder.map_or(0.0, Disorder::get),
             bodies,
             output,
         })

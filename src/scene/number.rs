@@ -53,6 +53,10 @@ ranged!(
     /// A Courant number.
     Courant, |x| x > 0.0 && x <= 1.0, "a Courant number, which is above 0 and at most 1 (0.5 is usual)"
 );
+ranged!(
+    /// A random displacement as a fraction of the spacing.
+    Disorder, |x| (0.0..0.5).contains(&x), "a disorder, which is zero or more and below 0.5"
+);
 
 /// Number of space dimensions: 1, 2 or 3.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]

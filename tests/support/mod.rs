@@ -130,16 +130,17 @@ pub fn octahedron(name: &str) -> String {
         }
         corners
     };
-    let mut text = format!("solid {name}\n");
+    let mut lines = vec![format!("solid {name}")];
     for number in 0..8_u8 {
         let sign = |bit: u8| if number >> bit & 1 == 0 { 1.0 } else { -1.0 };
-        text += "facet normal 0 0 0\nouter loop\n";
+        lines.push("facet normal 0 0 0\nouter loop".into());
         for [x, y, z] in corners([sign(0), sign(1), sign(2)]) {
-            text += &format!("vertex {x} {y} {z}\n");
+            lines.push(format!("vertex {x} {y} {z}"));
         }
-        text += "endloop\nendfacet\n";
+        lines.push("endloop\nendfacet".into());
     }
-    text + &format!("endsolid {name}\n")
+    lines.push(format!("endsolid {name}\n"));
+    lines.join("\n")
 }
 
 /// Points and named arrays of a `.vtp` file, read back by an independent reader.
