@@ -7,3 +7,4 @@ pub mod pack;
 pub mod run;
 pub mod scene;
 pub mod solver;
+pub mod validate;

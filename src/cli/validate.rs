@@ -4,7 +4,11 @@ use std::path::PathBuf;
 
 use clap::Args;
 
+use aero_validation::table;
+
 use super::CommandError;
+use aero::output;
+use aero::validate::{self, Context, Level, ValidateError};
 
 /// What `aero validate` takes.
 #[derive(Args, Debug)]
@@ -36,7 +40,35 @@ pub struct ChartArgs {
 
 /// Compares cases with theory.
 pub fn validate(args: &ValidateArgs) -> Result<(), CommandError> {
-    Err(not_built("validate", &args.cases))
+    let level = if args.full { Level::Full } else { Level::Quick };
+    let out = args
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from("out/validate"));
+    output::make_folder(&out).map_err(CommandError::wrong)?;
+    let context = Context {
+        level,
+        out: &out,
+        announce: &|run| eprintln!("running {run}"),
+    };
+    let checks = validate::validate(&args.cases, &context).map_err(|error| match error {
+        ValidateError::Unknown { .. } => CommandError::wrong(error),
+        _ => CommandError::failed(error),
+    })?;
+    print!("{}", table::to_text(&checks));
+    table::write_json(&checks, &out).map_err(CommandError::failed)?;
+    let failed = checks.iter().filter(|check| !check.pass).count();
+    if failed > 0 {
+        let what = format!(
+            "{failed} of {} comparisons are off by more than allowed",
+            checks.len()
+        );
+        return Err(CommandError::failed(format!(
+            "{what}; see {}",
+            out.display()
+        )));
+    }
+    Ok(())
 }
 
 /// Charts speed against accuracy.

@@ -135,7 +135,6 @@ impl Scene {
             scheme: scheme(file.scheme),
             domain,
             free_stream,
-            disorder: 0.0,
             initial,
             disorder: file.initial.disorder.map_or(0.0, Disorder::get),
             bodies,

@@ -36,7 +36,9 @@ pub struct Context<'a> {
 
 impl std::fmt::Debug for Context<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
-        f.debug_struct("Context").field("level", &self.level).finish_non_exhaustive()
+        f.debug_struct("Context")
+            .field("level", &self.level)
+            .finish_non_exhaustive()
     }
 }
 
@@ -91,8 +93,14 @@ const CASES: [(&str, Comparison); 2] = [("wedge", wedge::compare), ("sod", sod::
 /// A name that is not a case, before anything runs; a run that stops.
 pub fn validate(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     let known = || CASES.map(|(name, _)| name).join(", ");
-    if let Some(name) = names.iter().find(|name| CASES.iter().all(|case| case.0 != **name)) {
-        return Err(ValidateError::Unknown { name: name.clone(), known: known() });
+    if let Some(name) = names
+        .iter()
+        .find(|name| CASES.iter().all(|case| case.0 != **name))
+    {
+        return Err(ValidateError::Unknown {
+            name: name.clone(),
+            known: known(),
+        });
     }
     let mut checks = Vec::new();
     for (name, compare) in CASES {

@@ -63,13 +63,19 @@ fn finish<const D: usize>(
     let (simulation, summary) = simulate(case, &mut Silent, stopwatch)?;
     let frame = simulation.frame();
     let gas = gas(&frame);
-    Ok(Outcome { gas, frame, surface: simulation.surface(), summary })
+    Ok(Outcome {
+        gas,
+        frame,
+        surface: simulation.surface(),
+        summary,
+    })
 }
 
 /// The fluid particles of a frame.
 fn gas(frame: &Frame) -> Frame {
-    let chosen: Vec<usize> =
-        (0..frame.kind.len()).filter(|&i| frame.kind[i] == Kind::Fluid as u8).collect();
+    let chosen: Vec<usize> = (0..frame.kind.len())
+        .filter(|&i| frame.kind[i] == Kind::Fluid as u8)
+        .collect();
     fn pick<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
         chosen.iter().map(|&i| values[i]).collect()
     }

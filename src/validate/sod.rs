@@ -1,14 +1,18 @@
 //! The reflecting shock tube against the exact solution.
 
-use aero_validation::exact::ClosedTube;
-use aero_validation::metrics::profile_error;
-use aero_validation::pictures::{Curves, Panel, Series};
+use aero_validation::exact::State;
+use aero_validation::exact::sod_tube::ClosedTube;
+use aero_validation::metrics::profile::profile_error;
+use aero_validation::pictures::curves::{Curves, Panel, Series};
 use aero_validation::table::{Check, Subject};
 
 use super::outcome::{Outcome, Source, run};
 use super::{Context, Level, ValidateError};
 
-const SCENE: Source = Source { name: "sod", text: include_str!("../../cases/sod.toml") };
+const SCENE: Source = Source {
+    name: "sod",
+    text: include_str!("../../cases/sod.toml"),
+};
 const THEORY: &str = "exact Riemann solution with reflection (Toro 2009)";
 const GAMMA: f64 = 1.4;
 
@@ -46,13 +50,38 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
                     (true, false) => subject.relative(measured, reference, allowed),
                 });
             };
-            row("mean density error", density_error(&outcome, &tube)?, 0.0, allowed);
-            row("drift of total energy", outcome.summary.conservation.energy, 0.0, 2e-4);
+            row(
+                "mean density error",
+                density_error(&outcome, &tube)?,
+                0.0,
+                allowed,
+            );
+            row(
+                "drift of total energy",
+                outcome.summary.conservation.energy,
+                0.0,
+                2e-4,
+            );
             if time > tube.wall_time() {
                 let behind = tube.reflected();
-                row("density at the wall", plateau(&outcome, &tube, |gas, i| gas.density[i]), behind.density, 0.5);
-                row("pressure at the wall", plateau(&outcome, &tube, |gas, i| gas.pressure[i]), behind.pressure, 0.5);
-                picture(&outcome, &tube, &format!("sod-{equations}-{extrapolation}"), context)?;
+                row(
+                    "density at the wall",
+                    plateau(&outcome, &tube, |gas, i| gas.density[i]),
+                    behind.density,
+                    0.5,
+                );
+                row(
+                    "pressure at the wall",
+                    plateau(&outcome, &tube, |gas, i| gas.pressure[i]),
+                    behind.pressure,
+                    0.5,
+                );
+                picture(
+                    &outcome,
+                    &tube,
+                    &format!("sod-{equations}-{extrapolation}"),
+                    context,
+                )?;
             }
         }
     }
@@ -63,8 +92,10 @@ fn density_error(outcome: &Outcome, tube: &ClosedTube) -> Result<f64, ValidateEr
     let gas = &outcome.gas;
     let x: Vec<f64> = gas.position.iter().map(|p| p[0]).collect();
     let exact = |x: f64| tube.at(x, gas.time).ok().map(|state| state.density);
-    let error = profile_error(&x, &gas.density, exact)
-        .map_err(|source| ValidateError::Metric { case: SCENE.name.into(), source })?;
+    let error = profile_error(&x, &gas.density, exact).map_err(|source| ValidateError::Metric {
+        case: SCENE.name.into(),
+        source,
+    })?;
     Ok(error.l1)
 }
 
@@ -95,10 +126,10 @@ fn picture(
     let gas = &outcome.gas;
     let x: Vec<f64> = gas.position.iter().map(|p| p[0]).collect();
     let velocity: Vec<f64> = gas.velocity.iter().map(|u| u[0]).collect();
-    let exact = |x: f64, pick: fn(&aero_validation::exact::State) -> f64| {
+    let exact = |x: f64, pick: fn(&State) -> f64| {
         tube.at(x, gas.time).map_or(f64::NAN, |state| pick(&state))
     };
-    let panel = |label: &str, values: &[f64], pick: fn(&aero_validation::exact::State) -> f64| {
+    let panel = |label: &str, values: &[f64], pick: fn(&State) -> f64| {
         let series = vec![
             Series::particles("particles", &x, values),
             Series::exact([0.0, 1.0], 1000, |x| exact(x, pick)),
@@ -109,9 +140,17 @@ fn picture(
         &format!("Reflecting shock tube at t = {} ({name})", gas.time),
         panel("density", &gas.density, |state| state.density),
     );
-    curves.panels.push(panel("pressure", &gas.pressure, |state| state.pressure));
-    curves.panels.push(panel("velocity", &velocity, |state| state.velocity));
-    curves.panels.push(panel("internal energy", &gas.energy, |state| state.energy(GAMMA)));
+    curves
+        .panels
+        .push(panel("pressure", &gas.pressure, |state| state.pressure));
+    curves
+        .panels
+        .push(panel("velocity", &velocity, |state| state.velocity));
+    curves
+        .panels
+        .push(panel("internal energy", &gas.energy, |state| {
+            state.energy(GAMMA)
+        }));
     curves.columns = 2;
     Ok(curves.save(&context.out.join(format!("{name}.png")))?)
 }

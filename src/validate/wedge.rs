@@ -1,18 +1,22 @@
 //! The compression corner against oblique shock theory.
 
 use aero_geometry::kernel::SMOOTHING_RATIO;
-use aero_validation::exact::{ObliqueShock, Strength, oblique_shock};
-use aero_validation::metrics::{
-    Cloud, MetricError, Plateau, Ramp, SHARE, ShockLine, ShockSearch, Stream, fit_shock_line,
-    gradient, gradient_angle, plateau,
-};
-use aero_validation::pictures::{Overlay, ParticlePicture};
+use aero_validation::exact::oblique::{ObliqueShock, Strength, oblique_shock};
+use aero_validation::metrics::MetricError;
+use aero_validation::metrics::gradient::{Cloud, gradient};
+use aero_validation::metrics::gradient_angle::{SHARE, gradient_angle};
+use aero_validation::metrics::plateau::{Plateau, Ramp, Stream, plateau};
+use aero_validation::metrics::shock_line::{ShockLine, ShockSearch, fit_shock_line};
+use aero_validation::pictures::particles::{Overlay, ParticlePicture};
 use aero_validation::table::{Check, Subject};
 
 use super::outcome::{Outcome, Source, run};
 use super::{Context, Level, ValidateError};
 
-const SCENE: Source = Source { name: "wedge", text: include_str!("../../cases/wedge.toml") };
+const SCENE: Source = Source {
+    name: "wedge",
+    text: include_str!("../../cases/wedge.toml"),
+};
 const THEORY: &str = "oblique shock theory (NACA 1135, 1953)";
 const GAMMA: f64 = 1.4;
 /// Distance from corner, wall and shock at which the flow is read, in smoothing lengths.
@@ -48,15 +52,25 @@ const fn conservative(mach: f64, cells: u32, end_time: f64, plateau: f64) -> Var
 }
 
 const fn full(variant: Variant) -> Variant {
-    Variant { level: Level::Full, ..variant }
+    Variant {
+        level: Level::Full,
+        ..variant
+    }
 }
 
 const fn wm(variant: Variant) -> Variant {
-    Variant { extrapolation: "wm", ..variant }
+    Variant {
+        extrapolation: "wm",
+        ..variant
+    }
 }
 
 const fn paper(variant: Variant) -> Variant {
-    Variant { equations: "paper", plateau: None, ..variant }
+    Variant {
+        equations: "paper",
+        plateau: None,
+        ..variant
+    }
 }
 
 const MILD: Variant = conservative(2.5, 16, 10.0, 1.0);
@@ -81,7 +95,10 @@ const VARIANTS: [Variant; 12] = [
 /// Runs the variants and compares plateau and shock angle with theory.
 pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     let mut checks = Vec::new();
-    for variant in VARIANTS.iter().filter(|v| context.level == Level::Full || v.level == Level::Quick) {
+    for variant in VARIANTS
+        .iter()
+        .filter(|v| context.level == Level::Full || v.level == Level::Quick)
+    {
         let outcome = run(SCENE, &variant.settings(), context)?;
         checks.extend(variant.check(&outcome, context)?);
     }
@@ -95,7 +112,12 @@ fn leak(context: &Context<'_>) -> Result<Check, ValidateError> {
     let mut settings = MILD.settings();
     settings.push("scheme.constant_ghost_volume=false".into());
     let outcome = run(SCENE, &settings, context)?;
-    picture(&outcome, &MILD.shock()?, "wedge-without-constant-volume", context)?;
+    picture(
+        &outcome,
+        &MILD.shock()?,
+        "wedge-without-constant-volume",
+        context,
+    )?;
     let quantity = "M 2.5, ghost volumes not constant: particles in the wall";
     let source = "leaks (Villodi & Ramachandran 2024, fig. 2a)";
     Ok(Subject::new("wedge", quantity, source).informs(outcome.summary.leaked as f64, 0.0))
@@ -118,19 +140,37 @@ impl Variant {
     }
 
     fn shock(&self) -> Result<ObliqueShock, ValidateError> {
-        Ok(oblique_shock(self.mach, self.angle.to_radians(), GAMMA, Strength::Weak)?)
+        Ok(oblique_shock(
+            self.mach,
+            self.angle.to_radians(),
+            GAMMA,
+            Strength::Weak,
+        )?)
     }
 
     fn label(&self) -> String {
-        let Self { mach, angle, cells, equations, extrapolation, .. } = self;
+        let Self {
+            mach,
+            angle,
+            cells,
+            equations,
+            extrapolation,
+            ..
+        } = self;
         format!("M {mach}, {angle} deg, dx 1/{cells}, {equations} {extrapolation}")
     }
 
     fn check(&self, outcome: &Outcome, context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
         let shock = self.shock()?;
-        let measured = Measured::new(self, outcome, &shock)
-            .map_err(|source| ValidateError::Metric { case: SCENE.name.into(), source })?;
-        let name = format!("wedge-M{}-{}-{}", self.mach, self.equations, self.extrapolation);
+        let measured =
+            Measured::new(self, outcome, &shock).map_err(|source| ValidateError::Metric {
+                case: SCENE.name.into(),
+                source,
+            })?;
+        let name = format!(
+            "wedge-M{}-{}-{}",
+            self.mach, self.equations, self.extrapolation
+        );
         picture(outcome, &shock, &name, context)?;
 
         let label = self.label();
@@ -146,11 +186,36 @@ impl Variant {
         let degrees = shock.angle.to_degrees();
         let pressure = shock.pressure_ratio / GAMMA;
         let mut checks = vec![
-            row("plateau density", measured.plateau.density, shock.density_ratio, self.plateau),
-            row("plateau pressure", measured.plateau.pressure, pressure, self.plateau),
-            row("plateau Mach number", measured.plateau.mach, shock.mach, self.plateau),
-            row("half-jump shock angle, deg", measured.line.angle.to_degrees(), degrees, when_cured(0.5)),
-            row("shock angle by eq. (36), deg", measured.published.to_degrees(), degrees, when_cured(1.2)),
+            row(
+                "plateau density",
+                measured.plateau.density,
+                shock.density_ratio,
+                self.plateau,
+            ),
+            row(
+                "plateau pressure",
+                measured.plateau.pressure,
+                pressure,
+                self.plateau,
+            ),
+            row(
+                "plateau Mach number",
+                measured.plateau.mach,
+                shock.mach,
+                self.plateau,
+            ),
+            row(
+                "half-jump shock angle, deg",
+                measured.line.angle.to_degrees(),
+                degrees,
+                when_cured(0.5),
+            ),
+            row(
+                "shock angle by eq. (36), deg",
+                measured.published.to_degrees(),
+                degrees,
+                when_cured(1.2),
+            ),
         ];
         if self.plateau.is_some() {
             let quantity = format!("{label}: particles in the wall");
@@ -170,9 +235,17 @@ struct Measured {
 }
 
 impl Measured {
-    fn new(variant: &Variant, outcome: &Outcome, shock: &ObliqueShock) -> Result<Self, MetricError> {
+    fn new(
+        variant: &Variant,
+        outcome: &Outcome,
+        shock: &ObliqueShock,
+    ) -> Result<Self, MetricError> {
         let gas = &outcome.gas;
-        let ramp = Ramp { corner: [0.0, 0.0], angle: variant.angle.to_radians(), end_x: 3.0 };
+        let ramp = Ramp {
+            corner: [0.0, 0.0],
+            angle: variant.angle.to_radians(),
+            end_x: 3.0,
+        };
         let stream = Stream {
             position: &gas.position,
             density: &gas.density,
@@ -189,8 +262,11 @@ impl Measured {
             [1.0, shock.density_ratio],
             variant.spacing(),
         );
-        let volume: Vec<f64> =
-            gas.smoothing_length.iter().map(|h| (h / SMOOTHING_RATIO).powi(2)).collect();
+        let volume: Vec<f64> = gas
+            .smoothing_length
+            .iter()
+            .map(|h| (h / SMOOTHING_RATIO).powi(2))
+            .collect();
         let cloud = Cloud {
             position: &gas.position,
             volume: &volume,
@@ -214,8 +290,11 @@ fn picture(
     context: &Context<'_>,
 ) -> Result<(), ValidateError> {
     let frame = &outcome.frame;
-    let diameter: Vec<f64> =
-        frame.smoothing_length.iter().map(|h| h / SMOOTHING_RATIO).collect();
+    let diameter: Vec<f64> = frame
+        .smoothing_length
+        .iter()
+        .map(|h| h / SMOOTHING_RATIO)
+        .collect();
     let title = format!("Density behind a compression corner ({name})");
     let mut picture = ParticlePicture::new(
         &title,
@@ -225,6 +304,8 @@ fn picture(
         "density / free stream",
     );
     let line = vec![[0.0, 0.0], [3.0, 3.0 * shock.angle.tan()]];
-    picture.overlays.push(Overlay::theory("oblique shock theory", line));
+    picture
+        .overlays
+        .push(Overlay::theory("oblique shock theory", line));
     Ok(picture.save(&context.out.join(format!("{name}.png")))?)
 }
