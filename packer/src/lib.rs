@@ -1,9 +1,28 @@
 //! Shape in, packed layers of ghost particles with normals out. No gas dynamics.
 
+mod cloud;
+mod contour;
+mod error;
+mod fluid;
 mod ghosts;
+mod grid;
+mod lattice;
+mod level;
+mod mirror;
 mod options;
+mod pack;
+mod plan;
+mod quality;
+mod relax;
 mod report;
+mod rows;
+mod schedule;
+mod seeds;
+mod sheets;
+mod target;
 
-pub use ghosts::Ghosts;
-pub use options::PackOptions;
+pub use error::PackError;
+pub use ghosts::{Ghosts, Packing};
+pub use options::{MAX_PARTICLES, PackOptions};
+pub use pack::pack;
 pub use report::PackReport;

@@ -1,6 +1,11 @@
 //! What the caller asks of the packer.
 
-use aero_geometry::Bounds;
+use aero_geometry::{Bounds, Vector};
+
+use crate::PackError;
+
+/// Most particles that one packing may produce, ghosts and fluid together.
+pub const MAX_PARTICLES: f64 = 5e8;
 
 /// How to pack.
 #[derive(Clone, Debug)]
@@ -13,4 +18,33 @@ pub struct PackOptions<const D: usize> {
     pub region: Option<Bounds<D>>,
     /// Number of conforming fluid layers to pack outside the body as well; 0 for none.
     pub fluid_layers: usize,
+    /// A corner of the fluid lattice, whose points are `anchor + (i + 1/2) dx`. Walls along the
+    /// lattice get ghosts that continue it.
+    pub anchor: Vector<D>,
+}
+
+impl<const D: usize> PackOptions<D> {
+    /// Five layers at `spacing`, no fluid, lattice corner at the origin.
+    pub fn new(spacing: f64) -> Self {
+        Self {
+            spacing,
+            layers: 5,
+            region: None,
+            fluid_layers: 0,
+            anchor: Vector::zeros(),
+        }
+    }
+
+    pub(crate) fn check(&self) -> Result<(), PackError> {
+        if !(self.spacing.is_finite() && self.spacing > 0.0) {
+            return Err(PackError::Spacing(self.spacing));
+        }
+        if self.layers == 0 {
+            return Err(PackError::NoLayers);
+        }
+        if !(D == 2 || D == 3) {
+            return Err(PackError::Dimension(D));
+        }
+        Ok(())
+    }
 }

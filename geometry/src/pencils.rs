@@ -1,0 +1,278 @@
+//! The neighbour grid: points sorted into pencils (columns along the last axis), so that every
+//! search is a few contiguous runs, and consecutive points form compact clusters.
+//!
+//! Columns are visited in serpentine order: odd columns run backwards, so that the order has no
+//! jumps and may be cut anywhere.
+
+use std::ops::Range;
+
+use rayon::prelude::*;
+
+use crate::Vector;
+
+/// Points of one set, sorted into pencils. A *slot* is a place in the sorted order.
+#[derive(Clone, Debug)]
+pub struct Pencils<const D: usize> {
+    origin: [f64; D],
+    inverse_width: f64,
+    /// Number of columns per axis; one for the last axis.
+    columns: [usize; D],
+    /// First slot of each column, and the end.
+    start: Vec<u32>,
+    /// Coordinate along the pencil per slot.
+    along: Vec<f64>,
+    order: Vec<u32>,
+    keys: Vec<Key>,
+}
+
+#[derive(Clone, Copy, Debug)]
+struct Key {
+    column: u32,
+    /// Coordinate along the pencil, sign flipped in odd columns.
+    along: f64,
+    point: u32,
+}
+
+impl<const D: usize> Default for Pencils<D> {
+    fn default() -> Self {
+        Self {
+            origin: [0.0; D],
+            inverse_width: 0.0,
+            columns: [1; D],
+            start: vec![0, 0],
+            along: Vec::new(),
+            order: Vec::new(),
+            keys: Vec::new(),
+        }
+    }
+}
+
+impl<const D: usize> Pencils<D> {
+    /// Sorts `points` into columns of about `width`; all coordinates must be finite.
+    pub fn new(points: &[Vector<D>], width: f64) -> Self {
+        let mut pencils = Self::default();
+        pencils.rebuild(points, width);
+        pencils
+    }
+
+    /// Sorts `points` anew, reusing memory; fast where they are nearly in order already.
+    pub fn rebuild(&mut self, points: &[Vector<D>], width: f64) {
+        self.frame(points, width);
+        let mut keys = std::mem::take(&mut self.keys);
+        points
+            .par_iter()
+            .enumerate()
+            .map(|(point, position)| self.key(point, position))
+            .collect_into_vec(&mut keys);
+        // The point's number breaks ties, so the order is unique for any number of threads.
+        keys.par_sort_unstable_by(|a, b| {
+            a.column
+                .cmp(&b.column)
+                .then(a.along.total_cmp(&b.along))
+                .then(a.point.cmp(&b.point))
+        });
+        self.order.clear();
+        self.order.extend(keys.iter().map(|key| key.point));
+        self.along.clear();
+        self.along.extend(keys.iter().map(|key| key.along));
+        self.start.clear();
+        self.start.push(0);
+        let columns: usize = self.columns.iter().product();
+        for (slot, key) in keys.iter().enumerate() {
+            while self.start.len() <= key.column as usize {
+                self.start.push(slot as u32);
+            }
+        }
+        self.start.resize(columns + 1, keys.len() as u32);
+        self.keys = keys;
+    }
+
+    /// Point number at each slot.
+    pub fn order(&self) -> &[u32] {
+        &self.order
+    }
+
+    /// Calls `visit` with every run of slots that may hold points inside the box `min..=max`;
+    /// along the last axis the runs are exact, across it they are whole columns.
+    pub fn for_each_run(
+        &self,
+        min: &Vector<D>,
+        max: &Vector<D>,
+        mut visit: impl FnMut(Range<usize>),
+    ) {
+        if self.order.is_empty() {
+            return;
+        }
+        let mut low = [0; D];
+        let mut high = [0; D];
+        for k in 0..D - 1 {
+            let last = self.columns[k] as f64 - 1.0;
+            let from = (min[k] - self.origin[k]) * self.inverse_width;
+            let to = (max[k] - self.origin[k]) * self.inverse_width;
+            if to < 0.0 || from >= last + 1.0 {
+                return;
+            }
+            low[k] = from.floor().clamp(0.0, last) as usize;
+            high[k] = to.floor().clamp(0.0, last) as usize;
+        }
+        let mut cell = low;
+        loop {
+            let run = self.run(self.column(&cell), min[D - 1], max[D - 1]);
+            if !run.is_empty() {
+                visit(run);
+            }
+            // Next column of the box, odometer fashion over all axes but the last.
+            let mut axis = 0;
+            loop {
+                if axis + 1 >= D {
+                    return;
+                }
+                if cell[axis] < high[axis] {
+                    cell[axis] += 1;
+                    break;
+                }
+                cell[axis] = low[axis];
+                axis += 1;
+            }
+        }
+    }
+
+    /// Places the origin and chooses the number of columns, no more than a few per point.
+    fn frame(&mut self, points: &[Vector<D>], width: f64) {
+        let mut min = [f64::INFINITY; D];
+        let mut max = [f64::NEG_INFINITY; D];
+        for point in points {
+            for k in 0..D {
+                min[k] = min[k].min(point[k]);
+                max[k] = max[k].max(point[k]);
+            }
+        }
+        self.columns = [1; D];
+        self.origin = [0.0; D];
+        self.inverse_width = 1.0 / width;
+        if points.is_empty() {
+            return;
+        }
+        self.origin = min;
+        let mut width = width;
+        let most = 4.0 * points.len() as f64 + 64.0;
+        loop {
+            let count = |k: usize| ((max[k] - min[k]) / width).floor() + 1.0;
+            let total: f64 = (0..D - 1).map(count).product();
+            if total <= most {
+                for k in 0..D - 1 {
+                    self.columns[k] = count(k) as usize;
+                }
+                self.inverse_width = 1.0 / width;
+                return;
+            }
+            width *= 2.0;
+        }
+    }
+
+    fn key(&self, point: usize, position: &Vector<D>) -> Key {
+        let mut cell = [0; D];
+        for k in 0..D - 1 {
+            let across = ((position[k] - self.origin[k]) * self.inverse_width).floor();
+            cell[k] = (across.max(0.0) as usize).min(self.columns[k] - 1);
+        }
+        let column = self.column(&cell);
+        let along = position[D - 1];
+        Key {
+            column: column as u32,
+            along: if column % 2 == 1 { -along } else { along },
+            point: point as u32,
+        }
+    }
+
+    /// Column number of a cell; in 3D the second axis is serpentine too.
+    fn column(&self, cell: &[usize; D]) -> usize {
+        if D < 3 {
+            return if D == 2 { cell[0] } else { 0 };
+        }
+        let across = if cell[0] % 2 == 1 {
+            self.columns[1] - 1 - cell[1]
+        } else {
+            cell[1]
+        };
+        cell[0] * self.columns[1] + across
+    }
+
+    /// Slots of `column` whose coordinate along the pencil lies in `from..=to`.
+    fn run(&self, column: usize, from: f64, to: f64) -> Range<usize> {
+        let first = self.start[column] as usize;
+        let along = &self.along[first..self.start[column + 1] as usize];
+        let (from, to) = if column % 2 == 1 {
+            (-to, -from)
+        } else {
+            (from, to)
+        };
+        let low = along.partition_point(|&a| a < from);
+        let high = low + along[low..].partition_point(|&a| a <= to);
+        first + low..first + high
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn scattered<const D: usize>(count: usize) -> Vec<Vector<D>> {
+        let mut seed = 7_u64;
+        let mut next = || {
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (seed >> 33) as f64 / f64::from(1_u32 << 31)
+        };
+        (0..count).map(|_| Vector::from_fn(|_, _| next())).collect()
+    }
+
+    fn finds_what_brute_force_finds<const D: usize>() {
+        let points = scattered::<D>(500);
+        let pencils = Pencils::new(&points, 0.13);
+        let radius = 0.2;
+        for centre in &points[..50] {
+            let mut found: Vec<u32> = Vec::new();
+            pencils.for_each_run(
+                &centre.add_scalar(-radius),
+                &centre.add_scalar(radius),
+                |run| {
+                    found.extend(
+                        pencils.order()[run]
+                            .iter()
+                            .filter(|&&p| (points[p as usize] - centre).norm() < radius),
+                    );
+                },
+            );
+            found.sort_unstable();
+            let expected: Vec<u32> = (0..500)
+                .filter(|&p| (points[p as usize] - centre).norm() < radius)
+                .collect();
+            assert_eq!(found, expected);
+        }
+    }
+
+    #[test]
+    fn a_search_finds_what_brute_force_finds_in_every_dimension() {
+        finds_what_brute_force_finds::<1>();
+        finds_what_brute_force_finds::<2>();
+        finds_what_brute_force_finds::<3>();
+    }
+
+    #[test]
+    fn an_empty_set_has_no_runs() {
+        let pencils = Pencils::<2>::new(&[], 1.0);
+        pencils.for_each_run(&Vector::zeros(), &Vector::repeat(1.0), |_| {
+            panic!("no run expected")
+        });
+    }
+
+    #[test]
+    fn a_far_outlier_does_not_exhaust_memory() {
+        let mut points = scattered::<3>(100);
+        points.push(Vector::repeat(1e12));
+        let pencils = Pencils::new(&points, 0.1);
+        assert!(pencils.start.len() < 10_000);
+    }
+}

@@ -1,0 +1,166 @@
+//! The narrow band: square cells near the surface, found by descending from one big cell.
+
+use aero_geometry::{Bounds, Shape, Vector};
+use rayon::prelude::*;
+
+use crate::PackError;
+use crate::options::MAX_PARTICLES;
+
+/// A distance that differs from the expected one by this part of the cell's edge tells of a ridge.
+const RIDGE: f64 = 0.05;
+
+/// A lattice of cubes; cell `i` spans `origin + i step ..= origin + (i + 1) step`.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Grid<const D: usize> {
+    /// Lowest corner of cell zero.
+    pub origin: Vector<D>,
+    /// Edge length of a cell.
+    pub step: f64,
+}
+
+/// One cell of the band.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Cell<const D: usize> {
+    /// Place in the grid.
+    pub index: [i64; D],
+    /// Signed distance at the centre.
+    pub distance: f64,
+    /// Gradient of the signed distance at the centre.
+    pub normal: Vector<D>,
+    /// True where the cell straddles the face between two layers and a ridge of the distance, so
+    /// that the face is not a plane in it.
+    pub on_ridge: bool,
+}
+
+impl<const D: usize> Grid<D> {
+    /// Centre of a cell.
+    pub fn centre(&self, index: &[i64; D]) -> Vector<D> {
+        Vector::from_fn(|k, _| self.origin[k] + (index[k] as f64 + 0.5) * self.step)
+    }
+
+    /// Lowest corner of a cell.
+    pub fn corner(&self, index: &[i64; D]) -> Vector<D> {
+        Vector::from_fn(|k, _| self.origin[k] + index[k] as f64 * self.step)
+    }
+
+    /// All cells with centres in `bounds` that a signed distance in `low..=high` may cross, in a
+    /// fixed order. A block is dropped once its centre is too far for any point in it, for the
+    /// distance changes by no more than the way travelled.
+    pub fn band(
+        &self,
+        shape: &dyn Shape<D>,
+        bounds: &Bounds<D>,
+        (low, high): (f64, f64),
+        spacing: f64,
+    ) -> Result<Vec<Cell<D>>, PackError> {
+        let first: [i64; D] =
+            std::array::from_fn(|k| cell_number(bounds.min[k] - self.origin[k], self.step));
+        let end: [i64; D] = std::array::from_fn(|k| {
+            -cell_number(self.origin[k] - bounds.max[k], self.step).min(-first[k] - 1)
+        });
+        let longest = (0..D).map(|k| end[k] - first[k]).max().unwrap_or(1);
+        let mut size = u64::try_from(longest).unwrap_or(1).next_power_of_two() as i64;
+        let mut blocks = vec![first];
+        while size > 1 {
+            size /= 2;
+            let reach = 0.5 * size as f64 * self.step * (D as f64).sqrt() + 1e-9 * spacing;
+            blocks = blocks
+                .par_iter()
+                .flat_map_iter(|block| children(block, size, &end))
+                .filter(|block| {
+                    let centre = Vector::from_fn(|k, _| {
+                        self.origin[k] + (block[k] as f64 + 0.5 * size as f64) * self.step
+                    });
+                    let distance = shape.signed_distance(&centre);
+                    distance > low - reach && distance < high + reach
+                })
+                .collect();
+            let width = size as f64 * self.step / spacing;
+            let deep = width.min((high - low) / spacing);
+            let estimate = 0.5 * blocks.len() as f64 * width.powi(D as i32 - 1) * deep;
+            if estimate > MAX_PARTICLES {
+                return Err(PackError::TooMany {
+                    spacing,
+                    estimate,
+                    limit: MAX_PARTICLES,
+                });
+            }
+        }
+        Ok(blocks
+            .par_iter()
+            .map(|index| self.cell(shape, index, spacing))
+            .collect())
+    }
+
+    /// The cell at `index`.
+    fn cell(&self, shape: &dyn Shape<D>, index: &[i64; D], spacing: f64) -> Cell<D> {
+        let centre = self.centre(index);
+        let closest = shape.closest(&centre);
+        let face = (closest.distance / spacing).round() * spacing;
+        let reach = 0.5 * self.step * closest.normal.abs().sum();
+        let away = reach.copysign(closest.distance);
+        let on_ridge = face != 0.0 && (face - closest.distance).abs() < reach && {
+            let end = shape.signed_distance(&(centre + away * closest.normal));
+            (end - closest.distance - away).abs() > RIDGE * self.step
+        };
+        Cell {
+            index: *index,
+            distance: closest.distance,
+            normal: closest.normal,
+            on_ridge,
+        }
+    }
+}
+
+/// Number of the cell that a length reaches, forgiving round-off at cell faces.
+fn cell_number(length: f64, step: f64) -> i64 {
+    (length / step + 1e-6).floor() as i64
+}
+
+/// The halves per axis of a block that begin before `end`.
+fn children<const D: usize>(
+    block: &[i64; D],
+    size: i64,
+    end: &[i64; D],
+) -> impl Iterator<Item = [i64; D]> + use<D> {
+    let (block, end) = (*block, *end);
+    (0..1_usize << D)
+        .map(move |n| std::array::from_fn(|k| block[k] + size * ((n >> k) & 1) as i64))
+        .filter(move |child: &[i64; D]| (0..D).all(|k| child[k] < end[k]))
+}
+
+impl<const D: usize> Cell<D> {
+    /// Part of the cell, of edge `step`, where the signed distance is below `level`; exact where
+    /// the surface is flat.
+    pub fn fraction_below(&self, level: f64, step: f64) -> f64 {
+        if self.on_ridge {
+            return if self.distance < level { 1.0 } else { 0.0 };
+        }
+        let slopes: [f64; D] = std::array::from_fn(|k| self.normal[k].abs().max(1e-3));
+        let total: f64 = slopes.iter().sum();
+        let reach = (level - self.distance) / step + 0.5 * total;
+        if reach <= 0.0 {
+            return 0.0;
+        }
+        if reach >= total {
+            return 1.0;
+        }
+        // Volume of the unit cube below a plane: inclusion and exclusion over its corners
+        // (Scardovelli & Zaleski 2000, J. Comput. Phys. 164, eq. 4).
+        let mut sum = 0.0;
+        for corner in 0..1_usize << D {
+            let cut: f64 = (0..D)
+                .filter(|k| corner >> k & 1 == 1)
+                .map(|k| slopes[k])
+                .sum();
+            let sign = if corner.count_ones() % 2 == 0 {
+                1.0
+            } else {
+                -1.0
+            };
+            sum += sign * (reach - cut).max(0.0).powi(D as i32);
+        }
+        let factorial = if D == 2 { 2.0 } else { 6.0 };
+        (sum / (factorial * slopes.iter().product::<f64>())).clamp(0.0, 1.0)
+    }
+}

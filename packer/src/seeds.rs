@@ -1,0 +1,95 @@
+//! First positions of the ghosts, layer by layer.
+
+use crate::PackError;
+use crate::cloud::{Cloud, Lock};
+use crate::contour::{Contour, Corners};
+use crate::lattice::lattice_grid;
+use crate::level::project;
+use crate::plan::Plan;
+use crate::rows::RowPlan;
+use crate::sheets::Sheets;
+
+/// Volumes that agree with the contour's length to this part are taken to be equal.
+const SAME_VOLUME: f64 = 0.02;
+
+/// Particles of all layers in the packed part of space, each on the middle of its layer, and what
+/// rounding leaves of their number.
+pub(crate) fn seed<const D: usize>(plan: &Plan<'_, D>) -> Result<(Cloud<D>, f64), PackError> {
+    if D == 2 {
+        Ok(in_the_plane(plan))
+    } else {
+        in_space(plan)
+    }
+}
+
+/// Equidistant along the contours.
+fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> (Cloud<D>, f64) {
+    let spacing = plan.options.spacing;
+    let corners = Corners::new(
+        plan.shape,
+        &plan.mirrors,
+        plan.fine,
+        &plan.band,
+        plan.tolerance,
+    );
+    let rows = RowPlan {
+        spacing,
+        anchor: plan.options.anchor,
+    };
+    let mut cloud = Cloud::default();
+    let mut carry = 0.0;
+    for (layer, layer_volume) in plan.layer_volumes().into_iter().enumerate() {
+        let level = plan.level(layer);
+        let contours = corners.trace(level);
+        let length: f64 = contours.iter().map(Contour::length).sum();
+        let ratio = length * spacing / layer_volume.max(1e-300);
+        let stretch = if (ratio - 1.0).abs() < SAME_VOLUME {
+            1.0
+        } else {
+            ratio
+        };
+        for contour in &contours {
+            for s in rows.seeds(contour, stretch, &mut carry) {
+                let guess = plan.mirrors.snapped(contour.point_at(s), 1e-9 * spacing);
+                let point = project(plan.shape, &guess, level, plan.tolerance).unwrap_or(guess);
+                cloud.push(
+                    point,
+                    layer as u32,
+                    Lock::Level(level),
+                    plan.particle_volume(),
+                );
+            }
+        }
+    }
+    (cloud, carry)
+}
+
+/// Lattice points projected onto the level surfaces.
+fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<(Cloud<D>, f64), PackError> {
+    let spacing = plan.options.spacing;
+    let volume = plan.particle_volume();
+    let grid = lattice_grid(&plan.mirrors, &plan.options.anchor, spacing);
+    let ends = [plan.level(0), plan.level(plan.layers - 1)];
+    let half = 0.5 * spacing;
+    let range = (ends[0].min(ends[1]) - half, ends[0].max(ends[1]) + half);
+    let band = grid.band(plan.shape, &plan.bounds, range, spacing)?;
+    let sheets = Sheets {
+        shape: plan.shape,
+        mirrors: &plan.mirrors,
+        grid,
+        band: &band,
+        tolerance: plan.tolerance,
+    };
+    let mut cloud = Cloud::default();
+    let mut carry = 0.0;
+    for (layer, layer_volume) in plan.layer_volumes().into_iter().enumerate() {
+        let level = plan.level(layer);
+        let wanted = layer_volume / volume + carry;
+        let points = sheets.seeds(level, wanted);
+        carry = wanted - points.iter().map(|p| plan.mirrors.share(p)).sum::<f64>();
+        for point in points {
+            cloud.push(point, layer as u32, Lock::Level(level), volume);
+        }
+    }
+    Ok((cloud, carry))
+}
