@@ -5,7 +5,7 @@ use aero_validation::exact::oblique::{Strength, oblique_shock};
 use aero_validation::exact::sod_tube::ClosedTube;
 use aero_validation::pictures::curves::{Curves, Panel, Series, Style};
 use aero_validation::pictures::particles::{Overlay, ParticlePicture};
-use aero_validation::pictures::speed::{SpeedChart, SpeedPoint, SpeedSeries};
+use aero_validation::pictures::speed::{SpeedChart, SpeedPoint, SpeedSeries, peers};
 use aero_validation::reference;
 use std::error::Error;
 use std::path::{Path, PathBuf};
@@ -107,23 +107,7 @@ fn history(folder: &Path) -> Result<(), Box<dyn Error>> {
 
 /// Peers of the wedge and a made-up variant.
 fn speed(folder: &Path) -> Result<(), Box<dyn Error>> {
-    let table = reference::wedge_peers();
-    let mut series: Vec<SpeedSeries> = Vec::new();
-    for (row, name) in table.labels().iter().enumerate() {
-        let point = SpeedPoint {
-            label: format!("1/{:.0}", 1.0 / table.column("cell")?[row]),
-            cpu_seconds: table.column("cpu_seconds")?[row],
-            error: table.column("density_l1_percent")?[row],
-        };
-        match series.last_mut().filter(|s| s.name == *name) {
-            Some(same) => same.points.push(point),
-            None => series.push(SpeedSeries {
-                name: name.clone(),
-                peer: true,
-                points: vec![point],
-            }),
-        }
-    }
+    let mut series = peers(&reference::wedge_peers(), "density_l1_percent")?;
     let runs = [("1/8", 2.1, 4.0), ("1/16", 14.0, 2.2), ("1/32", 110.0, 1.2)];
     let own = runs.map(|(label, cpu_seconds, error)| SpeedPoint {
         label: label.to_owned(),

@@ -2,7 +2,8 @@
 //! force statistics, orders of convergence.
 //!
 //! Every function takes plain arrays, one entry per particle; positions always have three
-//! components, missing axes zero. Nothing here knows what the right answer is.
+//! components, missing axes zero. Unless a function says otherwise, give it the gas only, without
+//! ghosts and buffers. Nothing here knows what the right answer is.
 
 mod cells;
 pub mod crossing;

@@ -5,6 +5,7 @@ use super::PictureError;
 use super::axes::{Axis, Entry, Frame, HEADING, SMALL, draw_legend, legend_size, range_of};
 use super::canvas::{Anchor, Drawing, Font, Pen, Stroke, save};
 use super::colour::{Colour, GREY, palette};
+use crate::reference::{Table, TableError};
 use plotters::backend::DrawingBackend;
 use std::fmt::Write as _;
 use std::path::Path;
@@ -132,6 +133,30 @@ impl SpeedChart {
     }
 }
 
+/// Peers' points from a table with a `name` column, a `cell` and a `cpu_seconds` column, the error's
+/// size taken from `column`; rows of one name make one series, labelled by their cell as `1/16`.
+pub fn peers(table: &Table, column: &str) -> Result<Vec<SpeedSeries>, TableError> {
+    let (cell, seconds) = (table.column("cell")?, table.column("cpu_seconds")?);
+    let error = table.column(column)?;
+    let mut series: Vec<SpeedSeries> = Vec::new();
+    for (row, name) in table.labels().iter().enumerate() {
+        let point = SpeedPoint {
+            label: format!("1/{:.0}", 1.0 / cell[row]),
+            cpu_seconds: seconds[row],
+            error: error[row].abs(),
+        };
+        match series.iter_mut().find(|s| s.name == *name) {
+            Some(same) => same.points.push(point),
+            None => series.push(SpeedSeries {
+                name: name.clone(),
+                peer: true,
+                points: vec![point],
+            }),
+        }
+    }
+    Ok(series)
+}
+
 fn drawable(point: &SpeedPoint) -> bool {
     [point.cpu_seconds, point.error]
         .iter()
@@ -228,6 +253,7 @@ impl Drawing for Page<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::reference;
 
     fn chart() -> SpeedChart {
         let points = |errors: [f64; 3]| {
@@ -277,6 +303,15 @@ mod tests {
             text.contains("\"conservative, WOM\",false,1/32,70,0\n"),
             "{text}"
         );
+    }
+
+    #[test]
+    fn the_peers_of_the_wedge_make_two_series() {
+        let found = peers(&reference::wedge_peers(), "beta_error_deg").unwrap();
+        let names: Vec<&str> = found.iter().map(|s| s.name.as_str()).collect();
+        assert_eq!(names, ["Eilmer 5", "rhoCentralFoam"]);
+        assert_eq!(found[1].points[3].label, "1/64");
+        assert!(peers(&reference::wedge_peers(), "absent").is_err());
     }
 
     #[test]
