@@ -1,12 +1,13 @@
 //! Shapes as a scene names them, and the surfaces that they mean, in place.
 
 mod plane;
+mod space;
 
 use std::any::Any;
 use std::path::Path;
 use std::sync::Arc;
 
-use aero_geometry::{Outline, Placement, Shape};
+use aero_geometry::{Placed, Placement, Shape};
 use aero_packer::{PackOptions, Packing, pack};
 use serde::Deserialize;
 
@@ -18,6 +19,7 @@ pub use plane::{
     Biconvex, BluntWedge, Circle, Corner, Duct, ForwardStep, HalfSpace, Polygon, PolygonFile,
     Rectangle,
 };
+pub use space::{Block, CapsuleEntry, Cone, Profile, Round, RoundRod, Sphere};
 
 /// The surface of a body. Those of the plane go with dimension 2, the others with dimension 3.
 #[derive(Clone, Debug, Deserialize)]
@@ -45,6 +47,18 @@ pub enum ShapeEntry {
     BluntWedge(BluntWedge),
     /// Plane: a convergent-divergent duct.
     Nozzle(Duct),
+    /// Space: a sphere about the origin.
+    Sphere(Sphere),
+    /// Space: a cone with its tip at the origin.
+    Cone(Cone),
+    /// Space: a cylinder with a hemispherical nose.
+    RoundRod(RoundRod),
+    /// Space: an entry capsule.
+    Capsule(CapsuleEntry),
+    /// Space: a body of revolution from the corners of its meridian.
+    Profile(Profile),
+    /// Space: a block about the origin.
+    Cuboid(Block),
     /// Space: a mesh from a file.
     Stl(StlEntry),
 }
@@ -61,6 +75,15 @@ pub(crate) struct Made<const D: usize> {
 }
 
 impl<const D: usize> Made<D> {
+    /// A surface without a mesh.
+    fn exact(shape: impl Shape<D> + 'static) -> Self {
+        Self {
+            shape: Arc::new(shape),
+            repairs: Vec::new(),
+            warnings: Vec::new(),
+        }
+    }
+
     /// Packs the surface; the report tells of its mesh too.
     pub(crate) fn pack(&self, options: &PackOptions<D>) -> Result<Packing<D>, String> {
         let mut packing = pack(self.shape.as_ref(), options).map_err(|error| error.to_string())?;
@@ -84,17 +107,10 @@ impl ShapeEntry {
         place: Option<&PlaceEntry>,
         folder: &Path,
     ) -> Result<Made<D>, String> {
-        let made = match self.outline(folder)? {
-            Some(outline) => {
-                let placed = outline.placed(&in_plane(place)?);
-                Made::<2> {
-                    shape: Arc::new(placed),
-                    repairs: Vec::new(),
-                    warnings: Vec::new(),
-                }
-                .cast()
-            }
-            None => return Err(format!("bodies in space are not made yet: {self:?}")),
+        let made = if D == 2 {
+            self.in_plane(place, folder)?.and_then(Made::cast)
+        } else {
+            self.in_space(place)?.and_then(Made::cast)
         };
         made.ok_or_else(|| {
             let other = if D == 2 { 3 } else { 2 };
@@ -102,8 +118,12 @@ impl ShapeEntry {
         })
     }
 
-    /// The outline of a plane shape; none for a shape in space.
-    fn outline(&self, folder: &Path) -> Result<Option<Outline>, String> {
+    /// The surface of a plane shape; none for a shape in space.
+    fn in_plane(
+        &self,
+        place: Option<&PlaceEntry>,
+        folder: &Path,
+    ) -> Result<Option<Made<2>>, String> {
         let outline = match self {
             Self::Circle(entry) => entry.outline(),
             Self::Rectangle(entry) => entry.outline(),
@@ -116,14 +136,39 @@ impl ShapeEntry {
             Self::ForwardStep(entry) => entry.outline(),
             Self::BluntWedge(entry) => entry.outline(),
             Self::Nozzle(entry) => entry.outline(),
-            Self::Stl(_) => return Ok(None),
+            _ => return Ok(None),
         };
-        outline.map(Some).map_err(|error| error.to_string())
+        let outline = outline.map_err(|error| error.to_string())?;
+        Ok(Some(Made::exact(outline.placed(&place_in_plane(place)?))))
+    }
+
+    /// The surface of a shape in space; none for a plane shape.
+    fn in_space(&self, place: Option<&PlaceEntry>) -> Result<Option<Made<3>>, String> {
+        let round = match self {
+            Self::Sphere(entry) => entry.body(),
+            Self::Cone(entry) => entry.body(),
+            Self::RoundRod(entry) => entry.body(),
+            Self::Capsule(entry) => entry.body(),
+            Self::Profile(entry) => entry.body(),
+            Self::Cuboid(entry) => {
+                let block = entry.body().map_err(|error| error.to_string())?;
+                return Ok(Some(Made::exact(Placed::new(
+                    block,
+                    place_in_space(place)?,
+                ))));
+            }
+            _ => return Ok(None),
+        };
+        let round = round.map_err(|error| error.to_string())?;
+        Ok(Some(match place {
+            None => Made::exact(round),
+            Some(_) => Made::exact(Placed::new(round, place_in_space(place)?)),
+        }))
     }
 }
 
 /// Where a plane body stands.
-fn in_plane(place: Option<&PlaceEntry>) -> Result<Placement<2>, String> {
+fn place_in_plane(place: Option<&PlaceEntry>) -> Result<Placement<2>, String> {
     let Some(place) = place else {
         return Ok(Placement::default());
     };
@@ -133,6 +178,29 @@ fn in_plane(place: Option<&PlaceEntry>) -> Result<Placement<2>, String> {
         Some(Rotation::Plane(degrees)) => placement = placement.rotated(degrees.to_radians()),
         Some(Rotation::Axis { .. }) => {
             return Err("`place.rotate` is a number of degrees in dimension 2".into());
+        }
+    }
+    moved(placement, place)
+}
+
+/// Where a body in space stands.
+fn place_in_space(place: Option<&PlaceEntry>) -> Result<Placement<3>, String> {
+    let Some(place) = place else {
+        return Ok(Placement::default());
+    };
+    let mut placement = scaled(place)?;
+    match &place.rotate {
+        None => {}
+        Some(Rotation::Axis { axis, angle }) => {
+            let axis = vector("place.rotate.axis", axis).map_err(|error| error.to_string())?;
+            placement = placement
+                .rotated_about(&axis, angle.to_radians())
+                .map_err(|error| error.to_string())?;
+        }
+        Some(Rotation::Plane(_)) => {
+            return Err(
+                "`place.rotate` is `{ axis = [..], angle = degrees }` in dimension 3".into(),
+            );
         }
     }
     moved(placement, place)
