@@ -5,8 +5,12 @@ use aero_geometry::Vector;
 /// How a particle may move.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Lock {
+    /// Wherever its neighbours push it.
+    Free,
     /// Along a level of the signed distance.
     Level(f64),
+    /// Not at all.
+    Frozen,
 }
 
 /// Particles of the packed part of space (above all mirror planes); arrays of equal length.

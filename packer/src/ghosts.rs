@@ -30,6 +30,8 @@ pub struct Packing<const D: usize> {
     pub ghosts: Ghosts<D>,
     /// Conforming fluid particles outside; empty where none were asked for.
     pub fluid: Ghosts<D>,
+    /// Where fluid was packed: the lattice sites at signed distances up to this give way to it.
+    pub lattice_begins: Option<f64>,
     /// How good the packing is.
     pub report: PackReport,
 }

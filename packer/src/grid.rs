@@ -6,6 +6,9 @@ use rayon::prelude::*;
 use crate::PackError;
 use crate::options::MAX_PARTICLES;
 
+/// A distance that differs from the expected one by this part of the cell's edge tells of a ridge.
+const RIDGE: f64 = 0.05;
+
 /// A lattice of cubes; cell `i` spans `origin + i step ..= origin + (i + 1) step`.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Grid<const D: usize> {
@@ -24,6 +27,9 @@ pub(crate) struct Cell<const D: usize> {
     pub distance: f64,
     /// Gradient of the signed distance at the centre.
     pub normal: Vector<D>,
+    /// True where the cell straddles the face between two layers and a ridge of the distance, so
+    /// that the face is not a plane in it.
+    pub on_ridge: bool,
 }
 
 impl<const D: usize> Grid<D> {
@@ -82,15 +88,27 @@ impl<const D: usize> Grid<D> {
         }
         Ok(blocks
             .par_iter()
-            .map(|index| {
-                let closest = shape.closest(&self.centre(index));
-                Cell {
-                    index: *index,
-                    distance: closest.distance,
-                    normal: closest.normal,
-                }
-            })
+            .map(|index| self.cell(shape, index, spacing))
             .collect())
+    }
+
+    /// The cell at `index`.
+    fn cell(&self, shape: &dyn Shape<D>, index: &[i64; D], spacing: f64) -> Cell<D> {
+        let centre = self.centre(index);
+        let closest = shape.closest(&centre);
+        let face = (closest.distance / spacing).round() * spacing;
+        let reach = 0.5 * self.step * closest.normal.abs().sum();
+        let away = reach.copysign(closest.distance);
+        let on_ridge = face != 0.0 && (face - closest.distance).abs() < reach && {
+            let end = shape.signed_distance(&(centre + away * closest.normal));
+            (end - closest.distance - away).abs() > RIDGE * self.step
+        };
+        Cell {
+            index: *index,
+            distance: closest.distance,
+            normal: closest.normal,
+            on_ridge,
+        }
     }
 }
 
@@ -115,6 +133,9 @@ impl<const D: usize> Cell<D> {
     /// Part of the cell, of edge `step`, where the signed distance is below `level`; exact where
     /// the surface is flat.
     pub fn fraction_below(&self, level: f64, step: f64) -> f64 {
+        if self.on_ridge {
+            return if self.distance < level { 1.0 } else { 0.0 };
+        }
         let slopes: [f64; D] = std::array::from_fn(|k| self.normal[k].abs().max(1e-3));
         let total: f64 = slopes.iter().sum();
         let reach = (level - self.distance) / step + 0.5 * total;

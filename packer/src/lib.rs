@@ -3,8 +3,10 @@
 mod cloud;
 mod contour;
 mod error;
+mod fluid;
 mod ghosts;
 mod grid;
+mod lattice;
 mod level;
 mod mirror;
 mod options;
@@ -14,8 +16,10 @@ mod quality;
 mod relax;
 mod report;
 mod rows;
+mod schedule;
 mod seeds;
 mod sheets;
+mod target;
 
 pub use error::PackError;
 pub use ghosts::{Ghosts, Packing};

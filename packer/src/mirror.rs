@@ -20,6 +20,16 @@ impl Mirrors {
         Self { planes }
     }
 
+    /// The planes for which `wanted(axis, position)` holds.
+    pub fn only(&self, wanted: impl Fn(usize, f64) -> bool) -> Self {
+        let planes = self.planes.iter().copied();
+        Self {
+            planes: planes
+                .filter(|&(axis, position)| wanted(axis, position))
+                .collect(),
+        }
+    }
+
     /// All planes, as `(axis, position)`.
     pub fn planes(&self) -> &[(usize, f64)] {
         &self.planes
@@ -42,6 +52,42 @@ impl Mirrors {
             part.max[axis] = position + reach;
         }
         part
+    }
+
+    /// True for points above or on all planes.
+    pub fn above<const D: usize>(&self, point: &Vector<D>) -> bool {
+        self.planes
+            .iter()
+            .all(|&(axis, position)| point[axis] >= position)
+    }
+
+    /// The point put exactly on the planes that are nearer than `tolerance`.
+    pub fn snapped<const D: usize>(&self, mut point: Vector<D>, tolerance: f64) -> Vector<D> {
+        for &(axis, position) in &self.planes {
+            if (point[axis] - position).abs() < tolerance {
+                point[axis] = position;
+            }
+        }
+        point
+    }
+
+    /// What a particle counts in the packed part of space: one half for each plane that it is on.
+    pub fn share<const D: usize>(&self, point: &Vector<D>) -> f64 {
+        let on = self
+            .planes
+            .iter()
+            .filter(|&&(axis, position)| point[axis] == position);
+        0.5_f64.powi(on.count() as i32)
+    }
+
+    /// The image of a point in the packed part of space.
+    pub fn folded<const D: usize>(&self, mut point: Vector<D>) -> Vector<D> {
+        for &(axis, position) in &self.planes {
+            if point[axis] < position {
+                point[axis] = reflect(point[axis], position);
+            }
+        }
+        point
     }
 
     /// Calls `visit` with every image of a point and the axes, as a bit set, whose signs flip: one

@@ -5,11 +5,16 @@ use std::time::Instant;
 use aero_geometry::{Shape, Vector};
 use rayon::prelude::*;
 
-use crate::cloud::Cloud;
-use crate::mirror::flip;
-use crate::plan::Plan;
-use crate::quality::report;
+use crate::cloud::{Cloud, Lock};
+use crate::fluid::{lattice_begins, pack_fluid};
+use crate::lattice::freeze_lattice;
+use crate::mirror::{Mirrors, flip};
+use crate::plan::{Plan, Side};
+use crate::quality::Quality;
+use crate::relax::relax;
+use crate::schedule::GHOST_STEPS;
 use crate::seeds::seed;
+use crate::target::Target;
 use crate::{Ghosts, PackError, PackOptions, Packing};
 
 /// Packs ghosts into `shape` and, if asked, conforming fluid around it.
@@ -19,23 +24,51 @@ pub fn pack<const D: usize>(
 ) -> Result<Packing<D>, PackError> {
     let start = Instant::now();
     options.check()?;
-    let plan = Plan::new(shape, options)?;
-    let cloud = seed(&plan)?;
-    let ghosts = finished(&plan, &cloud);
+    let plan = Plan::new(shape, options, Mirrors::of(shape), Side::Ghosts, 2.0)?;
+    let (mut cloud, _) = seed(&plan)?;
+    let target = Target::of_layers(&plan);
+    relax_ghosts(&plan, &mut cloud, &target);
+    let everywhere = with_surface(&plan, &cloud);
+    let ghosts = clipped(&plan, &everywhere);
     if ghosts.position.is_empty() {
         return Err(PackError::Empty);
     }
-    let mut report = report(&plan, &ghosts);
-    report.wall_seconds = start.elapsed().as_secs_f64();
-    Ok(Packing {
+    let mut packing = Packing {
         ghosts,
-        fluid: Ghosts::default(),
-        report,
-    })
+        ..Packing::default()
+    };
+    let quality = Quality {
+        plan: &plan,
+        ghosts: &everywhere,
+    };
+    packing.report = quality.of_ghosts(&packing.ghosts, &target);
+    if options.fluid_layers > 0 {
+        let fluid = pack_fluid(shape, options, &everywhere)?;
+        let all_fluid = with_surface(&fluid.plan, &fluid.cloud);
+        packing.fluid = clipped(&fluid.plan, &all_fluid);
+        packing.lattice_begins = Some(lattice_begins(options));
+        packing.report.fluid = packing.fluid.position.len();
+        quality.of_both(&all_fluid, &fluid, &mut packing.report);
+    }
+    packing.report.wall_seconds = start.elapsed().as_secs_f64();
+    Ok(packing)
 }
 
-/// Particles with normals, distances and mirror images, clipped to the region.
-fn finished<const D: usize>(plan: &Plan<'_, D>, cloud: &Cloud<D>) -> Ghosts<D> {
+/// Lets the ghosts settle: all but the wall layer and those on the lattice may leave their level.
+fn relax_ghosts<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>, target: &Target<D>) {
+    for n in 0..cloud.len() {
+        if cloud.layer[n] > 0 {
+            cloud.lock[n] = Lock::Free;
+        }
+    }
+    freeze_lattice(plan, cloud, &[]);
+    for run in GHOST_STEPS {
+        relax(plan, cloud, &[], Some(target), run);
+    }
+}
+
+/// All particles, images included, with distance and normal.
+fn with_surface<const D: usize>(plan: &Plan<'_, D>, cloud: &Cloud<D>) -> Ghosts<D> {
     let surface: Vec<_> = cloud
         .position
         .par_iter()
@@ -43,9 +76,6 @@ fn finished<const D: usize>(plan: &Plan<'_, D>, cloud: &Cloud<D>) -> Ghosts<D> {
         .collect();
     let mut all = Ghosts::default();
     let mut add = |n: usize, position: Vector<D>, flips: u32| {
-        if !plan.keeps(&position) {
-            return;
-        }
         all.position.push(position);
         all.normal.push(flip(&surface[n].normal, flips));
         all.distance.push(surface[n].distance);
@@ -66,4 +96,20 @@ fn finished<const D: usize>(plan: &Plan<'_, D>, cloud: &Cloud<D>) -> Ghosts<D> {
             .images(&position, |flips, image| add(n, image, flips));
     }
     all
+}
+
+/// What lies inside the region.
+fn clipped<const D: usize>(plan: &Plan<'_, D>, all: &Ghosts<D>) -> Ghosts<D> {
+    let mut kept = Ghosts::default();
+    for n in 0..all.position.len() {
+        if plan.keeps(&all.position[n]) {
+            kept.position.push(all.position[n]);
+            kept.normal.push(all.normal[n]);
+            kept.distance.push(all.distance[n]);
+            kept.volume.push(all.volume[n]);
+            kept.layer.push(all.layer[n]);
+            kept.face.push(all.face[n]);
+        }
+    }
+    kept
 }

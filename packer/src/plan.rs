@@ -1,4 +1,4 @@
-//! What is to be packed: the part of space, the grids over it and the volume of each layer.
+//! What is to be packed: the part of space, the grid over it and the volume of each layer.
 
 use aero_geometry::{Bounds, Shape, Vector};
 
@@ -13,66 +13,77 @@ const BEYOND_REGION: f64 = 6.0;
 /// cell corners, and their faces on them.
 const FINENESS: [f64; 2] = [5.0, 2.0];
 
+/// Which side of the surface is packed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Side {
+    /// Inside the body.
+    Ghosts,
+    /// Outside it.
+    Fluid,
+}
+
 /// Frame of one packing.
 pub(crate) struct Plan<'a, const D: usize> {
     /// The body.
     pub shape: &'a dyn Shape<D>,
     /// What was asked for.
     pub options: &'a PackOptions<D>,
+    /// Side of the surface.
+    pub side: Side,
+    /// Number of layers on this side.
+    pub layers: usize,
     /// Mirror planes used.
     pub mirrors: Mirrors,
     /// The part of space that is packed, above all mirror planes.
     pub bounds: Bounds<D>,
     /// Fine grid for volumes.
     pub fine: Grid<D>,
-    /// Cells of the fine grid in and beside the ghost layers.
+    /// Cells of the fine grid in and beside the layers.
     pub band: Vec<Cell<D>>,
     /// How exactly a point has to meet its level.
     pub tolerance: f64,
 }
 
 impl<'a, const D: usize> Plan<'a, D> {
-    /// Checks that the body can be packed and lays the grids.
-    pub fn new(shape: &'a dyn Shape<D>, options: &'a PackOptions<D>) -> Result<Self, PackError> {
+    /// Checks that the body can be packed and lays the grid. `margin` is how far beyond the body
+    /// particles may lie, in spacings.
+    pub fn new(
+        shape: &'a dyn Shape<D>,
+        options: &'a PackOptions<D>,
+        mirrors: Mirrors,
+        side: Side,
+        margin: f64,
+    ) -> Result<Self, PackError> {
         let spacing = options.spacing;
-        let body = shape.bounds();
-        let mut bounds = body.grown(2.0 * spacing);
-        if let Some(region) = &options.region {
-            bounds = bounds.intersection(&region.grown(BEYOND_REGION * spacing));
-        }
-        if let Some(axis) =
-            (0..D).find(|&k| !(bounds.min[k].is_finite() && bounds.max[k].is_finite()))
-        {
-            return Err(PackError::Endless { axis });
-        }
-        let size = body.size().max();
-        if size < 2.0 * spacing {
-            return Err(PackError::Coarse { spacing, size });
-        }
-        if bounds.is_empty() {
-            return Err(PackError::Empty);
-        }
-        let mirrors = Mirrors::of(shape);
-        let bounds = mirrors.fundamental(&bounds);
+        let bounds = mirrors.fundamental(&packed_box(shape, options, margin)?);
+        let layers = match side {
+            Side::Ghosts => options.layers,
+            Side::Fluid => options.fluid_layers,
+        };
         let step = spacing / FINENESS[D - 2];
         let fine = Grid {
             origin: Vector::from_fn(|k, _| {
-                mirrors.plane(k).unwrap_or_else(|| {
-                    options
-                        .region
-                        .map_or(options.anchor[k], |region| region.min[k])
-                })
+                let free = options
+                    .region
+                    .map_or(options.anchor[k], |region| region.min[k]);
+                mirrors.plane(k).unwrap_or(free)
             }),
             step,
         };
-        let deep = -(options.layers as f64) * spacing;
-        let band = fine.band(shape, &bounds, (deep - step, step), spacing)?;
+        let depth = layers as f64 * spacing;
+        let range = match side {
+            Side::Ghosts => (-depth - step, step),
+            Side::Fluid => (-step, depth + step),
+        };
+        let band = fine.band(shape, &bounds, range, spacing)?;
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
         });
         Ok(Self {
             shape,
             options,
+            side,
+            layers,
             mirrors,
             bounds,
             fine,
@@ -81,17 +92,34 @@ impl<'a, const D: usize> Plan<'a, D> {
         })
     }
 
-    /// Level of the middle of ghost layer `k`.
+    /// Distance of a layer's middle: negative for ghosts.
     pub fn level(&self, layer: usize) -> f64 {
-        -(layer as f64 + 0.5) * self.options.spacing
+        self.sign() * (layer as f64 + 0.5) * self.options.spacing
     }
 
-    /// Volume of each ghost layer in the packed part of space.
+    /// Distance at which layer `layer` begins, seen from the surface.
+    fn face(&self, layer: usize) -> f64 {
+        self.sign() * layer as f64 * self.options.spacing
+    }
+
+    fn sign(&self) -> f64 {
+        match self.side {
+            Side::Ghosts => -1.0,
+            Side::Fluid => 1.0,
+        }
+    }
+
+    /// Volume of one particle.
+    pub fn particle_volume(&self) -> f64 {
+        self.options.spacing.powi(D as i32)
+    }
+
+    /// Volume of each layer in the packed part of space.
     pub fn layer_volumes(&self) -> Vec<f64> {
         self.summed_volumes(|_| 1.0)
     }
 
-    /// Volume of all ghost layers inside the region, images included.
+    /// Volume of all layers inside the region, images included.
     pub fn shell_volume(&self) -> f64 {
         let volumes = self.summed_volumes(|cell| {
             let centre = self.fine.centre(&cell.index);
@@ -110,23 +138,64 @@ impl<'a, const D: usize> Plan<'a, D> {
             .is_none_or(|region| region.contains(point))
     }
 
-    fn summed_volumes(&self, weight: impl Fn(&Cell<D>) -> f64) -> Vec<f64> {
-        let spacing = self.options.spacing;
+    /// True for points inside the packed box or an image of it.
+    pub fn inside(&self, point: &Vector<D>) -> bool {
+        self.bounds.contains(&self.mirrors.folded(*point))
+    }
+
+    /// The parts of a cell that belong to each layer, as `(layer, volume)`.
+    pub fn parts(&self, cell: &Cell<D>) -> impl Iterator<Item = (usize, f64)> {
         let step = self.fine.step;
+        let spacing = self.options.spacing;
         let cell_volume = step.powi(D as i32);
-        let mut volumes = vec![0.0; self.options.layers];
+        // A cell spans its own diagonal at most, so only few layers can share it.
+        let reach = 0.5 * step * (D as f64).sqrt();
+        let height = self.sign() * cell.distance;
+        let first = ((height - reach) / spacing).floor().max(0.0) as usize;
+        let end = (((height + reach) / spacing).ceil().max(0.0) as usize).min(self.layers);
+        (first..end).filter_map(move |layer| {
+            let near = cell.fraction_below(self.face(layer), step);
+            let far = cell.fraction_below(self.face(layer + 1), step);
+            let volume = (far - near).abs() * cell_volume;
+            (volume > 0.0).then_some((layer, volume))
+        })
+    }
+
+    fn summed_volumes(&self, weight: impl Fn(&Cell<D>) -> f64) -> Vec<f64> {
+        let mut volumes = vec![0.0; self.layers];
         for cell in &self.band {
             let weight = weight(cell);
-            let mut above = cell.fraction_below(0.0, step);
-            for (layer, volume) in volumes.iter_mut().enumerate() {
-                if above <= 0.0 {
-                    break;
-                }
-                let below = cell.fraction_below(-(layer as f64 + 1.0) * spacing, step);
-                *volume += weight * (above - below) * cell_volume;
-                above = below;
+            for (layer, volume) in self.parts(cell) {
+                volumes[layer] += weight * volume;
             }
         }
         volumes
     }
+}
+
+/// The box in which particles are laid: the body and `margin` spacings around it, cut off a little
+/// beyond the region.
+fn packed_box<const D: usize>(
+    shape: &dyn Shape<D>,
+    options: &PackOptions<D>,
+    margin: f64,
+) -> Result<Bounds<D>, PackError> {
+    let spacing = options.spacing;
+    let body = shape.bounds();
+    let size = body.size().max();
+    if size < 2.0 * spacing {
+        return Err(PackError::Coarse { spacing, size });
+    }
+    let mut bounds = body.grown(margin * spacing);
+    if let Some(region) = &options.region {
+        bounds = bounds.intersection(&region.grown(BEYOND_REGION * spacing));
+    }
+    let endless = |k: usize| !(bounds.min[k].is_finite() && bounds.max[k].is_finite());
+    if let Some(axis) = (0..D).find(|&k| endless(k)) {
+        return Err(PackError::Endless { axis });
+    }
+    if bounds.is_empty() {
+        return Err(PackError::Empty);
+    }
+    Ok(bounds)
 }

@@ -1,38 +1,116 @@
 //! Measures how good a packing is.
 
-use aero_geometry::Pencils;
+use aero_geometry::kernel::{QuinticSpline, SMOOTHING_RATIO, SUPPORT};
+use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
+use crate::fluid::Fluid;
 use crate::plan::Plan;
+use crate::relax::sum_around;
+use crate::target::Target;
 use crate::{Ghosts, PackReport};
 
-/// All that the report holds but the time taken.
-pub(crate) fn report<const D: usize>(plan: &Plan<'_, D>, ghosts: &Ghosts<D>) -> PackReport {
-    let spacing = plan.options.spacing;
-    let mut layer_counts = vec![0; plan.options.layers];
-    for &layer in &ghosts.layer {
-        layer_counts[layer as usize] += 1;
+/// What is measured.
+pub(crate) struct Quality<'a, const D: usize> {
+    /// Frame of the packing.
+    pub plan: &'a Plan<'a, D>,
+    /// All ghosts, those just outside the region included.
+    pub ghosts: &'a Ghosts<D>,
+}
+
+impl<const D: usize> Quality<'_, D> {
+    /// The report on the ghosts alone, `kept` being those inside the region.
+    pub fn of_ghosts(&self, kept: &Ghosts<D>, target: &Target<D>) -> PackReport {
+        let plan = self.plan;
+        let spacing = plan.options.spacing;
+        let mut layer_counts = vec![0; plan.options.layers];
+        for &layer in &kept.layer {
+            layer_counts[layer as usize] += 1;
+        }
+        let exact = plan.shell_volume();
+        let packed: f64 = kept.volume.iter().sum();
+        let wall = kept.distance.iter().zip(&kept.layer);
+        let wall_offset_max = wall
+            .filter(|&(_, &layer)| layer == 0)
+            .map(|(distance, _)| (distance + 0.5 * spacing).abs() / spacing)
+            .fold(0.0, f64::max);
+        let sources: Vec<(Vector<D>, f64)> = particles(self.ghosts).collect();
+        let errors = self.at_wall(self.ghosts, &sources, |point| {
+            target
+                .at(&plan.mirrors.folded(*point), SMOOTHING_RATIO * spacing)
+                .0
+        });
+        let (density_std_percent, density_max_percent) = spread(&errors);
+        PackReport {
+            spacing,
+            ghosts: kept.position.len(),
+            layer_counts,
+            density_std_percent,
+            density_max_percent,
+            shell_volume_error_percent: 100.0 * (packed - exact).abs() / exact,
+            wall_offset_max,
+            min_gap: smallest_gap(&kept.position, spacing),
+            ..PackReport::default()
+        }
     }
-    let exact = plan.shell_volume();
-    let packed: f64 = ghosts.volume.iter().sum();
-    let wall = ghosts.distance.iter().zip(&ghosts.layer);
-    let wall_offset_max = wall
-        .filter(|&(_, &layer)| layer == 0)
-        .map(|(distance, _)| (distance + 0.5 * spacing).abs() / spacing)
-        .fold(0.0, f64::max);
-    PackReport {
-        spacing,
-        ghosts: ghosts.position.len(),
-        layer_counts,
-        shell_volume_error_percent: 100.0 * (packed - exact).abs() / exact,
-        wall_offset_max,
-        min_gap: smallest_gap(&ghosts.position, spacing),
-        ..PackReport::default()
+
+    /// Replaces the density figures by those over both sides.
+    pub fn of_both(&self, all_fluid: &Ghosts<D>, fluid: &Fluid<'_, D>, report: &mut PackReport) {
+        let volume = fluid.plan.particle_volume();
+        let mut sources: Vec<(Vector<D>, f64)> =
+            particles(self.ghosts).chain(particles(all_fluid)).collect();
+        for &site in &fluid.lattice {
+            sources.push((site, volume));
+            fluid
+                .plan
+                .mirrors
+                .images(&site, |_, image| sources.push((image, volume)));
+        }
+        let mut errors = self.at_wall(self.ghosts, &sources, |_| 1.0);
+        errors.extend(self.at_wall(all_fluid, &sources, |_| 1.0));
+        (report.density_std_percent, report.density_max_percent) = spread(&errors);
+    }
+
+    /// Summed density less the `wanted` one at the wall particles of `set` inside the region.
+    fn at_wall(
+        &self,
+        set: &Ghosts<D>,
+        sources: &[(Vector<D>, f64)],
+        wanted: impl Fn(&Vector<D>) -> f64 + Sync,
+    ) -> Vec<f64> {
+        let smoothing = SMOOTHING_RATIO * self.plan.options.spacing;
+        let reach = SUPPORT * smoothing;
+        let points: Vec<Vector<D>> = sources.iter().map(|source| source.0).collect();
+        let pencils = Pencils::new(&points, 0.5 * reach);
+        (0..set.position.len())
+            .into_par_iter()
+            .filter(|&n| set.layer[n] == 0 && self.plan.keeps(&set.position[n]))
+            .map(|n| {
+                let mut sum = 0.0;
+                sum_around(&pencils, &points, &set.position[n], reach, |m, _, r| {
+                    sum += sources[m].1 * QuinticSpline::<D>::value(r, smoothing);
+                });
+                sum - wanted(&set.position[n])
+            })
+            .collect()
     }
 }
 
+fn particles<const D: usize>(set: &Ghosts<D>) -> impl Iterator<Item = (Vector<D>, f64)> {
+    set.position.iter().copied().zip(set.volume.iter().copied())
+}
+
+/// Standard deviation and largest absolute value, in per cent.
+fn spread(errors: &[f64]) -> (f64, f64) {
+    let count = errors.len().max(1) as f64;
+    let mean = errors.iter().sum::<f64>() / count;
+    let variance = errors.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / count;
+    let largest = errors.iter().fold(0.0, |l: f64, e| l.max(e.abs()));
+    (100.0 * variance.sqrt(), 100.0 * largest)
+}
+
 /// Smallest distance between two points, in spacings; at most two.
-fn smallest_gap<const D: usize>(points: &[aero_geometry::Vector<D>], spacing: f64) -> f64 {
+fn smallest_gap<const D: usize>(points: &[Vector<D>], spacing: f64) -> f64 {
     let reach = 2.0 * spacing;
     let pencils = Pencils::new(points, reach);
     points
@@ -40,12 +118,9 @@ fn smallest_gap<const D: usize>(points: &[aero_geometry::Vector<D>], spacing: f6
         .enumerate()
         .map(|(n, point)| {
             let mut smallest = reach;
-            let (low, high) = (point.add_scalar(-reach), point.add_scalar(reach));
-            pencils.for_each_run(&low, &high, |run| {
-                for &m in &pencils.order()[run] {
-                    if m as usize != n {
-                        smallest = smallest.min((points[m as usize] - point).norm());
-                    }
+            sum_around(&pencils, points, point, reach, |m, _, r| {
+                if m != n {
+                    smallest = smallest.min(r);
                 }
             });
             smallest

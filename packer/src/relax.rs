@@ -5,8 +5,11 @@ use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::{Pencils, Shape, Vector};
 use rayon::prelude::*;
 
+use crate::cloud::{Cloud, Lock};
 use crate::level::project;
 use crate::mirror::Mirrors;
+use crate::plan::Plan;
+use crate::target::Target;
 
 /// Longest displacement in one step, in spacings.
 const LONGEST_STEP: f64 = 0.15;
@@ -17,6 +20,9 @@ const PLANE_CLEARANCE: f64 = 0.35;
 /// Steps between corrections of the drift off a level.
 const STEPS_BETWEEN_PROJECTIONS: usize = 4;
 
+/// Steps between new evaluations of the wanted gradient, which is smooth.
+const STEPS_BETWEEN_TARGETS: usize = 1;
+
 /// One run of relaxation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxation {
@@ -26,6 +32,117 @@ pub(crate) struct Relaxation {
     pub smoothing: f64,
     /// Displacement per gradient of the number of particles per cell, in squared spacings.
     pub strength: f64,
+}
+
+/// Relaxes `cloud` until its summed density follows that of `target`; `fixed` particles push but
+/// are not pushed. Both are counted in volumes, so the gradient is that of `Σ V W`.
+pub(crate) fn relax<const D: usize>(
+    plan: &Plan<'_, D>,
+    cloud: &mut Cloud<D>,
+    fixed: &[(Vector<D>, f64)],
+    target: Option<&Target<D>>,
+    run: Relaxation,
+) {
+    let (shape, mirrors) = (plan.shape, &plan.mirrors);
+    let spacing = plan.options.spacing;
+    let sizes = (spacing, plan.tolerance);
+    let smoothing = run.smoothing * spacing;
+    let reach = SUPPORT * smoothing;
+    let mut pencils = Pencils::default();
+    let mut wanted = vec![Vector::zeros(); cloud.len()];
+    let mut normals = vec![Vector::zeros(); cloud.len()];
+    for step in 0..run.steps {
+        let (all, volumes) = sources(mirrors, cloud, fixed, reach);
+        pencils.rebuild(&all, 0.5 * reach);
+        let order = pencils.order();
+        let sorted: Vec<(Vector<D>, f64)> = order
+            .par_iter()
+            .map(|&n| (all[n as usize], volumes[n as usize]))
+            .collect();
+        if let Some(target) = target
+            && step % STEPS_BETWEEN_TARGETS == 0
+        {
+            wanted = cloud
+                .position
+                .par_iter()
+                .map(|point| target.at(point, smoothing).1)
+                .collect();
+        }
+        let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
+        if step % STEPS_BETWEEN_PROJECTIONS == 0 {
+            normals = normals_of_locked(shape, cloud);
+        }
+        let moved: Vec<Vector<D>> = (0..cloud.len())
+            .into_par_iter()
+            .map(|n| {
+                let point = cloud.position[n];
+                if cloud.lock[n] == Lock::Frozen {
+                    return point;
+                }
+                let mut slope = -wanted[n];
+                let (low, high) = (point.add_scalar(-reach), point.add_scalar(reach));
+                pencils.for_each_run(&low, &high, |slots| {
+                    for (other, volume) in &sorted[slots] {
+                        let offset = point - other;
+                        let squared = offset.norm_squared();
+                        if squared < reach * reach {
+                            let r = squared.sqrt();
+                            slope +=
+                                volume * QuinticSpline::<D>::gradient_factor(r, smoothing) * offset;
+                        }
+                    }
+                });
+                let mut push = -run.strength * spacing * spacing * slope;
+                push -= normals[n] * normals[n].dot(&push);
+                let moved = confined(mirrors, &point, &push, spacing);
+                match cloud.lock[n] {
+                    Lock::Level(level) if settle => {
+                        onto_level(shape, mirrors, &moved, level, sizes)
+                            .filter(|on| (on - moved).norm() < spacing)
+                            .unwrap_or(point)
+                    }
+                    _ => moved,
+                }
+            })
+            .collect();
+        cloud.position = moved;
+    }
+}
+
+/// Everything that pushes: the particles, what is fixed, and the images of both near the planes.
+fn sources<const D: usize>(
+    mirrors: &Mirrors,
+    cloud: &Cloud<D>,
+    fixed: &[(Vector<D>, f64)],
+    reach: f64,
+) -> (Vec<Vector<D>>, Vec<f64>) {
+    let own = cloud
+        .position
+        .iter()
+        .copied()
+        .zip(cloud.volume.iter().copied());
+    let mut points = Vec::with_capacity(2 * cloud.len() + fixed.len());
+    let mut volumes = Vec::with_capacity(2 * cloud.len() + fixed.len());
+    for (point, volume) in own.chain(fixed.iter().copied()) {
+        points.push(point);
+        volumes.push(volume);
+        mirrors.images_within(&point, reach, |_, image| {
+            points.push(image);
+            volumes.push(volume);
+        });
+    }
+    (points, volumes)
+}
+
+/// Normals of particles that move on a level; zero for the others.
+fn normals_of_locked<const D: usize>(shape: &dyn Shape<D>, cloud: &Cloud<D>) -> Vec<Vector<D>> {
+    (0..cloud.len())
+        .into_par_iter()
+        .map(|n| match cloud.lock[n] {
+            Lock::Level(_) => shape.closest(&cloud.position[n]).normal,
+            Lock::Free | Lock::Frozen => Vector::zeros(),
+        })
+        .collect()
 }
 
 /// Spreads points evenly on the sheet `distance = level`, each seeing the others of its sheet only.

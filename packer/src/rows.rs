@@ -4,6 +4,12 @@ use aero_geometry::Vector;
 
 use crate::contour::Contour;
 
+/// A row of more steps than this between two corners takes any rounding of its count.
+const LONG_ROW: f64 = 4.0;
+
+/// A shorter one must be a whole number of steps long, to this part.
+const EVEN: f64 = 0.03;
+
 /// Where an interval of a contour ends.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum End {
@@ -89,22 +95,21 @@ impl<const D: usize> RowPlan<D> {
             }
         }
         let total = contour.length();
-        let far = |a: f64, b: f64| {
+        // A corner is kept where the rows between it and its neighbours come out even.
+        let suits = |a: f64, b: f64| {
             let gap = (a - b).abs();
             let gap = if contour.closed {
                 gap.min(total - gap)
             } else {
                 gap
             };
-            gap > 2.5 * self.spacing
+            let steps = gap / self.spacing;
+            steps > LONG_ROW || (steps > 0.5 && (steps - steps.round()).abs() < EVEN * steps)
         };
-        let corners: Vec<f64> = (0..contour.points.len())
-            .filter(|&n| contour.kinks[n])
-            .map(|n| contour.arc[n])
-            .collect();
-        for corner in corners {
-            if pins.iter().all(|&pin| far(pin, corner))
-                && (contour.closed || far(corner, 0.0) && far(corner, total))
+        let kinks = (0..contour.points.len()).filter(|&n| contour.kinks[n]);
+        for corner in kinks.map(|n| contour.arc[n]) {
+            if pins.iter().all(|&pin| suits(pin, corner))
+                && (contour.closed || suits(corner, 0.0) && suits(corner, total))
             {
                 pins.push(corner);
             }

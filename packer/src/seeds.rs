@@ -3,7 +3,7 @@
 use crate::PackError;
 use crate::cloud::{Cloud, Lock};
 use crate::contour::{Contour, Corners};
-use crate::grid::Grid;
+use crate::lattice::lattice_grid;
 use crate::level::project;
 use crate::plan::Plan;
 use crate::rows::RowPlan;
@@ -12,8 +12,9 @@ use crate::sheets::Sheets;
 /// Volumes that agree with the contour's length to this part are taken to be equal.
 const SAME_VOLUME: f64 = 0.02;
 
-/// Ghosts of all layers in the packed part of space, each on the middle of its layer.
-pub(crate) fn seed<const D: usize>(plan: &Plan<'_, D>) -> Result<Cloud<D>, PackError> {
+/// Particles of all layers in the packed part of space, each on the middle of its layer, and what
+/// rounding leaves of their number.
+pub(crate) fn seed<const D: usize>(plan: &Plan<'_, D>) -> Result<(Cloud<D>, f64), PackError> {
     if D == 2 {
         Ok(in_the_plane(plan))
     } else {
@@ -22,9 +23,8 @@ pub(crate) fn seed<const D: usize>(plan: &Plan<'_, D>) -> Result<Cloud<D>, PackE
 }
 
 /// Equidistant along the contours.
-fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
+fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> (Cloud<D>, f64) {
     let spacing = plan.options.spacing;
-    let volume = spacing.powi(D as i32);
     let corners = Corners::new(
         plan.shape,
         &plan.mirrors,
@@ -50,40 +50,29 @@ fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
         };
         for contour in &contours {
             for s in rows.seeds(contour, stretch, &mut carry) {
-                let mut guess = contour.point_at(s);
-                for &(axis, position) in plan.mirrors.planes() {
-                    if (guess[axis] - position).abs() < 1e-9 * spacing {
-                        guess[axis] = position;
-                    }
-                }
+                let guess = plan.mirrors.snapped(contour.point_at(s), 1e-9 * spacing);
                 let point = project(plan.shape, &guess, level, plan.tolerance).unwrap_or(guess);
-                cloud.push(point, layer as u32, Lock::Level(level), volume);
+                cloud.push(
+                    point,
+                    layer as u32,
+                    Lock::Level(level),
+                    plan.particle_volume(),
+                );
             }
         }
     }
-    cloud
+    (cloud, carry)
 }
 
 /// Lattice points projected onto the level surfaces.
-fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<Cloud<D>, PackError> {
+fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<(Cloud<D>, f64), PackError> {
     let spacing = plan.options.spacing;
-    let volume = spacing.powi(D as i32);
-    let mut origin = plan.options.anchor;
-    for &(axis, position) in plan.mirrors.planes() {
-        let place = (position - origin[axis]) / spacing;
-        let on_site = ((place - place.floor()) - 0.5).abs() < 1e-6;
-        origin[axis] = if on_site {
-            position - 0.5 * spacing
-        } else {
-            position
-        };
-    }
-    let grid = Grid {
-        origin,
-        step: spacing,
-    };
-    let deep = -(plan.options.layers as f64) * spacing;
-    let band = grid.band(plan.shape, &plan.bounds, (deep, 0.0), spacing)?;
+    let volume = plan.particle_volume();
+    let grid = lattice_grid(&plan.mirrors, &plan.options.anchor, spacing);
+    let ends = [plan.level(0), plan.level(plan.layers - 1)];
+    let half = 0.5 * spacing;
+    let range = (ends[0].min(ends[1]) - half, ends[0].max(ends[1]) + half);
+    let band = grid.band(plan.shape, &plan.bounds, range, spacing)?;
     let sheets = Sheets {
         shape: plan.shape,
         mirrors: &plan.mirrors,
@@ -97,10 +86,10 @@ fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<Cloud<D>, PackError> {
         let level = plan.level(layer);
         let wanted = layer_volume / volume + carry;
         let points = sheets.seeds(level, wanted);
-        carry = wanted - points.iter().map(|p| sheets.weight(p)).sum::<f64>();
+        carry = wanted - points.iter().map(|p| plan.mirrors.share(p)).sum::<f64>();
         for point in points {
             cloud.push(point, layer as u32, Lock::Level(level), volume);
         }
     }
-    Ok(cloud)
+    Ok((cloud, carry))
 }

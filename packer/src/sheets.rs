@@ -44,14 +44,16 @@ impl<const D: usize> Sheets<'_, D> {
             .par_iter()
             .filter(|cell| cell.distance >= level - half && cell.distance < level + half)
             .filter_map(|cell| {
-                let centre = self.on_planes(self.grid.centre(&cell.index));
+                let centre = self
+                    .mirrors
+                    .snapped(self.grid.centre(&cell.index), 1e-6 * self.grid.step);
                 let point = project(self.shape, &centre, level, self.tolerance)?;
                 ((point - centre).norm() < 1.01 * self.grid.step)
                     .then(|| self.keep_on_planes(point, &centre))
             })
             .collect();
         for _ in 0..40 {
-            let surplus = points.iter().map(|p| self.weight(p)).sum::<f64>() - wanted;
+            let surplus = points.iter().map(|p| self.mirrors.share(p)).sum::<f64>() - wanted;
             if surplus.abs() <= 0.5 {
                 break;
             }
@@ -73,26 +75,6 @@ impl<const D: usize> Sheets<'_, D> {
         points
     }
 
-    /// What one particle counts in the packed part of space.
-    pub fn weight(&self, point: &Vector<D>) -> f64 {
-        let on = self
-            .mirrors
-            .planes()
-            .iter()
-            .filter(|&&(axis, position)| point[axis] == position);
-        0.5_f64.powi(on.count() as i32)
-    }
-
-    /// Puts lattice sites of a lattice with sites on a mirror plane exactly there.
-    fn on_planes(&self, mut point: Vector<D>) -> Vector<D> {
-        for &(axis, position) in self.mirrors.planes() {
-            if (point[axis] - position).abs() < 1e-6 * self.grid.step {
-                point[axis] = position;
-            }
-        }
-        point
-    }
-
     /// Keeps a projected point on the planes on which it started, and on its side of the others.
     fn keep_on_planes(&self, mut point: Vector<D>, start: &Vector<D>) -> Vector<D> {
         for &(axis, position) in self.mirrors.planes() {
@@ -110,7 +92,7 @@ impl<const D: usize> Sheets<'_, D> {
         let mut removed: Vec<Vector<D>> = Vec::new();
         let mut gone = vec![false; points.len()];
         for &(n, _) in ranked.iter().rev() {
-            let weight = self.weight(&points[n]);
+            let weight = self.mirrors.share(&points[n]);
             if left < weight - 0.5 || left <= 0.5 || removed.len() > points.len() / 8 {
                 break;
             }

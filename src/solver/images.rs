@@ -140,6 +140,7 @@ impl<const D: usize> Image<D> {
     fn near(&self, source: &Near<D>) -> Near<D> {
         Near {
             position: self.place(source.position),
+            velocity: self.sign.component_mul(&source.velocity),
             ..*source
         }
     }
@@ -148,7 +149,6 @@ impl<const D: usize> Image<D> {
         let reflect =
             |m: &Matrix<D>| Matrix::from_fn(|a, b| self.sign[a] * self.sign[b] * m[(a, b)]);
         State {
-            velocity: self.sign.component_mul(&source.velocity),
             half_gradient: self.sign.component_mul(&source.half_gradient),
             renormalisation: reflect(&source.renormalisation),
             stress: reflect(&source.stress),

@@ -3,9 +3,9 @@
 //! [`Simulation::step`] is the contents page: exchange with open boundaries, sort, list the
 //! neighbours, read the density off the particles, evaluate, predict, evaluate, correct.
 
+use aero_geometry::Pencils;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
-use aero_geometry::{Pencils, Vector};
-use pulp::{Arch, Simd, WithSimd};
+use pulp::Arch;
 use rayon::prelude::*;
 
 use crate::case::{Case, Equations, Side};
@@ -72,7 +72,6 @@ pub struct Simulation<const D: usize> {
     /// Width of a pencil: a cluster is then about as wide as long.
     width: f64,
     arch: Arch,
-    lanes: usize,
     /// Impulse and work of walls and open neighbours on the fluid so far.
     received: Totals,
     extremes: snapshot::Extremes,
@@ -88,8 +87,8 @@ impl<const D: usize> Simulation<D> {
     /// Sets up the particles of `case`.
     pub fn new(case: Case<D>) -> Result<Self, String> {
         let arch = Arch::new();
-        let lanes = arch.dispatch(LaneCount);
-        let width = case.spacing * (lanes as f64).powf(1.0 / D as f64);
+        let lanes = neighbours::lane_count(arch) as f64;
+        let width = case.spacing * lanes.powf(1.0 / D as f64);
         let (fluid, open) = OpenBoundaries::fill(&case);
         if fluid.is_empty() {
             return Err("no gas particle fits between the bodies and the sides; \
@@ -118,7 +117,6 @@ impl<const D: usize> Simulation<D> {
             lattice_sum: lattice::density_sum::<D>(SMOOTHING_RATIO),
             width,
             arch,
-            lanes,
             received: Totals::default(),
             extremes: snapshot::Extremes::default(),
             case,
@@ -248,12 +246,12 @@ impl<const D: usize> Simulation<D> {
         let seeker = |i: usize| Seeker {
             position: records.near[i].position,
             half_h: records.near[i].half_h,
-            velocity: records.state[i].velocity,
+            velocity: records.near[i].velocity,
         };
         self.lists
-            .build(self.lanes, self.fluid.len(), seeker, &sets, half_step);
+            .build(self.arch, self.fluid.len(), seeker, &sets, half_step);
         self.walls
-            .build_lists(self.lanes, &sets, half_step, &mut self.wall_lists);
+            .build_lists(self.arch, &sets, half_step, &mut self.wall_lists);
     }
 
     /// Copies particles near symmetry planes and periodic sides to beyond them.
@@ -326,6 +324,7 @@ impl<const D: usize> Simulation<D> {
             &self.lists,
             &self.records,
             conduction,
+            self.case.scheme.shield,
             &mut self.rates,
         );
     }
@@ -483,25 +482,10 @@ fn record<const D: usize>(particle: &Particle<D>, gamma: f64) -> (Near<D>, State
         volume: particle.mass / particle.density,
         mass: particle.mass,
         half_density: 0.5 * particle.density,
+        velocity: particle.velocity,
     };
     (
         near,
-        State::new(
-            particle.velocity,
-            pressure,
-            particle.density,
-            particle.energy,
-            gamma,
-        ),
+        State::new(pressure, particle.density, particle.energy, gamma),
     )
-}
-
-struct LaneCount;
-
-impl WithSimd for LaneCount {
-    type Output = usize;
-
-    fn with_simd<S: Simd>(self, _: S) -> usize {
-        S::F64_LANES
-    }
 }

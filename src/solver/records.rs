@@ -7,7 +7,7 @@ use nalgebra::SMatrix;
 /// A `D x D` matrix.
 pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
 
-/// Geometry of a neighbour: enough for summation density and renormalisation.
+/// Geometry and motion of a neighbour: enough for lists, summation density and renormalisation.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct Near<const D: usize> {
@@ -21,14 +21,14 @@ pub struct Near<const D: usize> {
     pub mass: f64,
     /// Half the density: two halves add to `rho_ij`.
     pub half_density: f64,
+    /// Velocity.
+    pub velocity: Vector<D>,
 }
 
 /// State of a neighbour: what the rates need on top.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
 pub struct State<const D: usize> {
-    /// Velocity.
-    pub velocity: Vector<D>,
     /// Half the speed of sound: two halves add to `c_ij`.
     pub half_sound: f64,
     /// Specific internal energy.
@@ -57,9 +57,8 @@ impl<const D: usize> Near<D> {
 
 impl<const D: usize> State<D> {
     /// State without gradients; they follow from the renormalisation pass.
-    pub fn new(velocity: Vector<D>, pressure: f64, density: f64, energy: f64, gamma: f64) -> Self {
+    pub fn new(pressure: f64, density: f64, energy: f64, gamma: f64) -> Self {
         Self {
-            velocity,
             half_sound: 0.5 * (gamma * pressure / density).sqrt(),
             energy,
             pressure,
@@ -122,10 +121,10 @@ impl<const D: usize> Records<D> {
             volume: 0.0,
             mass: 0.0,
             half_density: 0.0,
+            velocity: Vector::zeros(),
         };
         self.near.resize(end, near);
-        self.state
-            .resize(end, State::new(Vector::zeros(), 0.0, 1.0, 0.0, 1.0));
+        self.state.resize(end, State::new(0.0, 1.0, 0.0, 1.0));
     }
 
     /// Slots of one segment.

@@ -241,13 +241,7 @@ fn reason<const D: usize>(particle: &Particle<D>) -> String {
 
 fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gamma: f64, kind: Kind) {
     let pressure = (gamma - 1.0) * particle.density * particle.energy;
-    let state = State::new(
-        particle.velocity,
-        pressure,
-        particle.density,
-        particle.energy,
-        gamma,
-    );
+    let state = State::<D>::new(pressure, particle.density, particle.energy, gamma);
     let sound = 2.0 * state.half_sound;
     frame.position.push(pad(&particle.position).into());
     frame.velocity.push(pad(&particle.velocity).into());

@@ -144,7 +144,7 @@ impl<const D: usize> Walls<D> {
     /// Lists the gas around each ghost and, with mirrors, around each mirror point.
     pub fn build_lists(
         &self,
-        lanes: usize,
+        arch: Arch,
         sets: &[Candidates<'_, D>],
         half_step: f64,
         lists: &mut WallLists,
@@ -153,11 +153,11 @@ impl<const D: usize> Walls<D> {
         let count = ghosts.len();
         lists
             .near
-            .build(lanes, count, |g| seeker(&ghosts[g]), sets, half_step);
+            .build(arch, count, |g| seeker(&ghosts[g]), sets, half_step);
         if self.extrapolation == Extrapolation::Wm {
             let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
             let seeker = |g: usize| mirror_seeker(&ghosts[g]);
-            lists.mirror.build(lanes, count, seeker, &gas, half_step);
+            lists.mirror.build(arch, count, seeker, &gas, half_step);
         }
     }
 
@@ -250,14 +250,9 @@ impl<const D: usize> Walls<D> {
                     volume: ghost.volume,
                     mass: ghost.density * ghost.volume,
                     half_density: 0.5 * ghost.density,
+                    velocity: ghost.velocity,
                 };
-                *state = State::new(
-                    ghost.velocity,
-                    ghost.pressure,
-                    ghost.density,
-                    ghost.energy,
-                    self.gamma,
-                );
+                *state = State::new(ghost.pressure, ghost.density, ghost.energy, self.gamma);
                 state.renormalise(even, Vector::zeros(), ghost.volume);
             });
     }

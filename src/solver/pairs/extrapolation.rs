@@ -138,7 +138,7 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
                     simd,
                     weight,
                     &separation.vector,
-                    &state.velocity,
+                    &near.velocity,
                     scalars,
                     first_order,
                 );

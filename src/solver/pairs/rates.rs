@@ -24,14 +24,15 @@ pub enum Conduction {
 }
 
 /// Rates of every listed particle of the fluid [Villodi & Ramachandran 2024, eqs 10, 12, 14, and
-/// 19-21 where `rates[i].shift` is not zero; signs as derived from the continuum equations].
+/// 19-21 where `shifted`; signs as derived from the continuum equations].
 ///
-/// The shifts in `rates` are read and kept, all else is overwritten.
+/// The shifts in `rates` are read, where `shifted`, and kept; all else is overwritten.
 pub fn rates<const D: usize>(
     arch: Arch,
     lists: &Lists,
     records: &Records<D>,
     conduction: Conduction,
+    shifted: bool,
     rates: &mut [Rates<D>],
 ) {
     lists
@@ -45,9 +46,11 @@ pub fn rates<const D: usize>(
                 first: 0,
                 rates,
             };
-            match conduction {
-                Conduction::Printed => arch.dispatch(FluidPass::<D, false>(pass)),
-                Conduction::Pairwise => arch.dispatch(FluidPass::<D, true>(pass)),
+            match (conduction, shifted) {
+                (Conduction::Printed, false) => arch.dispatch(FluidPass::<D, false, false>(pass)),
+                (Conduction::Printed, true) => arch.dispatch(FluidPass::<D, false, true>(pass)),
+                (Conduction::Pairwise, false) => arch.dispatch(FluidPass::<D, true, false>(pass)),
+                (Conduction::Pairwise, true) => arch.dispatch(FluidPass::<D, true, true>(pass)),
             }
         });
 }
@@ -82,7 +85,7 @@ struct Pass<'a, const D: usize> {
     rates: &'a mut [Rates<D>],
 }
 
-struct FluidPass<'a, const D: usize, const PAIRWISE: bool>(Pass<'a, D>);
+struct FluidPass<'a, const D: usize, const PAIRWISE: bool, const SHIFTED: bool>(Pass<'a, D>);
 
 struct ReactionPass<'a, const D: usize>(Pass<'a, D>);
 
@@ -100,10 +103,8 @@ struct Own<S: Simd, const D: usize> {
 struct Sums<S: Simd, const D: usize> {
     /// `sum V_j grad W`.
     gradient: LaneVector<S, D>,
-    /// `sum V_j p_j L_j grad W`.
+    /// `sum (V_j p_j L_j - rho_i m_j / rho_ij Pi) grad W`.
     stress: LaneVector<S, D>,
-    /// `sum m_j / rho_ij Pi grad W`.
-    viscous: LaneVector<S, D>,
     /// `sum V_j (u_j - u_i) (x) grad W`.
     velocity_gradient: [LaneVector<S, D>; D],
     /// `sum V_j (e_j - e_i) grad W`.
@@ -120,7 +121,9 @@ impl<S: Simd, const D: usize> Own<S, D> {
         let state = |l: usize| &records.state[slot(l)];
         Self {
             target: Target::load(simd, |l| &records.near[slot(l)]),
-            velocity: std::array::from_fn(|k| Lane::gather(simd, |l| state(l).velocity[k])),
+            velocity: std::array::from_fn(|k| {
+                Lane::gather(simd, |l| records.near[slot(l)].velocity[k])
+            }),
             half_sound: Lane::gather(simd, |l| state(l).half_sound),
             energy: Lane::gather(simd, |l| state(l).energy),
             half_gradient: std::array::from_fn(|k| {
@@ -136,7 +139,6 @@ impl<S: Simd, const D: usize> Sums<S, D> {
         Self {
             gradient: zeros(simd),
             stress: zeros(simd),
-            viscous: zeros(simd),
             velocity_gradient: [zeros(simd); D],
             energy_gradient: zeros(simd),
             viscous_heat: Lane::splat(simd, 0.0),
@@ -148,7 +150,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     /// Adds the terms of `i` with `j`; `GAS` adds conduction and diffusion, which act within
     /// the gas only (`phi_ij` of Villodi & Ramachandran 2024, below eq. 10).
     #[inline(always)]
-    fn add<const GAS: bool, const PAIRWISE: bool>(
+    fn add<const GAS: bool, const PAIRWISE: bool, const SHIFTED: bool>(
         &mut self,
         simd: S,
         i: &Own<S, D>,
@@ -161,24 +163,28 @@ impl<S: Simd, const D: usize> Sums<S, D> {
         let gradient_volume = volume * pair.gradient_factor;
         let pairwise = mass * pair.inverse_density;
         let jump: LaneVector<S, D> =
-            std::array::from_fn(|k| Lane::splat(simd, state.velocity[k]) - i.velocity[k]);
+            std::array::from_fn(|k| Lane::splat(simd, near.velocity[k]) - i.velocity[k]);
         let approach = -dot(&jump, &pair.separation);
         let sound = i.half_sound + Lane::splat(simd, state.half_sound);
         let viscous =
             pairwise * viscous_pressure(simd, &pair, approach, sound) * pair.gradient_factor;
         let energy = Lane::splat(simd, state.energy) - i.energy;
-        let energy_weight = gradient_volume * energy;
 
+        let density = i.target.half_density + i.target.half_density;
+        let resistance = -(viscous * density);
         self.viscous_heat = viscous.mul_add(approach, self.viscous_heat);
         for a in 0..D {
             let r = pair.separation[a];
             self.gradient[a] = gradient_volume.mul_add(r, self.gradient[a]);
-            self.viscous[a] = viscous.mul_add(r, self.viscous[a]);
-            self.energy_gradient[a] = energy_weight.mul_add(r, self.energy_gradient[a]);
             let row: LaneVector<S, D> =
                 std::array::from_fn(|b| Lane::splat(simd, state.stress[(a, b)]));
             let stress = dot(&row, &pair.separation);
             self.stress[a] = stress.mul_add(pair.gradient_factor, self.stress[a]);
+            self.stress[a] = resistance.mul_add(r, self.stress[a]);
+            if SHIFTED {
+                self.energy_gradient[a] =
+                    (gradient_volume * energy).mul_add(r, self.energy_gradient[a]);
+            }
             let weight = gradient_volume * jump[a];
             for b in 0..D {
                 self.velocity_gradient[a][b] =
@@ -200,7 +206,9 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     }
 }
 
-impl<const D: usize, const PAIRWISE: bool> WithSimd for FluidPass<'_, D, PAIRWISE> {
+impl<const D: usize, const PAIRWISE: bool, const SHIFTED: bool> WithSimd
+    for FluidPass<'_, D, PAIRWISE, SHIFTED>
+{
     type Output = ();
 
     #[inline(always)]
@@ -221,12 +229,12 @@ impl<const D: usize, const PAIRWISE: bool> WithSimd for FluidPass<'_, D, PAIRWIS
             let mut sums = Sums::new(simd);
             for &j in &chunk.entries[cluster.gas.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<true, PAIRWISE>(simd, &own, near, state);
+                sums.add::<true, PAIRWISE, SHIFTED>(simd, &own, near, state);
             }
             let by_gas = Forces::from(&sums);
             for &j in &chunk.entries[cluster.wall.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<false, PAIRWISE>(simd, &own, near, state);
+                sums.add::<false, PAIRWISE, SHIFTED>(simd, &own, near, state);
             }
             let forces = Forces::from(&sums);
             let velocity_gradient = sums.velocity_gradient.map(|row| row.map(Lane::to_array));
@@ -246,7 +254,7 @@ impl<const D: usize, const PAIRWISE: bool> WithSimd for FluidPass<'_, D, PAIRWIS
                 rates.density = diffusion[l] - near.density() * divergence;
                 rates.energy =
                     conduction[l] - 0.5 * heat[l] - state.pressure / near.density() * divergence;
-                if rates.shift != Vector::<D>::zeros() {
+                if SHIFTED {
                     let shift = renormalisation * rates.shift;
                     rates.acceleration += slope * shift;
                     rates.energy += unlane(&energy_gradient, l).dot(&shift);
@@ -278,7 +286,7 @@ impl<const D: usize> WithSimd for ReactionPass<'_, D> {
             let mut sums = Sums::new(simd);
             for &j in &chunk.entries[cluster.gas.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<false, true>(simd, &own, near, state);
+                sums.add::<false, true, false>(simd, &own, near, state);
             }
             let forces = Forces::from(&sums);
             for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {
@@ -293,7 +301,6 @@ impl<const D: usize> WithSimd for ReactionPass<'_, D> {
 struct Forces<const D: usize> {
     gradient: [[f64; super::super::lanes::MAX_LANES]; D],
     stress: [[f64; super::super::lanes::MAX_LANES]; D],
-    viscous: [[f64; super::super::lanes::MAX_LANES]; D],
 }
 
 impl<const D: usize> Forces<D> {
@@ -302,7 +309,6 @@ impl<const D: usize> Forces<D> {
         Self {
             gradient: sums.gradient.map(Lane::to_array),
             stress: sums.stress.map(Lane::to_array),
-            viscous: sums.viscous.map(Lane::to_array),
         }
     }
 
@@ -310,6 +316,6 @@ impl<const D: usize> Forces<D> {
     #[inline(always)]
     fn acceleration(&self, l: usize, near: &Near<D>, state: &State<D>) -> Vector<D> {
         let own = state.renormalisation * unlane(&self.gradient, l) * state.pressure;
-        unlane(&self.viscous, l) - (own + unlane(&self.stress, l)) / near.density()
+        -(own + unlane(&self.stress, l)) / near.density()
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Advancing, the wave steepens and the solution ends when the first shock forms; withdrawing, it
 //! holds until the gas can no longer follow. Source: Courant & Friedrichs, "Supersonic Flow and
-//! Shock Waves" (1948), section 44 and following.
+//! Shock Waves" (1948), chapter III.
 
 use super::{ExactError, State, require, require_gamma};
 

@@ -2,7 +2,7 @@
 //!
 //! The area mean of a real nozzle follows this closely; its centre line does not (the sonic line is
 //! curved). Sources: Back, Massier & Gier, "Comparison of measured and predicted flows through
-//! conical supersonic nozzles", AIAA J. 3 (1965) 1606, for the shape, in the simplified form of the
+//! conical supersonic nozzles", AIAA J. 3 (1965) 1606 (doi:10.2514/3.3216), for the shape, in the simplified form of the
 //! Eilmer example set (Gibbons et al., Comput. Phys. Commun. 282 (2023) 108551,
 //! doi:10.1016/j.cpc.2022.108551); Anderson, "Modern Compressible Flow", chapter 5, for the flow.
 

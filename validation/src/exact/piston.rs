@@ -1,7 +1,7 @@
 //! A piston set impulsively to a constant speed in a tube of gas at rest: a shock when it
 //! advances, a centred fan (and beyond its limit a vacuum) when it withdraws.
 //!
-//! Source: Anderson, "Modern Compressible Flow", sections 7.2 and 7.6; Courant & Friedrichs,
+//! Source: Anderson, "Modern Compressible Flow", chapter 7; Courant & Friedrichs,
 //! "Supersonic Flow and Shock Waves" (1948), chapter III.
 
 use super::{ExactError, State, require, require_gamma};

@@ -87,7 +87,7 @@ impl Sedov {
         )
     }
 
-    /// The similarity functions [Kamm & Timmes, eqs. 29-42 with uniform surroundings] at parameter
+    /// The similarity functions [Kamm & Timmes, standard case, uniform surroundings] at parameter
     /// `s`, from 0 in the centre to 1 at the shock.
     ///
     /// Their parameter `V` crowds at the centre, where `r ~ (V - V0)^q`; `V = V0 + (V2 - V0)

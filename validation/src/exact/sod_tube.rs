@@ -5,7 +5,7 @@
 //! gas behind the incident one to rest; where it meets the contact a second Riemann problem starts.
 //! The solution ends when the fan reaches the left wall or a wave of the second problem reaches
 //! another wave or wall. Sources: Sod, J. Comput. Phys. 27 (1978) 1
-//! (doi:10.1016/0021-9991(78)90023-2); Anderson, "Modern Compressible Flow", sections 7.2-7.5.
+//! (doi:10.1016/0021-9991(78)90023-2); Anderson, "Modern Compressible Flow", chapter 7.
 
 use super::piston::Piston;
 use super::riemann::{Riemann, Wave};

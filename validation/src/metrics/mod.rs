@@ -2,7 +2,8 @@
 //! force statistics, orders of convergence.
 //!
 //! Every function takes plain arrays, one entry per particle; positions always have three
-//! components, missing axes zero. Nothing here knows what the right answer is.
+//! components, missing axes zero. Unless a function says otherwise, give it the gas only, without
+//! ghosts and buffers. Nothing here knows what the right answer is.
 
 mod cells;
 pub mod crossing;
@@ -14,6 +15,7 @@ mod kernel;
 mod least_squares;
 pub mod order;
 pub mod plateau;
+pub mod probe;
 pub mod profile;
 pub mod shock_line;
 pub mod stand_off;
