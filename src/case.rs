@@ -25,6 +25,9 @@ pub struct Case<const D: usize> {
     pub free_stream: State<D>,
     /// State at the start.
     pub initial: Initial<D>,
+    /// Random displacement of the starting lattice inside the domain, as a fraction of the
+    /// spacing; zero for a perfect lattice.
+    pub disorder: f64,
     /// Bodies in the flow.
     pub bodies: Vec<Body<D>>,
     /// When to write what.
@@ -43,7 +46,7 @@ pub struct State<const D: usize> {
 }
 
 /// State of the gas at the start.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub enum Initial<const D: usize> {
     /// The free stream everywhere.
     FreeStream,
@@ -58,6 +61,18 @@ pub enum Initial<const D: usize> {
         /// Smooth density and pressure over a few spacings (Villodi & Ramachandran, eq. 38).
         smooth: bool,
     },
+    /// Any state as a function of position.
+    Field(Field<D>),
+}
+
+/// A state of the gas as a function of position.
+#[derive(Clone)]
+pub struct Field<const D: usize>(pub Arc<dyn Fn(&Vector<D>) -> State<D> + Send + Sync>);
+
+impl<const D: usize> std::fmt::Debug for Field<D> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str("Field")
+    }
 }
 
 /// The set of equations that advances the gas.

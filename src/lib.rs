@@ -2,4 +2,9 @@
 
 pub mod case;
 pub mod frame;
+pub mod output;
+pub mod pack;
+pub mod run;
+pub mod scene;
 pub mod solver;
+pub mod validate;

@@ -18,6 +18,7 @@ impl<const D: usize> Bounds<D> {
     }
 
     /// The box grown by `margin` on every side.
+    #[must_use]
     pub fn grown(&self, margin: f64) -> Self {
         Self {
             min: self.min.add_scalar(-margin),
@@ -31,6 +32,7 @@ impl<const D: usize> Bounds<D> {
     }
 
     /// The part common to both boxes; empty where some `min > max`.
+    #[must_use]
     pub fn intersection(&self, other: &Self) -> Self {
         Self {
             min: self.min.sup(&other.min),

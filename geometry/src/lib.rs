@@ -3,13 +3,22 @@
 //!
 //! Not responsible for particles' physics or for how layers are laid.
 
+pub mod bodies;
 mod bounds;
+mod error;
 pub mod kernel;
+pub mod outline;
 mod pencils;
+mod placement;
+mod revolution;
 mod shape;
 
 pub use bounds::Bounds;
+pub use error::GeometryError;
+pub use outline::Outline;
 pub use pencils::Pencils;
+pub use placement::{Placed, Placement};
+pub use revolution::Revolution;
 pub use shape::{Closest, Shape};
 
 /// A point or a vector in `D` dimensions, SI units (metres) unless a case says otherwise.

@@ -94,7 +94,6 @@ impl<const D: usize> Pencils<D> {
 
     /// Calls `visit` with every run of slots that may hold points inside the box `min..=max`;
     /// along the last axis the runs are exact, across it they are whole columns.
-    #[inline]
     pub fn for_each_run(
         &self,
         min: &Vector<D>,

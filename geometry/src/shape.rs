@@ -1,6 +1,6 @@
 //! What every body offers, whether analytic or read from a file.
 
-use crate::{Bounds, Vector};
+use crate::{Bounds, Outline, Vector};
 
 /// The answer to "where is the surface from here?".
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -33,4 +33,48 @@ pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
     fn mirror_planes(&self) -> Vec<(usize, f64)> {
         Vec::new()
     }
+    /// The exact curve, of a two-dimensional shape that is one.
+    fn outline(&self) -> Option<&Outline> {
+        None
+    }
+
+    /// Area (2D) or volume (3D) of the body, metres to the power `D`; `None` where it is endless.
+    fn measure(&self) -> Option<f64> {
+        None
+    }
 }
+
+/// A shape behind a pointer is the shape.
+macro_rules! forward {
+    ($pointer:ty) => {
+        impl<S: Shape<D> + ?Sized, const D: usize> Shape<D> for $pointer {
+            fn bounds(&self) -> Bounds<D> {
+                (**self).bounds()
+            }
+
+            fn closest(&self, point: &Vector<D>) -> Closest<D> {
+                (**self).closest(point)
+            }
+
+            fn signed_distance(&self, point: &Vector<D>) -> f64 {
+                (**self).signed_distance(point)
+            }
+
+            fn mirror_planes(&self) -> Vec<(usize, f64)> {
+                (**self).mirror_planes()
+            }
+
+            fn outline(&self) -> Option<&Outline> {
+                (**self).outline()
+            }
+
+            fn measure(&self) -> Option<f64> {
+                (**self).measure()
+            }
+        }
+    };
+}
+
+forward!(&S);
+forward!(Box<S>);
+forward!(std::sync::Arc<S>);

@@ -1,55 +1,129 @@
 //! The particle method: takes a [`Case`], advances it step by step, hands out snapshots.
+//!
+//! [`Simulation::step`] is the contents page: exchange with open boundaries, sort, list the
+//! neighbours, read the density off the particles, evaluate, predict, evaluate, correct.
 
-use crate::case::Case;
-use crate::frame::{Frame, Load, SurfaceFrame, Totals};
+use aero_geometry::Pencils;
+use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
+use pulp::Arch;
+use rayon::prelude::*;
+
+use crate::case::{Case, Equations, Side};
+use crate::frame::Totals;
+
+mod images;
+mod initial;
+mod lanes;
+mod lattice;
+mod loads;
+mod neighbours;
+mod open;
+mod pairs;
+mod particle;
+mod records;
+mod rigid;
+mod side_walls;
+mod snapshot;
+#[cfg(test)]
+mod tests;
+mod time_step;
+mod walls;
+
+use images::Images;
+use neighbours::{Candidates, GROWTH, Lists, Seeker};
+use open::OpenBoundaries;
+use pairs::rates::{Conduction, rates};
+use pairs::renormalisation::{Renormalisation, renormalise};
+use pairs::shield::shield;
+use pairs::summation::densities;
+use particle::{Particle, Rates};
+use records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, OPEN, Records, State};
+use walls::{WallLists, Walls};
+
+pub use side_walls::wall_sides;
+pub use snapshot::{Failure, Statistics};
 
 /// A run in progress.
 #[derive(Debug)]
 pub struct Simulation<const D: usize> {
     case: Case<D>,
+    time: f64,
+    steps: u64,
+    /// Gas that moves by the equations, in the order of `fluid_pencils`.
+    fluid: Vec<Particle<D>>,
+    rates: Vec<Rates<D>>,
+    /// The fluid at the start of the step.
+    saved: Vec<Particle<D>>,
+    open: OpenBoundaries<D>,
+    walls: Walls<D>,
+    flow_images: Images<D>,
+    ghost_images: Images<D>,
+    records: Records<D>,
+    lists: Lists,
+    wall_lists: WallLists,
+    fluid_pencils: Pencils<D>,
+    open_pencils: Pencils<D>,
+    renormalisations: Vec<Renormalisation<D>>,
+    densities: Vec<f64>,
+    /// Step before this one; the next may be a tenth longer.
+    last_step: f64,
+    /// Summation density of a perfect lattice of unit density.
+    lattice_sum: f64,
+    /// Width of a pencil: a cluster is then about as wide as long.
+    width: f64,
+    arch: Arch,
+    /// Impulse and work of walls and open neighbours on the fluid so far.
+    received: Totals,
+    extremes: snapshot::Extremes,
 }
 
-/// Why a run stopped before its end.
-#[derive(Clone, Debug, thiserror::Error)]
-#[error("{reason} (particle {particle} at {position:?}, step {step}, time {time})")]
-pub struct Failure {
-    /// What happened and what may help.
-    pub reason: String,
-    /// Number of the particle.
-    pub particle: u64,
-    /// Where it was.
-    pub position: [f64; 3],
-    /// Step.
-    pub step: u64,
-    /// Time.
-    pub time: f64,
-}
-
-/// Counts and extremes since the start.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Statistics {
-    /// Particles that move by the equations now.
-    pub fluid: usize,
-    /// Ghosts of bodies and walls.
-    pub ghost: usize,
-    /// Fluid particles advanced one full step, summed over all steps.
-    pub particle_updates: u64,
-    /// Mean number of neighbours within the support.
-    pub neighbours_mean: f64,
-    /// Fluid particles inside a body or behind a wall now.
-    pub leaked: usize,
-    /// Ghosts whose mirror was short of neighbours, at the last evaluation.
-    pub mirror_fallbacks: usize,
-    /// Smallest density met.
-    pub min_density: f64,
-    /// Smallest specific internal energy met.
-    pub min_energy: f64,
+/// How far a half step at most carries the particles; the neighbour lists allow for it.
+#[derive(Clone, Copy, Debug)]
+struct StepBound {
+    step: f64,
 }
 
 impl<const D: usize> Simulation<D> {
     /// Sets up the particles of `case`.
     pub fn new(case: Case<D>) -> Result<Self, String> {
-        Ok(Self { case })
+        let arch = Arch::new();
+        let lanes = neighbours::lane_count(arch) as f64;
+        let width = case.spacing * lanes.powf(1.0 / D as f64);
+        let (fluid, open) = OpenBoundaries::fill(&case);
+        if fluid.is_empty() {
+            return Err("no gas particle fits between the bodies and the sides; \
+                        use a smaller `spacing` or a larger domain"
+                .into());
+        }
+        let walls = Walls::new(&case, width);
+        let mut simulation = Self {
+            time: 0.0,
+            steps: 0,
+            fluid,
+            rates: Vec::new(),
+            saved: Vec::new(),
+            open,
+            walls,
+            flow_images: Images::default(),
+            ghost_images: Images::default(),
+            records: Records::default(),
+            lists: Lists::default(),
+            wall_lists: WallLists::default(),
+            fluid_pencils: Pencils::default(),
+            open_pencils: Pencils::default(),
+            renormalisations: Vec::new(),
+            densities: Vec::new(),
+            last_step: f64::INFINITY,
+            lattice_sum: lattice::density_sum::<D>(SMOOTHING_RATIO),
+            width,
+            arch,
+            received: Totals::default(),
+            extremes: snapshot::Extremes::default(),
+            case,
+        };
+        simulation.prepare(&StepBound { step: 0.0 });
+        simulation.evaluate(0.0);
+        Ok(simulation)
     }
 
     /// The case that runs.
@@ -57,49 +131,361 @@ impl<const D: usize> Simulation<D> {
         &self.case
     }
 
-    /// Advances by one time step, no further than `limit`; returns the step taken.
-    pub fn step(&mut self, _limit: f64) -> Result<f64, Failure> {
-        todo!()
-    }
-
     /// Time reached.
     pub fn time(&self) -> f64 {
-        todo!()
+        self.time
     }
 
     /// Steps taken.
     pub fn steps(&self) -> u64 {
-        todo!()
+        self.steps
     }
 
-    /// All particles now.
-    pub fn frame(&self) -> Frame {
-        todo!()
+    /// Advances by one time step, no further than `limit`; returns the step taken.
+    ///
+    /// Evaluate, predict, evaluate, correct [Villodi & Ramachandran 2024, section 3.6]: a
+    /// midpoint rule, second order in time.
+    ///
+    /// # Errors
+    /// A [`Failure`] when a particle's state stops making sense; the simulation then stands at
+    /// its last good state.
+    pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
+        let bound = self.step_bound();
+        self.prepare(&bound);
+        if self.case.scheme.equations == Equations::Conservative {
+            self.read_densities();
+        }
+        self.evaluate(0.0);
+        let stable = time_step::time_step(
+            self.case.scheme.equations,
+            self.case.scheme.cfl,
+            self.case.gamma,
+            &self.fluid,
+            &self.rates,
+        );
+        let free = stable.min(bound.step);
+        let step = if self.time + free * (1.0 + 1e-9) >= limit {
+            limit - self.time
+        } else {
+            free
+        };
+        self.last_step = free;
+
+        self.saved.clone_from(&self.fluid);
+        self.advance(0.5 * step);
+        self.check()?;
+        self.walls.update_smoothing_lengths();
+        self.evaluate(0.5 * step);
+        self.account(step);
+        self.advance(step);
+        self.check()?;
+
+        let before = self.time;
+        self.time = if limit - self.time == step {
+            limit
+        } else {
+            self.time + step
+        };
+        self.steps += 1;
+        self.cross_sides(before);
+        self.extremes.updates += self.fluid.len() as u64;
+        Ok(step)
     }
 
-    /// State on the surfaces now.
-    pub fn surface(&self) -> SurfaceFrame {
-        todo!()
+    /// The longest step that the neighbour lists of this step have to allow for.
+    fn step_bound(&self) -> StepBound {
+        const GROWTH_OF_STEP: f64 = 1.1;
+        let acoustic = time_step::acoustic_step(self.case.scheme.cfl, self.case.gamma, &self.fluid);
+        let mut step = acoustic.min(GROWTH_OF_STEP * self.last_step);
+        if self.case.has_open_sides() {
+            // The free-stream lattice must not jump across its buffer.
+            let speed = self.case.free_stream.velocity.norm();
+            step = step.min(2.0 * self.case.spacing / speed);
+        }
+        StepBound { step }
     }
 
-    /// Loads on the bodies, in scene order; then on wall sides.
-    pub fn loads(&self) -> Vec<Load> {
-        todo!()
+    /// Sorts all particles in space, makes images and lists neighbours.
+    fn prepare(&mut self, bound: &StepBound) {
+        let half_step = 0.5 * bound.step;
+        let positions: Vec<_> = self.fluid.iter().map(|p| p.position).collect();
+        self.fluid_pencils.rebuild(&positions, self.width);
+        self.fluid = permuted(&self.fluid, self.fluid_pencils.order());
+        let positions: Vec<_> = self
+            .open
+            .particles
+            .iter()
+            .map(|p| p.particle.position)
+            .collect();
+        self.open_pencils.rebuild(&positions, self.width);
+        self.open.particles = permuted(&self.open.particles, self.open_pencils.order());
+        if self.walls.are_moving() {
+            self.walls.move_to(self.time);
+            self.walls.sort();
+        }
+        self.make_images(half_step);
+        self.records.lay_out([
+            self.fluid.len(),
+            self.open.particles.len(),
+            self.flow_images.len(),
+            self.walls.ghosts.len(),
+            self.ghost_images.len(),
+        ]);
+        self.rates.resize(self.fluid.len(), Rates::default());
+        self.fill_gas(0.0);
+        self.fill_ghosts();
+
+        let records = &self.records;
+        let sets = [
+            Candidates::new(&self.fluid_pencils, records, FLUID),
+            Candidates::new(&self.open_pencils, records, OPEN),
+            Candidates::new(&self.flow_images.pencils, records, FLOW_IMAGES),
+            Candidates::new(&self.walls.pencils, records, GHOSTS),
+            Candidates::new(&self.ghost_images.pencils, records, GHOST_IMAGES),
+        ];
+        let seeker = |i: usize| Seeker {
+            position: records.near[i].position,
+            half_h: records.near[i].half_h,
+            velocity: records.near[i].velocity,
+        };
+        self.lists
+            .build(self.arch, self.fluid.len(), seeker, &sets, half_step);
+        self.walls
+            .build_lists(self.arch, &sets, half_step, &mut self.wall_lists);
     }
 
-    /// Conserved totals of the fluid now.
-    pub fn totals(&self) -> Totals {
-        todo!()
+    /// Copies particles near symmetry planes and periodic sides to beyond them.
+    fn make_images(&mut self, half_step: f64) {
+        let mirrors = |side: &Side| matches!(side, Side::Symmetry | Side::Periodic);
+        if !self.case.domain.sides.iter().flatten().any(mirrors) {
+            return;
+        }
+        let gas: Vec<_> = self
+            .fluid
+            .iter()
+            .chain(self.open.particles.iter().map(|open| &open.particle))
+            .copied()
+            .collect();
+        let ghosts = &self.walls.ghosts;
+        let h = gas.iter().map(|p| p.smoothing_length);
+        let h = h
+            .chain(ghosts.iter().map(|g| g.smoothing_length))
+            .fold(0.0, f64::max);
+        let fastest = gas.iter().map(|p| p.velocity.norm()).fold(0.0, f64::max);
+        let reach = GROWTH * SUPPORT * h + 2.0 * half_step * fastest;
+        let gas: Vec<_> = gas.iter().map(|p| p.position).collect();
+        let ghosts: Vec<_> = ghosts.iter().map(|g| g.position).collect();
+        self.flow_images
+            .rebuild(&self.case.domain, &gas, reach, self.width);
+        self.ghost_images
+            .rebuild(&self.case.domain, &ghosts, reach, self.width);
     }
 
-    /// What entered minus what left through open boundaries, plus what walls gave (their
-    /// impulse and work), since the start.
-    pub fn inflow(&self) -> Totals {
-        todo!()
+    /// Replaces each density by the sum over the particles, and the smoothing length with it
+    /// (`h = 1.5 (m / rho)^(1/D)`), so that neither can drift from the particles' spacing.
+    fn read_densities(&mut self) {
+        self.densities.resize(self.fluid.len(), 0.0);
+        densities(
+            self.arch,
+            &self.lists,
+            &self.records.near,
+            self.lattice_sum,
+            &mut self.densities,
+        );
+        self.fluid
+            .par_iter_mut()
+            .zip(&self.densities)
+            .for_each(|(particle, &density)| {
+                particle.density = density;
+                let h = SMOOTHING_RATIO * (particle.mass / density).powf(1.0 / D as f64);
+                particle.smoothing_length = h.min(GROWTH * particle.smoothing_length);
+            });
     }
 
-    /// Counts and extremes.
-    pub fn statistics(&self) -> Statistics {
-        todo!()
+    /// Rates of the fluid `ahead` of the start of the step.
+    fn evaluate(&mut self, ahead: f64) {
+        self.fill_gas(ahead);
+        if self.walls.are_moving() {
+            self.walls.move_to(self.time + ahead);
+        }
+        self.walls
+            .extrapolate(self.arch, &self.wall_lists, &self.records);
+        self.fill_ghosts();
+        self.renormalise();
+        if self.case.scheme.shield {
+            self.shield();
+        }
+        let conduction = match self.case.scheme.equations {
+            Equations::Paper => Conduction::Printed,
+            Equations::Conservative => Conduction::Pairwise,
+        };
+        rates(
+            self.arch,
+            &self.lists,
+            &self.records,
+            conduction,
+            self.case.scheme.shield,
+            &mut self.rates,
+        );
     }
+
+    /// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
+    fn renormalise(&mut self) {
+        self.renormalisations
+            .resize(self.fluid.len(), Renormalisation::default());
+        renormalise(
+            self.arch,
+            &self.lists,
+            &self.records.near,
+            0,
+            &mut self.renormalisations,
+        );
+        let Records { near, state, .. } = &mut self.records;
+        state
+            .par_iter_mut()
+            .zip(near.par_iter())
+            .zip(&self.renormalisations)
+            .for_each(|((state, near), r)| {
+                state.renormalise(r.matrix, r.density_gradient, near.volume)
+            });
+        self.flow_images
+            .refresh(&mut self.records, FLUID, FLOW_IMAGES);
+    }
+
+    fn shield(&mut self) {
+        let first = self.records.start[GHOSTS];
+        let (ghosts, images) = (&self.walls.ghosts, &self.ghost_images);
+        let wall = |slot: usize| match ghosts.get(slot - first) {
+            Some(ghost) => (ghost.normal, ghost.wall_velocity),
+            None => {
+                let (source, sign) = images.source(slot - first - ghosts.len());
+                let ghost = &ghosts[source];
+                (
+                    sign.component_mul(&ghost.normal),
+                    sign.component_mul(&ghost.wall_velocity),
+                )
+            }
+        };
+        shield(
+            &self.lists,
+            &self.records.near,
+            &self.fluid,
+            wall,
+            &mut self.rates,
+        );
+    }
+
+    /// Writes the records of ghosts and their images.
+    fn fill_ghosts(&mut self) {
+        self.walls.fill(&mut self.records);
+        self.ghost_images
+            .refresh(&mut self.records, GHOSTS, GHOST_IMAGES);
+    }
+
+    /// Writes the records of fluid, buffers and their images; buffers drift on by `ahead`.
+    fn fill_gas(&mut self, ahead: f64) {
+        let gamma = self.case.gamma;
+        let count = self.fluid.len();
+        let (near, state) = (&mut self.records.near, &mut self.records.state);
+        near[..count]
+            .par_iter_mut()
+            .zip(&mut state[..count])
+            .zip(&self.fluid)
+            .for_each(|((near, state), particle)| (*near, *state) = record(particle, gamma));
+        for (slot, open) in (count..).zip(&self.open.particles) {
+            let (mut place, mut open_state) = record(&open.particle, gamma);
+            place.position += open.particle.velocity * ahead;
+            open_state.renormalise(open.renormalisation, open.gradient, place.volume);
+            near[slot] = place;
+            state[slot] = open_state;
+        }
+        self.flow_images
+            .refresh(&mut self.records, FLUID, FLOW_IMAGES);
+    }
+
+    /// Sets the fluid to its state at the start of the step plus `ahead` times the rates.
+    fn advance(&mut self, ahead: f64) {
+        let paper = self.case.scheme.equations == Equations::Paper;
+        // The velocity that moves the particle is the one at which the rates were evaluated.
+        self.fluid
+            .par_iter_mut()
+            .zip(&self.saved)
+            .zip(&self.rates)
+            .for_each(|((particle, saved), rates)| {
+                particle.position = saved.position + (particle.velocity + rates.shift) * ahead;
+                let acceleration = rates.acceleration + rates.wall_acceleration;
+                particle.velocity = saved.velocity + acceleration * ahead;
+                if paper {
+                    // Eq. 17, at the stage whose density gave the rate.
+                    let growth = -rates.density / (D as f64 * particle.density);
+                    particle.smoothing_length = saved.smoothing_length
+                        + (particle.smoothing_length * growth * ahead)
+                            .min((GROWTH - 1.0) * saved.smoothing_length);
+                }
+                particle.density = saved.density + rates.density * ahead;
+                particle.energy = saved.energy + rates.energy * ahead;
+            });
+    }
+
+    /// Lets particles change sides after the step that began at `before`.
+    fn cross_sides(&mut self, before: f64) {
+        if self.case.has_open_sides() {
+            for open in self
+                .open
+                .particles
+                .iter_mut()
+                .filter(|open| open.lattice.is_none())
+            {
+                open.particle.position += open.particle.velocity * (self.time - before);
+            }
+            let renormalisations = &self.renormalisations;
+            let frozen = |i: usize| {
+                let r = &renormalisations[i];
+                (r.matrix, r.density_gradient)
+            };
+            self.open
+                .exchange(&self.case, before, self.time, &mut self.fluid, frozen);
+        }
+        let domain = &self.case.domain;
+        for axis in 0..D {
+            let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
+            let sides = domain.sides[axis];
+            for particle in &mut self.fluid {
+                let x = particle.position[axis];
+                if x < low && sides[0] == Side::Periodic {
+                    particle.position[axis] += high - low;
+                } else if x >= high && sides[1] == Side::Periodic {
+                    particle.position[axis] -= high - low;
+                } else if (x < low && sides[0] == Side::Symmetry)
+                    || (x > high && sides[1] == Side::Symmetry)
+                {
+                    let plane = if x < low { low } else { high };
+                    particle.position[axis] = 2.0 * plane - x;
+                    particle.velocity[axis] = -particle.velocity[axis];
+                }
+            }
+        }
+    }
+}
+
+/// The elements in a new order.
+fn permuted<T: Copy + Send + Sync>(elements: &[T], order: &[u32]) -> Vec<T> {
+    order.par_iter().map(|&n| elements[n as usize]).collect()
+}
+
+/// The records of a gas particle.
+fn record<const D: usize>(particle: &Particle<D>, gamma: f64) -> (Near<D>, State<D>) {
+    let pressure = (gamma - 1.0) * particle.density * particle.energy;
+    let near = Near {
+        position: particle.position,
+        half_h: 0.5 * particle.smoothing_length,
+        volume: particle.mass / particle.density,
+        mass: particle.mass,
+        half_density: 0.5 * particle.density,
+        velocity: particle.velocity,
+    };
+    (
+        near,
+        State::new(pressure, particle.density, particle.energy, gamma),
+    )
 }

@@ -1,0 +1,102 @@
+//! What can be wrong with a body, said so that its author can mend it.
+
+use std::path::PathBuf;
+
+/// Why a shape could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum GeometryError {
+    /// A dimension of a named body is out of range.
+    #[error("{body}: {reason}")]
+    Dimension {
+        /// The kind of body, as users write it.
+        body: &'static str,
+        /// What is wrong with which number, and what is allowed.
+        reason: String,
+    },
+    /// Pieces do not form a curve that bounds a solid.
+    #[error("outline: {0}")]
+    Curve(String),
+    /// A text file of points cannot be read.
+    #[error("line {line}: {reason}")]
+    Text {
+        /// Line number, from 1.
+        line: usize,
+        /// What is wrong there.
+        reason: String,
+    },
+    /// An STL file cannot be read.
+    #[error("stl: {0}")]
+    Stl(String),
+    /// Triangles do not enclose a solid.
+    #[error("surface: {0}")]
+    Surface(String),
+    /// A placement is not a similarity.
+    #[error("placement: {0}")]
+    Placement(String),
+    /// A file cannot be opened or read.
+    #[error("cannot read `{path}`: {source}")]
+    Read {
+        /// The file.
+        path: PathBuf,
+        /// The operating system's reason.
+        source: std::io::Error,
+    },
+    /// A file was read, but what it holds is wrong.
+    #[error("`{path}`: {source}")]
+    In {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong in it.
+        source: Box<GeometryError>,
+    },
+}
+
+impl GeometryError {
+    pub(crate) fn dimension(body: &'static str, reason: impl Into<String>) -> Self {
+        Self::Dimension {
+            body,
+            reason: reason.into(),
+        }
+    }
+}
+
+/// Refuses a number that is not finite and above zero.
+pub(crate) fn positive(body: &'static str, name: &str, value: f64) -> Result<f64, GeometryError> {
+    if value.is_finite() && value > 0.0 {
+        Ok(value)
+    } else {
+        Err(GeometryError::dimension(
+            body,
+            format!("{name} is {value}, but must be above zero"),
+        ))
+    }
+}
+
+/// Refuses a number that is not finite.
+pub(crate) fn finite(body: &'static str, name: &str, value: f64) -> Result<f64, GeometryError> {
+    if value.is_finite() {
+        Ok(value)
+    } else {
+        Err(GeometryError::dimension(
+            body,
+            format!("{name} is {value}, but must be a finite number"),
+        ))
+    }
+}
+
+/// Refuses an angle in degrees that is not strictly between `low` and `high`.
+pub(crate) fn angle_between(
+    body: &'static str,
+    name: &str,
+    degrees: f64,
+    [low, high]: [f64; 2],
+) -> Result<f64, GeometryError> {
+    if degrees > low && degrees < high {
+        Ok(degrees.to_radians())
+    } else {
+        Err(GeometryError::dimension(
+            body,
+            format!("{name} is {degrees} degrees, but must be between {low} and {high}"),
+        ))
+    }
+}

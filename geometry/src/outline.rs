@@ -1,0 +1,205 @@
+//! Exact outlines: closed or endless curves of straight pieces and circular arcs around a solid.
+//!
+//! An outline answers distance queries and shows its pieces, so that layers can be laid along its
+//! arc length. Nothing is tessellated. Bodies with names are made in [`crate::bodies`].
+
+mod assemble;
+mod check;
+mod copies;
+mod crossing;
+mod joint;
+mod measure;
+pub(crate) mod piece;
+pub(crate) mod polygon;
+mod symmetry;
+
+use std::ops::Range;
+
+pub use joint::Corner;
+pub(crate) use joint::Joint;
+use parry2d::partitioning::{Bvh, BvhNode};
+pub use piece::{Arc, Line, Piece};
+use piece::{Foot, Place};
+
+use crate::{Bounds, Closest, Shape, Vector};
+
+/// A connected run of pieces.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Chain {
+    /// Its pieces, in the order of travel (solid to the left).
+    pub pieces: Range<usize>,
+    /// How it ends.
+    pub ends: Ends,
+    /// Its length; infinite where it is endless.
+    pub length: f64,
+}
+
+/// How a chain of pieces ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Ends {
+    /// The last piece leads into the first: counter-clockwise around a solid.
+    Closed,
+    /// The first piece comes from infinity and the last one runs there.
+    Endless,
+    /// Both ends lie on the axis `y = 0`, which mirrors the curve: a meridian of a body of
+    /// revolution.
+    Axis,
+}
+
+/// A solid bounded by lines and arcs; see the [module](self) for its purpose.
+#[derive(Clone, Debug)]
+pub struct Outline {
+    pieces: Vec<Piece>,
+    /// Smooth face per piece.
+    faces: Vec<u32>,
+    /// Joint at the start and at the end of each piece; [`NO_JOINT`] at infinity.
+    ends: Vec<[u32; 2]>,
+    joints: Vec<Joint>,
+    chains: Vec<Chain>,
+    corners: Vec<Corner>,
+    mirrors: Vec<(usize, f64)>,
+    bounds: Bounds<2>,
+    /// The size of the finite part, by which tolerances are measured.
+    size: f64,
+    /// Turns sharper than this (radians) separate smooth faces.
+    crease: f64,
+    search: Option<Search>,
+}
+
+const NO_JOINT: u32 = u32::MAX;
+
+/// Outlines of more pieces than this are searched through a tree of boxes.
+const FEW_PIECES: usize = 16;
+
+/// A tree of boxes over the finite pieces, and the endless ones beside it.
+#[derive(Clone, Debug)]
+struct Search {
+    tree: Bvh,
+    endless: Vec<u32>,
+}
+
+impl Outline {
+    /// The pieces, chain after chain, each travelled with the solid to its left.
+    pub fn pieces(&self) -> &[Piece] {
+        &self.pieces
+    }
+
+    /// The connected runs of pieces.
+    pub fn chains(&self) -> &[Chain] {
+        &self.chains
+    }
+
+    /// Number of the smooth face that piece `index` belongs to, as in [`Closest::face`].
+    pub fn face(&self, index: usize) -> u32 {
+        self.faces[index]
+    }
+
+    /// Number of smooth faces.
+    pub fn face_count(&self) -> usize {
+        self.faces.iter().max().map_or(0, |&last| last as usize + 1)
+    }
+
+    /// The creases, in the order of travel.
+    pub fn corners(&self) -> &[Corner] {
+        &self.corners
+    }
+
+    /// Extent of the finite part of the outline (its corners and arcs).
+    pub fn size(&self) -> f64 {
+        self.size
+    }
+
+    /// Index and foot of the nearest piece; the lower index wins a tie where there are few.
+    fn nearest(&self, p: &Vector<2>) -> (usize, Foot) {
+        let among = |candidates: &mut dyn Iterator<Item = usize>| {
+            let mut best: Option<(usize, Foot)> = None;
+            for index in candidates {
+                let foot = self.pieces[index].foot(p);
+                if best.is_none_or(|(_, b)| foot.distance_squared < b.distance_squared) {
+                    best = Some((index, foot));
+                }
+            }
+            best
+        };
+        let Some(search) = &self.search else {
+            let mut best = (0, self.pieces[0].foot(p));
+            for (index, piece) in self.pieces.iter().enumerate().skip(1) {
+                let foot = piece.foot(p);
+                if foot.distance_squared < best.1.distance_squared {
+                    best = (index, foot);
+                }
+            }
+            return best;
+        };
+        let start = among(&mut search.endless.iter().map(|&index| index as usize));
+        let limit = start.map_or(f64::MAX, |(_, foot)| foot.distance_squared);
+        let point = parry2d::math::Vector::new(p.x, p.y);
+        let found = search.tree.find_best(
+            limit,
+            |node: &BvhNode, _| {
+                let (low, high) = (node.mins() - point, point - node.maxs());
+                low.max(high)
+                    .max(parry2d::math::Vector::ZERO)
+                    .length_squared()
+            },
+            |index, _| Some(self.pieces[index as usize].foot(p).distance_squared),
+        );
+        match (found, start) {
+            (Some((index, _)), _) => (index as usize, self.pieces[index as usize].foot(p)),
+            (None, Some(start)) => start,
+            (None, None) => (0, self.pieces[0].foot(p)),
+        }
+    }
+}
+
+impl Shape<2> for Outline {
+    fn bounds(&self) -> Bounds<2> {
+        self.bounds
+    }
+
+    fn closest(&self, p: &Vector<2>) -> Closest<2> {
+        let (index, foot) = self.nearest(p);
+        let face = self.faces[index];
+        let joint = match foot.place {
+            Place::Within => None,
+            Place::Start => Some(self.ends[index][0]),
+            Place::End => Some(self.ends[index][1]),
+        };
+        let Some(joint) = joint.and_then(|joint| self.joints.get(joint as usize)) else {
+            let (distance, normal) = self.pieces[index].side(p);
+            return Closest {
+                point: foot.point,
+                distance,
+                normal,
+                face,
+            };
+        };
+        let offset = p - joint.point;
+        let length = offset.norm();
+        let sign = joint.sign(&offset);
+        // At the joint itself the offset is rounding noise.
+        let normal = if length > 1e-13 * self.size {
+            sign / length * offset
+        } else {
+            joint.bisector
+        };
+        Closest {
+            point: joint.point,
+            distance: sign * length,
+            normal,
+            face,
+        }
+    }
+
+    fn mirror_planes(&self) -> Vec<(usize, f64)> {
+        self.mirrors.clone()
+    }
+
+    fn outline(&self) -> Option<&Outline> {
+        Some(self)
+    }
+
+    fn measure(&self) -> Option<f64> {
+        self.area()
+    }
+}

@@ -1,0 +1,59 @@
+//! What can be typed, and what becomes of it.
+
+mod error;
+mod pack;
+mod progress;
+mod run;
+mod validate;
+
+pub use error::CommandError;
+
+use clap::{Parser, Subcommand};
+
+/// Compressible flow around real bodies without a mesh.
+#[derive(Debug, Parser)]
+#[command(version, about, max_term_width = 100)]
+pub struct Cli {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Pack ghost particles into a body or into all bodies of a scene
+    Pack(pack::PackArgs),
+    /// Run a scene
+    Run(run::RunArgs),
+    /// Compare cases with theory
+    Validate(validate::ValidateArgs),
+    /// Chart speed against accuracy
+    Chart(validate::ChartArgs),
+}
+
+impl Cli {
+    /// Does what was typed.
+    pub fn run(self) -> Result<(), CommandError> {
+        match self.command {
+            Command::Pack(args) => pack::pack(&args),
+            Command::Run(args) => run::run(&args),
+            Command::Validate(args) => validate::validate(&args),
+            Command::Chart(args) => validate::chart(&args),
+        }
+    }
+}
+
+/// Runs `work` on a pool of so many threads; on the default pool where no number is given.
+fn on_threads<T: Send>(
+    threads: Option<u16>,
+    work: impl FnOnce() -> Result<T, CommandError> + Send,
+) -> Result<T, CommandError> {
+    let Some(threads) = threads else {
+        return work();
+    };
+    let pool = rayon::ThreadPoolBuilder::new()
+        .num_threads(threads.into())
+        .build();
+    let pool = pool
+        .map_err(|error| CommandError::wrong(format!("cannot start {threads} threads: {error}")))?;
+    pool.install(work)
+}

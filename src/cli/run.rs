@@ -1,0 +1,123 @@
+//! `aero run`.
+
+use std::path::{Path, PathBuf};
+
+use aero::case::Case;
+use aero::output::Summary;
+use aero::run::{RunError, Stopwatch};
+use aero::scene::{AnyCase, Scene};
+use clap::Args;
+
+use super::progress::Display;
+use super::{CommandError, on_threads};
+
+/// What `aero run` takes.
+#[derive(Args, Debug)]
+pub struct RunArgs {
+    /// Scene file (TOML)
+    scene: PathBuf,
+    /// Folder for the results; `out/NAME` unless given
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Override a value of the scene; may be given many times
+    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
+    set: Vec<String>,
+    /// Number of threads; all processors unless given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+    /// Go on from the last frame
+    #[arg(long)]
+    resume: bool,
+}
+
+/// Runs a scene.
+pub fn run(args: &RunArgs) -> Result<(), CommandError> {
+    let stopwatch = Stopwatch::start();
+    if args.resume {
+        return Err(CommandError::wrong(
+            "`--resume` is not supported yet; leave it out to start from the beginning",
+        ));
+    }
+    let mut scene = Scene::load(&args.scene).map_err(CommandError::wrong)?;
+    for setting in &args.set {
+        scene.set(setting).map_err(CommandError::wrong)?;
+    }
+    let out = match &args.out {
+        Some(folder) => folder.clone(),
+        None => Path::new("out").join(scene.name()),
+    };
+    on_threads(args.threads, || {
+        match scene.build_any().map_err(CommandError::wrong)? {
+            AnyCase::One(case) => run_case(*case, &out, stopwatch),
+            AnyCase::Two(case) => run_case(*case, &out, stopwatch),
+            AnyCase::Three(case) => run_case(*case, &out, stopwatch),
+        }
+    })
+}
+
+fn run_case<const D: usize>(
+    case: Case<D>,
+    out: &Path,
+    stopwatch: Stopwatch,
+) -> Result<(), CommandError> {
+    for body in &case.bodies {
+        for line in body.report.repairs.iter().chain(&body.report.warnings) {
+            eprintln!("body `{}`: {line}", body.name);
+        }
+    }
+    let mut display = Display::new();
+    let result = aero::run::run(case, out, stopwatch, &mut |progress| display.show(progress));
+    display.finish();
+    match result {
+        Ok(summary) => {
+            print!("{}", lines(&summary, out));
+            Ok(())
+        }
+        Err(error @ RunError::SetUp(_)) => Err(CommandError::wrong(error)),
+        Err(RunError::Stopped { failure, summary }) => {
+            print!("{}", lines(&summary, out));
+            Err(CommandError::failed(format!(
+                "the run stopped: {failure}; its last frame and summary are in `{}`",
+                out.display()
+            )))
+        }
+        Err(error @ RunError::Output(_)) => Err(CommandError::failed(error)),
+    }
+}
+
+/// The summary for people.
+fn lines(summary: &Summary, out: &Path) -> String {
+    use std::fmt::Write as _;
+    let mut text = String::new();
+    let conservation = summary.conservation;
+    // Writing to a string cannot fail.
+    let _ = writeln!(
+        text,
+        "{}: {} steps to t = {:.6e}, {} fluid and {} ghost particles\n\
+         {:.1} s on {} threads, {:.1} s of processor time, {:.0} particle updates per processor second\n\
+         drift: mass {:.1e}, momentum {:.1e}, energy {:.1e}; leaked {}",
+        summary.case,
+        summary.steps,
+        summary.end_time,
+        summary.particles.fluid,
+        summary.particles.ghost,
+        summary.wall_seconds,
+        summary.threads,
+        summary.cpu_seconds,
+        summary.particle_updates_per_cpu_second,
+        conservation.mass,
+        conservation.momentum,
+        conservation.energy,
+        summary.leaked,
+    );
+    for (name, body) in &summary.bodies {
+        let [x, y, z] = body.force;
+        let _ = write!(text, "body `{name}`: force {x:.4e} {y:.4e} {z:.4e}");
+        if let (Some(cd), Some(cl)) = (body.cd_mean, body.cl_mean) {
+            let _ = write!(text, ", mean cd {cd:.4}, cl {cl:.4}");
+        }
+        text.push('\n');
+    }
+    let _ = writeln!(text, "results in `{}`", out.display());
+    text
+}

@@ -1,0 +1,83 @@
+//! `aero validate` and `aero chart`.
+
+use std::path::PathBuf;
+
+use clap::Args;
+
+use aero_validation::table;
+
+use super::CommandError;
+use aero::output;
+use aero::validate::{self, Context, Level, ValidateError};
+
+/// What `aero validate` takes.
+#[derive(Args, Debug)]
+pub struct ValidateArgs {
+    /// Cases to compare; all of them unless named
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    /// Coarse and short: minutes in all
+    #[arg(long, conflicts_with = "full")]
+    quick: bool,
+    /// At the published resolution
+    #[arg(long)]
+    full: bool,
+    /// Folder for the table and the pictures
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// What `aero chart` takes.
+#[derive(Args, Debug)]
+pub struct ChartArgs {
+    /// Cases to chart; all of them unless named
+    #[arg(value_name = "CASE")]
+    cases: Vec<String>,
+    /// Folder for the charts
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+}
+
+/// Compares cases with theory.
+pub fn validate(args: &ValidateArgs) -> Result<(), CommandError> {
+    let level = if args.full { Level::Full } else { Level::Quick };
+    let out = args
+        .out
+        .clone()
+        .unwrap_or_else(|| PathBuf::from("out/validate"));
+    output::make_folder(&out).map_err(CommandError::wrong)?;
+    let context = Context {
+        level,
+        out: &out,
+        announce: &|run| eprintln!("running {run}"),
+    };
+    let checks = validate::validate(&args.cases, &context).map_err(|error| match error {
+        ValidateError::Unknown { .. } => CommandError::wrong(error),
+        _ => CommandError::failed(error),
+    })?;
+    print!("{}", table::to_text(&checks));
+    table::write_json(&checks, &out).map_err(CommandError::failed)?;
+    let failed = checks.iter().filter(|check| !check.pass).count();
+    if failed > 0 {
+        let what = format!(
+            "{failed} of {} comparisons are off by more than allowed",
+            checks.len()
+        );
+        return Err(CommandError::failed(format!(
+            "{what}; see {}",
+            out.display()
+        )));
+    }
+    Ok(())
+}
+
+/// Charts speed against accuracy.
+pub fn chart(args: &ChartArgs) -> Result<(), CommandError> {
+    Err(not_built("chart", &args.cases))
+}
+
+fn not_built(command: &str, _cases: &[String]) -> CommandError {
+    CommandError::wrong(format!(
+        "`aero {command}` is not built yet; run a scene with `aero run`"
+    ))
+}

@@ -1,0 +1,81 @@
+//! `history.csv`: step, time, loads and conserved totals, one row per so many steps.
+
+use std::fmt::Write as _;
+use std::fs::File;
+use std::io::{BufWriter, Write as _};
+use std::path::{Path, PathBuf};
+
+use super::OutputError;
+use crate::frame::{Load, Totals};
+
+/// One row.
+#[derive(Clone, Copy, Debug)]
+pub struct HistoryRow<'a> {
+    /// Step.
+    pub step: u64,
+    /// Time after it.
+    pub time: f64,
+    /// Its length.
+    pub dt: f64,
+    /// Loads, in the order of the names that the file was made with.
+    pub loads: &'a [Load],
+    /// Conserved totals of the fluid.
+    pub totals: Totals,
+}
+
+/// A history being written. It grows in place, so that it can be followed while the run goes on;
+/// after a crash its last line may be cut short.
+#[derive(Debug)]
+pub struct History {
+    path: PathBuf,
+    writer: BufWriter<File>,
+    loads: usize,
+}
+
+impl History {
+    /// Starts the file with its header; `names` are those of whatever carries a load.
+    pub fn create(path: &Path, names: &[String]) -> Result<Self, OutputError> {
+        let fail = |source| OutputError::new(path, source);
+        let mut writer = BufWriter::new(File::create(path).map_err(fail)?);
+        let mut header = String::from("step,time,dt");
+        for name in names {
+            for column in ["fx", "fy", "fz", "mx", "my", "mz"] {
+                // Writing to a string cannot fail.
+                let _ = write!(header, ",{name}.{column}");
+            }
+        }
+        header.push_str(",mass,momentum_x,momentum_y,momentum_z,energy\n");
+        writer.write_all(header.as_bytes()).map_err(fail)?;
+        Ok(Self {
+            path: path.to_owned(),
+            writer,
+            loads: names.len(),
+        })
+    }
+
+    /// Adds a row.
+    pub fn add(&mut self, row: HistoryRow<'_>) -> Result<(), OutputError> {
+        let mut line = format!("{},{:?},{:?}", row.step, row.time, row.dt);
+        let none = Load::default();
+        for number in 0..self.loads {
+            let load = row.loads.get(number).unwrap_or(&none);
+            for value in load.force.iter().chain(&load.moment) {
+                let _ = write!(line, ",{value:?}");
+            }
+        }
+        let totals = row.totals;
+        let [x, y, z] = totals.momentum;
+        for value in [totals.mass, x, y, z, totals.energy] {
+            let _ = write!(line, ",{value:?}");
+        }
+        line.push('\n');
+        let written = self.writer.write_all(line.as_bytes());
+        written.map_err(|source| OutputError::new(&self.path, source))
+    }
+
+    /// Brings all rows so far to disk.
+    pub fn flush(&mut self) -> Result<(), OutputError> {
+        let flushed = self.writer.flush();
+        flushed.map_err(|source| OutputError::new(&self.path, source))
+    }
+}

@@ -1,0 +1,47 @@
+//! `.pvd` collections: which file shows which time.
+
+use std::fmt::Write as _;
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use super::{OutputError, atomic};
+
+/// A collection that grows file by file and is whole on disk after each.
+#[derive(Debug)]
+pub struct Collection {
+    path: PathBuf,
+    entries: String,
+}
+
+impl Collection {
+    /// An empty collection, not yet on disk.
+    pub fn new(path: PathBuf) -> Self {
+        Self {
+            path,
+            entries: String::new(),
+        }
+    }
+
+    /// Where it is written.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Adds `file`, a name in the collection's own folder, and rewrites the collection.
+    pub fn add(&mut self, time: f64, file: &str) -> Result<(), OutputError> {
+        // Writing to a string cannot fail.
+        let _ = writeln!(
+            self.entries,
+            "    <DataSet timestep=\"{time:?}\" part=\"0\" file=\"{file}\"/>"
+        );
+        atomic::write(&self.path, |writer| {
+            write!(
+                writer,
+                "<?xml version=\"1.0\"?>\n\
+                 <VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  \
+                 <Collection>\n{}  </Collection>\n</VTKFile>\n",
+                self.entries
+            )
+        })
+    }
+}

@@ -1,0 +1,99 @@
+//! `summary.json`: what a run was and what came of it.
+
+use std::collections::BTreeMap;
+
+use serde::Serialize;
+
+/// The outcome of one run.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Summary {
+    /// Name of the scene.
+    pub case: String,
+    /// Set of equations.
+    pub scheme: String,
+    /// How ghosts got their state.
+    pub extrapolation: String,
+    /// Number of space dimensions.
+    pub dimension: usize,
+    /// Particle spacing.
+    pub spacing: f64,
+    /// Numbers of particles at the end.
+    pub particles: Particles,
+    /// Steps taken.
+    pub steps: u64,
+    /// Time reached.
+    pub end_time: f64,
+    /// `end time reached`, or why the run stopped before.
+    pub stop_reason: String,
+    /// Wall time of the run with its output, s.
+    pub wall_seconds: f64,
+    /// Processor time of all threads, user and system, s.
+    pub cpu_seconds: f64,
+    /// Threads.
+    pub threads: usize,
+    /// Fluid particles advanced one full step, per second of processor time.
+    pub particle_updates_per_cpu_second: f64,
+    /// Mean number of neighbours within the support.
+    pub neighbours_mean: f64,
+    /// Drift of the conserved totals.
+    pub conservation: Conservation,
+    /// Loads by name of the body.
+    pub bodies: BTreeMap<String, BodySummary>,
+    /// Fluid particles inside a body or behind a wall at the end.
+    pub leaked: usize,
+    /// Ghosts whose mirror was short of neighbours at the end.
+    pub mirror_fallbacks: usize,
+    /// Smallest density met.
+    pub min_density: f64,
+    /// Smallest specific internal energy met.
+    pub min_energy: f64,
+}
+
+/// Numbers of particles.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
+pub struct Particles {
+    /// Particles that move by the equations.
+    pub fluid: usize,
+    /// Ghosts of bodies and walls.
+    pub ghost: usize,
+}
+
+/// Relative drift of the conserved totals: what is there now, less what was there at the start and
+/// what came through the boundaries since.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Conservation {
+    /// Relative to the mass at the start.
+    pub mass: f64,
+    /// Length of the drift vector relative to `sqrt(2 M E)`, the momentum that mass and energy at
+    /// the start could at most have: never zero, unlike the momentum of a gas at rest.
+    pub momentum: f64,
+    /// Relative to the energy at the start.
+    pub energy: f64,
+}
+
+/// Loads on one body. Coefficients refer to the free stream and are absent where it is at rest.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct BodySummary {
+    /// Force at the end.
+    pub force: [f64; 3],
+    /// Moment at the end, about the body's moment centre.
+    pub moment: [f64; 3],
+    /// Drag coefficient at the end: force along the free stream.
+    pub cd: Option<f64>,
+    /// Lift coefficient at the end: force across the free stream, towards `+y`.
+    pub cl: Option<f64>,
+    /// Moment coefficients at the end.
+    pub cm: Option<[f64; 3]>,
+    /// Drag coefficient, time mean from `mean_from` to the end.
+    pub cd_mean: Option<f64>,
+    /// Lift coefficient, time mean from `mean_from` to the end.
+    pub cl_mean: Option<f64>,
+    /// Force, time mean from `mean_from` to the end.
+    pub force_mean: [f64; 3],
+    /// Start of the time means.
+    pub mean_from: f64,
+    /// Area (3D) or length (2D) that the coefficients refer to.
+    pub reference_area: f64,
+    /// Length that the moment coefficients refer to besides.
+    pub reference_length: f64,
+}

@@ -1,0 +1,17 @@
+//! `surface-NNNNNN.vtp`: pressure on the bodies at one time.
+
+use std::path::Path;
+
+use super::OutputError;
+use super::vtp::Cloud;
+use crate::frame::SurfaceFrame;
+
+/// Writes the state on the surfaces.
+pub fn write_surface(path: &Path, surface: &SurfaceFrame) -> Result<(), OutputError> {
+    Cloud::new(&surface.position)
+        .vectors("normal", &surface.normal)
+        .scalars("pressure", surface.pressure.clone())
+        .scalars("pressure_coefficient", surface.pressure_coefficient.clone())
+        .scalars("body", surface.body.clone())
+        .write(path)
+}

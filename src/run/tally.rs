@@ -1,0 +1,207 @@
+//! What is summed up over a run: drift of conserved totals, mean loads, speed.
+
+use aero_geometry::Vector;
+
+use super::Stopwatch;
+use crate::case::{Body, Case, Equations, Extrapolation};
+use crate::frame::{Load, Totals};
+use crate::output::{BodySummary, Conservation, Particles, Summary};
+use crate::solver::Simulation;
+
+/// Part of the run, at its end, over which loads are averaged.
+const MEAN_PART: f64 = 0.2;
+
+/// Running sums.
+pub(super) struct Tally {
+    stopwatch: Stopwatch,
+    /// Processor time when the first step began: packing is not part of the speed.
+    cpu_before: f64,
+    start: Totals,
+    mean_from: f64,
+    impulse: Vec<[f64; 3]>,
+    duration: f64,
+}
+
+impl Tally {
+    /// Begins with the state at the start.
+    pub(super) fn start<const D: usize>(simulation: &Simulation<D>, stopwatch: Stopwatch) -> Self {
+        let case = simulation.case();
+        Self {
+            stopwatch,
+            cpu_before: stopwatch.cpu_seconds(),
+            start: simulation.totals(),
+            mean_from: (1.0 - MEAN_PART) * case.end_time,
+            impulse: vec![[0.0; 3]; case.bodies.len()],
+            duration: 0.0,
+        }
+    }
+
+    /// Adds a step of length `dt`.
+    pub(super) fn add<const D: usize>(&mut self, simulation: &Simulation<D>, dt: f64) {
+        if simulation.time() < self.mean_from {
+            return;
+        }
+        self.duration += dt;
+        for (impulse, load) in self.impulse.iter_mut().zip(simulation.loads()) {
+            for k in 0..3 {
+                impulse[k] += load.force[k] * dt;
+            }
+        }
+    }
+
+    /// The summary as of now.
+    pub(super) fn summary<const D: usize>(
+        &self,
+        simulation: &Simulation<D>,
+        stop_reason: &str,
+    ) -> Summary {
+        let case = simulation.case();
+        let statistics = simulation.statistics();
+        let cpu_seconds = self.stopwatch.cpu_seconds();
+        let stepping = (cpu_seconds - self.cpu_before).max(f64::MIN_POSITIVE);
+        let loads = simulation.loads();
+        let bodies = case.bodies.iter().enumerate().map(|(number, body)| {
+            let load = loads.get(number).copied().unwrap_or_default();
+            (body.name.clone(), self.body(case, number, body, &load))
+        });
+        Summary {
+            case: case.name.clone(),
+            scheme: match case.scheme.equations {
+                Equations::Paper => "paper",
+                Equations::Conservative => "conservative",
+            }
+            .into(),
+            extrapolation: match case.scheme.extrapolation {
+                Extrapolation::Wom => "wom",
+                Extrapolation::Wm => "wm",
+            }
+            .into(),
+            dimension: D,
+            spacing: case.spacing,
+            particles: Particles {
+                fluid: statistics.fluid,
+                ghost: statistics.ghost,
+            },
+            steps: simulation.steps(),
+            end_time: simulation.time(),
+            stop_reason: stop_reason.into(),
+            wall_seconds: self.stopwatch.wall_seconds(),
+            cpu_seconds,
+            threads: rayon::current_num_threads(),
+            particle_updates_per_cpu_second: statistics.particle_updates as f64 / stepping,
+            neighbours_mean: statistics.neighbours_mean,
+            conservation: drift(&self.start, &simulation.totals(), &simulation.inflow()),
+            bodies: bodies.collect(),
+            leaked: statistics.leaked,
+            mirror_fallbacks: statistics.mirror_fallbacks,
+            min_density: statistics.min_density,
+            min_energy: statistics.min_energy,
+        }
+    }
+
+    fn body<const D: usize>(
+        &self,
+        case: &Case<D>,
+        number: usize,
+        body: &Body<D>,
+        load: &Load,
+    ) -> BodySummary {
+        let force_mean = if self.duration > 0.0 {
+            self.impulse[number].map(|impulse| impulse / self.duration)
+        } else {
+            load.force
+        };
+        let stream = &case.free_stream;
+        let scale = 0.5 * stream.density * stream.velocity.norm_squared() * body.reference_area;
+        let axes = stream_axes(&stream.velocity).filter(|_| scale > 0.0);
+        let along = |axis: usize, force: &[f64; 3]| {
+            let axes = axes.as_ref()?;
+            Some((0..3).map(|k| axes[axis][k] * force[k]).sum::<f64>() / scale)
+        };
+        BodySummary {
+            force: load.force,
+            moment: load.moment,
+            cd: along(0, &load.force),
+            cl: along(1, &load.force),
+            cm: axes.map(|_| load.moment.map(|m| m / (scale * body.reference_length))),
+            cd_mean: along(0, &force_mean),
+            cl_mean: along(1, &force_mean),
+            force_mean,
+            mean_from: self.mean_from,
+            reference_area: body.reference_area,
+            reference_length: body.reference_length,
+        }
+    }
+}
+
+/// Unit vectors along the stream and across it towards `+y` (towards `+z` where the stream itself
+/// goes along `y` in space); none for a gas at rest.
+fn stream_axes<const D: usize>(velocity: &Vector<D>) -> Option<[[f64; 3]; 2]> {
+    /// Nearly along an axis, what is left of it across is round-off.
+    const ALONG: f64 = 1e-6;
+    let drag = velocity.try_normalize(0.0)?;
+    let drag: [f64; 3] = std::array::from_fn(|k| if k < D { drag[k] } else { 0.0 });
+    if D < 3 {
+        return Some([drag, [-drag[1], drag[0], 0.0]]);
+    }
+    let across = |up: usize| {
+        let mut lift = drag.map(|d| -drag[up] * d);
+        lift[up] += 1.0;
+        let length = lift.iter().map(|l| l * l).sum::<f64>().sqrt();
+        (length > ALONG).then(|| lift.map(|l| l / length))
+    };
+    let lift = across(1).or_else(|| across(2))?;
+    Some([drag, lift])
+}
+
+fn drift(start: &Totals, now: &Totals, inflow: &Totals) -> Conservation {
+    let scale = (2.0 * start.mass * start.energy).sqrt();
+    let momentum = (0..3)
+        .map(|k| now.momentum[k] - start.momentum[k] - inflow.momentum[k])
+        .map(|d| d * d)
+        .sum::<f64>()
+        .sqrt();
+    Conservation {
+        mass: (now.mass - start.mass - inflow.mass) / start.mass,
+        momentum: momentum / scale,
+        energy: (now.energy - start.energy - inflow.energy) / start.energy,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lift_points_up_and_across_the_stream() {
+        let [drag, lift] = stream_axes(&Vector::<3>::new(2.0, 0.0, 0.0)).unwrap();
+        assert_eq!(drag, [1.0, 0.0, 0.0]);
+        assert_eq!(lift, [0.0, 1.0, 0.0]);
+        let [_, lift] = stream_axes(&Vector::<3>::new(0.0, 1.0, 0.0)).unwrap();
+        assert_eq!(lift, [0.0, 0.0, 1.0]);
+        let [_, lift] = stream_axes(&Vector::<2>::new(0.0, 1.0)).unwrap();
+        assert_eq!(lift, [-1.0, 0.0, 0.0]);
+        assert!(stream_axes(&Vector::<2>::zeros()).is_none());
+    }
+
+    #[test]
+    fn what_came_in_is_no_drift() {
+        let start = Totals {
+            mass: 2.0,
+            momentum: [1.0, 0.0, 0.0],
+            energy: 4.0,
+        };
+        let inflow = Totals {
+            mass: 0.5,
+            momentum: [0.25, 0.0, 0.0],
+            energy: 1.0,
+        };
+        let now = Totals {
+            mass: 2.5,
+            momentum: [1.25, 0.0, 0.0],
+            energy: 5.0,
+        };
+        let drift = drift(&start, &now, &inflow);
+        assert_eq!([drift.mass, drift.momentum, drift.energy], [0.0; 3]);
+    }
+}

@@ -1,0 +1,329 @@
+//! From the file's `[[body]]` entries to packed bodies.
+
+use std::path::Path;
+
+use aero_geometry::{Bounds, Vector};
+use aero_packer::{PackOptions, Packing};
+use nalgebra::Vector3;
+
+use super::budget;
+use super::domain::{AXES, BUFFER, ghost_region};
+use super::error::SceneError;
+use super::file::{BodyEntry, MotionEntry, SceneFile};
+use super::flow::{vector, vector_or_zero};
+use super::number::Positive;
+use super::shapes::Made;
+use super::side::WallWord;
+use super::spin::Spin;
+use crate::case::{Body, Domain, Motion, Side, State};
+
+/// Ghost layers: five cover the support of the kernel (Villodi & Ramachandran, section 4).
+const LAYERS: usize = 5;
+
+/// How to pack the bodies of a scene.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct PackWishes {
+    /// Spacing in place of those in the scene.
+    pub spacing: Option<f64>,
+    /// Number of ghost layers.
+    pub layers: usize,
+    /// Number of conforming fluid layers.
+    pub fluid_layers: usize,
+}
+
+impl Default for PackWishes {
+    fn default() -> Self {
+        Self {
+            spacing: None,
+            layers: LAYERS,
+            fluid_layers: 0,
+        }
+    }
+}
+
+/// A body before it is packed.
+#[derive(Clone, Debug)]
+pub struct BodyPlan<const D: usize> {
+    /// Its entry in the scene.
+    entry: BodyEntry,
+    made: Made<D>,
+    options: PackOptions<D>,
+}
+
+/// All bodies of a scene, checked against its domain.
+pub(super) fn plans<const D: usize>(
+    file: &SceneFile,
+    domain: &Domain<D>,
+    folder: &Path,
+    wishes: &PackWishes,
+) -> Result<Vec<BodyPlan<D>>, SceneError> {
+    let entries = &file.body;
+    for (number, entry) in entries.iter().enumerate() {
+        if entries[..number]
+            .iter()
+            .any(|other| other.name == entry.name)
+        {
+            return Err(SceneError::body(
+                entry.name.as_str(),
+                "another body has this name already; names are unique, so rename one",
+            ));
+        }
+    }
+    let plans = entries
+        .iter()
+        .map(|entry| {
+            let name = entry.name.as_str();
+            if D == 1 {
+                return Err(SceneError::body(
+                    name,
+                    "a scene of dimension 1 holds no bodies; close its ends with walls, or set dimension = 2",
+                ));
+            }
+            let made = entry
+                .shape
+                .make::<D>(entry.place.as_ref(), folder)
+                .map_err(|message| SceneError::body(name, message))?;
+            check_inside(name, &made.shape.bounds(), domain)?;
+            Ok(BodyPlan {
+                entry: entry.clone(),
+                made,
+                options: options(entry, file, domain, wishes),
+            })
+        })
+        .collect::<Result<Vec<_>, _>>()?;
+    check_covered_sides(domain, &plans, file.spacing.get())?;
+    Ok(plans)
+}
+
+fn options<const D: usize>(
+    entry: &BodyEntry,
+    file: &SceneFile,
+    domain: &Domain<D>,
+    wishes: &PackWishes,
+) -> PackOptions<D> {
+    let own = entry.spacing.unwrap_or(file.spacing).get();
+    let spacing = wishes.spacing.unwrap_or(own);
+    let margin = BUFFER.max(wishes.layers as f64 + 1.0) * spacing.max(file.spacing.get());
+    PackOptions {
+        layers: wishes.layers,
+        fluid_layers: wishes.fluid_layers,
+        region: Some(ghost_region(domain, margin)),
+        anchor: domain.bounds.min,
+        ..PackOptions::new(spacing)
+    }
+}
+
+fn check_inside<const D: usize>(
+    name: &str,
+    bounds: &Bounds<D>,
+    domain: &Domain<D>,
+) -> Result<(), SceneError> {
+    if !bounds.intersection(&domain.bounds).is_empty() {
+        return Ok(());
+    }
+    Err(SceneError::body(
+        name,
+        format!(
+            "lies outside the domain: it spans {}, the domain {}; move it with place.translate",
+            span(bounds),
+            span(&domain.bounds)
+        ),
+    ))
+}
+
+impl<const D: usize> BodyPlan<D> {
+    /// Name of the body.
+    pub fn name(&self) -> &str {
+        self.entry.name.as_str()
+    }
+
+    /// Packs the body; the report tells of its mesh too.
+    pub fn pack(&self) -> Result<Packing<D>, SceneError> {
+        let bounds = self.made.shape.bounds();
+        let bounds = match &self.options.region {
+            Some(region) => bounds.intersection(region),
+            None => bounds,
+        };
+        let PackOptions {
+            spacing, layers, ..
+        } = self.options;
+        let place = format!("body.{}.spacing", self.name());
+        budget::check_ghosts(&bounds, spacing, layers, &place)?;
+        self.made
+            .pack(&self.options)
+            .map_err(|message| SceneError::body(self.name(), message))
+    }
+
+    /// The body of the case, packed.
+    pub(super) fn body(
+        self,
+        domain: &Domain<D>,
+        free_stream: &State<D>,
+    ) -> Result<Body<D>, SceneError> {
+        let packing = self.pack()?;
+        let entry = &self.entry;
+        let name = self.name();
+        let part = modelled_part(&self.made.shape.bounds(), domain);
+        let size = part.size();
+        let moment_centre = match &entry.moment_centre {
+            Some(point) => vector(&format!("body.{name}.moment_centre"), point)?,
+            None => (part.min + part.max) / 2.0,
+        };
+        let motion = motion(name, entry.motion.as_ref(), moment_centre)?;
+        let area = entry.reference_area.map(Positive::get);
+        let length = entry.reference_length.map(Positive::get);
+        Ok(Body {
+            name: name.to_owned(),
+            shape: self.made.shape.clone(),
+            wall: entry.wall.unwrap_or(WallWord::Slip).into(),
+            motion,
+            ghosts: packing.ghosts,
+            report: packing.report,
+            reference_area: area.unwrap_or_else(|| frontal_area(&size, &free_stream.velocity)),
+            reference_length: length.unwrap_or_else(|| size.max()),
+            moment_centre,
+        })
+    }
+}
+
+/// The part of a body that forces are reported for: what the domain holds of it, and its image
+/// behind symmetry planes that cut it.
+fn modelled_part<const D: usize>(bounds: &Bounds<D>, domain: &Domain<D>) -> Bounds<D> {
+    let mut part = bounds.intersection(&domain.bounds);
+    for k in 0..D {
+        let [low, high] = domain.sides[k].map(|side| side == Side::Symmetry);
+        let (plane_low, plane_high) = (domain.bounds.min[k], domain.bounds.max[k]);
+        if low && bounds.min[k] < plane_low {
+            part.min[k] = 2.0 * plane_low - part.max[k];
+        } else if high && bounds.max[k] > plane_high {
+            part.max[k] = 2.0 * plane_high - part.min[k];
+        }
+    }
+    part
+}
+
+fn motion<const D: usize>(
+    name: &str,
+    entry: Option<&MotionEntry>,
+    moment_centre: Vector<D>,
+) -> Result<Motion<D>, SceneError> {
+    let place = |key: &str| format!("body.{name}.motion.{key}");
+    let spin = entry.and_then(|entry| entry.angular_velocity.as_ref());
+    let angular_velocity = match (spin, D) {
+        (None, _) => Vector3::zeros(),
+        (Some(Spin::Plane(rate)), 2) => Vector3::new(0.0, 0.0, *rate),
+        (Some(Spin::Vector(numbers)), 3) => vector::<3>(&place("angular_velocity"), numbers)?,
+        (Some(_), _) => {
+            return Err(SceneError::value(
+                place("angular_velocity"),
+                "is a number in 2D and a list of three numbers in 3D, in rad/s",
+            ));
+        }
+    };
+    let pivot = entry.and_then(|entry| entry.pivot.as_ref());
+    Ok(Motion {
+        velocity: vector_or_zero(
+            &place("velocity"),
+            entry.and_then(|entry| entry.velocity.as_ref()),
+        )?,
+        acceleration: vector_or_zero(
+            &place("acceleration"),
+            entry.and_then(|entry| entry.acceleration.as_ref()),
+        )?,
+        angular_velocity,
+        pivot: pivot.map_or(Ok(moment_centre), |point| vector(&place("pivot"), point))?,
+    })
+}
+
+/// Extent of a box across the stream in 2D; in 3D the ellipse that fits its two extents across the
+/// stream, which is exact for round bodies along an axis.
+fn frontal_area<const D: usize>(size: &Vector<D>, velocity: &Vector<D>) -> f64 {
+    let along = velocity
+        .try_normalize(0.0)
+        .unwrap_or_else(|| Vector::<D>::from_fn(|k, _| f64::from(u8::from(k == 0))));
+    // Area of the box seen along the stream: its faces, each foreshortened.
+    let volume_without = |k: usize| (0..D).filter(|&j| j != k).map(|j| size[j]).product::<f64>();
+    let seen: f64 = (0..D).map(|k| along[k].abs() * volume_without(k)).sum();
+    let round = if D == 3 {
+        std::f64::consts::FRAC_PI_4
+    } else {
+        1.0
+    };
+    if seen > 0.0 {
+        round * seen
+    } else {
+        // A wall along the stream shows no front.
+        size.max().powi(D as i32 - 1)
+    }
+}
+
+/// A side that is to be closed by a body must be inside one everywhere, or gas would leave there.
+fn check_covered_sides<const D: usize>(
+    domain: &Domain<D>,
+    plans: &[BodyPlan<D>],
+    spacing: f64,
+) -> Result<(), SceneError> {
+    for k in 0..D {
+        for end in 0..2 {
+            if domain.sides[k][end] != Side::Body {
+                continue;
+            }
+            let open = open_point(domain, plans, spacing, [k, end]);
+            if let Some(point) = open {
+                let word = ["min", "max"][end];
+                return Err(SceneError::value(
+                    format!("domain.sides.{}_{word}", AXES[k]),
+                    format!(
+                        "is closed by a body, but no body is near ({}); choose another side there or extend the body",
+                        list(&point)
+                    ),
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// A point of one side, half a spacing outside of all bodies or farther; none if there is none.
+fn open_point<const D: usize>(
+    domain: &Domain<D>,
+    plans: &[BodyPlan<D>],
+    spacing: f64,
+    [axis, end]: [usize; 2],
+) -> Option<Vector<D>> {
+    /// Enough to find a gap that matters; a finer one shows as a leak.
+    const MOST: usize = 200;
+    let bounds = &domain.bounds;
+    let counts: [usize; D] = std::array::from_fn(|k| {
+        let count = (bounds.size()[k] / spacing).ceil() as usize;
+        if k == axis { 1 } else { count.clamp(1, MOST) }
+    });
+    let total: usize = counts.iter().product();
+    (0..total).find_map(|number| {
+        let mut rest = number;
+        let mut point = Vector::<D>::zeros();
+        for k in 0..D {
+            let part = (rest % counts[k]) as f64 + 0.5;
+            rest /= counts[k];
+            point[k] = bounds.min[k] + bounds.size()[k] * part / counts[k] as f64;
+        }
+        point[axis] = if end == 0 { bounds.min } else { bounds.max }[axis];
+        let covered = plans
+            .iter()
+            .any(|plan| plan.made.shape.signed_distance(&point) <= 0.5 * spacing);
+        (!covered).then_some(point)
+    })
+}
+
+/// A box, for people: `-1 to 3 in x, 0 to 3 in y`.
+fn span<const D: usize>(bounds: &Bounds<D>) -> String {
+    (0..D)
+        .map(|k| format!("{} to {} in {}", bounds.min[k], bounds.max[k], AXES[k]))
+        .collect::<Vec<_>>()
+        .join(", ")
+}
+
+fn list<const D: usize>(point: &Vector<D>) -> String {
+    let numbers: Vec<String> = point.iter().map(|x| format!("{x:.4}")).collect();
+    numbers.join(", ")
+}

@@ -1,0 +1,164 @@
+//! From the file's `[free_stream]` and `[initial]` to states of the gas.
+
+use aero_geometry::Vector;
+
+use super::error::SceneError;
+use super::file::{FreeStreamEntry, SceneFile, StateEntry};
+use super::number::{Finite, Gamma, Positive};
+use crate::case::{Domain, Initial, Side, State};
+
+/// Specific gas constant of dry air, J/(kg K) (R* / M = 8.31446 / 0.0289652; Picard et al. 2008,
+/// Metrologia 45, 149, doi 10.1088/0026-1394/45/2/004).
+const AIR: f64 = 287.05;
+
+/// Ratio of specific heats of a diatomic gas.
+const DIATOMIC: f64 = 1.4;
+
+/// Ratio of specific heats of the scene.
+pub(super) fn gamma(file: &SceneFile) -> f64 {
+    file.gas.gamma.map_or(DIATOMIC, Gamma::get)
+}
+
+/// The undisturbed state: `[free_stream]`, or the left state of a Riemann problem in a domain that
+/// nothing enters.
+pub(super) fn free_stream<const D: usize>(
+    file: &SceneFile,
+    domain: &Domain<D>,
+) -> Result<State<D>, SceneError> {
+    if let Some(entry) = &file.free_stream {
+        return stream_state(entry, gamma(file));
+    }
+    let needs_one = domain
+        .sides
+        .iter()
+        .flatten()
+        .any(|side| matches!(side, Side::Inlet | Side::FreeStream));
+    match &file.initial.riemann {
+        Some(riemann) if !needs_one => state("initial.riemann.left", &riemann.left),
+        Some(_) => Err(SceneError::value(
+            "free_stream",
+            "missing, though a side of the domain is an inlet or a free stream; add the section with mach, density and pressure",
+        )),
+        None => Err(SceneError::value(
+            "free_stream",
+            "missing; add the section with mach, density and pressure, or start from [initial.riemann]",
+        )),
+    }
+}
+
+/// State at the start.
+pub(super) fn initial<const D: usize>(
+    file: &SceneFile,
+    domain: &Domain<D>,
+) -> Result<Initial<D>, SceneError> {
+    let Some(riemann) = &file.initial.riemann else {
+        return Ok(Initial::FreeStream);
+    };
+    let position = riemann.position.get();
+    let (low, high) = (domain.bounds.min[0], domain.bounds.max[0]);
+    if position <= low || position >= high {
+        return Err(SceneError::value(
+            "initial.riemann.position",
+            format!("{position} is outside the domain, which spans {low} to {high} in x"),
+        ));
+    }
+    Ok(Initial::Riemann {
+        left: state("initial.riemann.left", &riemann.left)?,
+        right: state("initial.riemann.right", &riemann.right)?,
+        position,
+        smooth: riemann.smooth.unwrap_or(false),
+    })
+}
+
+/// A vector of the scene's dimension.
+pub(super) fn vector<const D: usize>(
+    place: &str,
+    numbers: &[Finite],
+) -> Result<Vector<D>, SceneError> {
+    if numbers.len() == D {
+        return Ok(Vector::<D>::from_fn(|k, _| numbers[k].get()));
+    }
+    let given = numbers.len();
+    Err(SceneError::value(
+        place,
+        format!("holds {given} numbers, but the scene has dimension {D}; give {D}"),
+    ))
+}
+
+/// As [`vector`], zero where the key is absent.
+pub(super) fn vector_or_zero<const D: usize>(
+    place: &str,
+    numbers: Option<&Vec<Finite>>,
+) -> Result<Vector<D>, SceneError> {
+    numbers.map_or(Ok(Vector::zeros()), |numbers| vector(place, numbers))
+}
+
+fn state<const D: usize>(place: &str, entry: &StateEntry) -> Result<State<D>, SceneError> {
+    Ok(State {
+        density: entry.density.get(),
+        velocity: vector_or_zero(&format!("{place}.velocity"), entry.velocity.as_ref())?,
+        pressure: entry.pressure.get(),
+    })
+}
+
+fn stream_state<const D: usize>(
+    entry: &FreeStreamEntry,
+    gamma: f64,
+) -> Result<State<D>, SceneError> {
+    let pressure = entry.pressure.get();
+    let density = density(entry)?;
+    let sound_speed = (gamma * pressure / density).sqrt();
+    let velocity = match (entry.mach, entry.speed, &entry.velocity) {
+        (Some(mach), None, None) => direction(entry)? * (mach.get() * sound_speed),
+        (None, Some(speed), None) => direction(entry)? * speed.get(),
+        (None, None, Some(velocity)) => {
+            if entry.direction.is_some() {
+                return Err(SceneError::value(
+                    "free_stream.direction",
+                    "goes with mach or speed; velocity has a direction already, so leave one out",
+                ));
+            }
+            vector("free_stream.velocity", velocity)?
+        }
+        _ => {
+            return Err(SceneError::value(
+                "free_stream",
+                "give exactly one of mach, speed and velocity",
+            ));
+        }
+    };
+    Ok(State {
+        density,
+        velocity,
+        pressure,
+    })
+}
+
+/// `rho`, or `p / (R T)`.
+fn density(entry: &FreeStreamEntry) -> Result<f64, SceneError> {
+    match (entry.density, entry.temperature) {
+        (Some(density), None) if entry.gas_constant.is_none() => Ok(density.get()),
+        (None, Some(temperature)) => {
+            let gas_constant = entry.gas_constant.map_or(AIR, Positive::get);
+            Ok(entry.pressure.get() / (gas_constant * temperature.get()))
+        }
+        (Some(_), None) => Err(SceneError::value(
+            "free_stream.gas_constant",
+            "goes with temperature; leave it out, or give temperature in place of density",
+        )),
+        _ => Err(SceneError::value(
+            "free_stream",
+            "give exactly one of density and temperature",
+        )),
+    }
+}
+
+fn direction<const D: usize>(entry: &FreeStreamEntry) -> Result<Vector<D>, SceneError> {
+    let place = "free_stream.direction";
+    let Some(numbers) = &entry.direction else {
+        return Ok(Vector::<D>::from_fn(|k, _| f64::from(u8::from(k == 0))));
+    };
+    vector::<D>(place, numbers)?
+        .try_normalize(0.0)
+        .ok_or_else(|| SceneError::value(place, "is zero; give the way that the gas goes"))
+}

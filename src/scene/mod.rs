@@ -1,0 +1,196 @@
+//! Scenes: the file, its overrides, and the case that it means. Reads and checks; runs nothing.
+
+mod bodies;
+mod budget;
+mod domain;
+mod error;
+pub mod file;
+mod flow;
+pub mod number;
+mod overrides;
+pub mod shapes;
+pub mod side;
+pub mod spin;
+
+pub use bodies::{BodyPlan, PackWishes};
+pub use error::SceneError;
+
+use std::path::{Path, PathBuf};
+
+use crate::case::{Case, Equations, Extrapolation, OutputPlan, Scheme};
+use file::{OutputEntry, SceneFile, SchemeEntry};
+use number::{Count, Courant, Disorder};
+
+/// A scene: read, with all single values in range, and open to overrides.
+#[derive(Clone, Debug)]
+pub struct Scene {
+    name: String,
+    folder: PathBuf,
+    text: String,
+    file: SceneFile,
+}
+
+/// A case of any dimension.
+#[derive(Clone, Debug)]
+pub enum AnyCase {
+    /// A line.
+    One(Box<Case<1>>),
+    /// A plane.
+    Two(Box<Case<2>>),
+    /// Space.
+    Three(Box<Case<3>>),
+}
+
+impl Scene {
+    /// Reads the scene at `path`; its name is the file's stem.
+    pub fn load(path: &Path) -> Result<Self, SceneError> {
+        let text = std::fs::read_to_string(path).map_err(|source| SceneError::Read {
+            path: path.to_owned(),
+            source,
+        })?;
+        let name = path.file_stem().unwrap_or_default().to_string_lossy();
+        let folder = path.parent().unwrap_or(Path::new(""));
+        Self::read(&path.display().to_string(), text, &name, folder)
+    }
+
+    /// Reads a scene from memory; relative paths in it start at `folder`.
+    pub fn parse(text: &str, name: &str, folder: &Path) -> Result<Self, SceneError> {
+        Self::read(name, text.to_owned(), name, folder)
+    }
+
+    fn read(origin: &str, text: String, name: &str, folder: &Path) -> Result<Self, SceneError> {
+        let file = toml::from_str(&text).map_err(|source| SceneError::Parse {
+            origin: origin.to_owned(),
+            source: Box::new(source),
+        })?;
+        Ok(Self {
+            name: name.to_owned(),
+            folder: folder.to_owned(),
+            text,
+            file,
+        })
+    }
+
+    /// Overrides one value: `section.key=value`. A body is addressed by name or number
+    /// (`body.ramp.spacing=0.1`); a value that is not TOML is a bare string.
+    ///
+    /// # Errors
+    /// Leaves the scene as it was if the path or the value makes no sense.
+    pub fn set(&mut self, setting: &str) -> Result<(), SceneError> {
+        let fail = |message: String| SceneError::Override {
+            setting: setting.to_owned(),
+            message,
+        };
+        let text = overrides::apply(&self.text, setting).map_err(fail)?;
+        self.file = toml::from_str(&text)
+            .map_err(|error: toml::de::Error| fail(error.message().trim_end().to_owned()))?;
+        self.text = text;
+        Ok(())
+    }
+
+    /// Name of the scene.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// Number of space dimensions.
+    pub fn dimension(&self) -> usize {
+        self.file.dimension.get()
+    }
+
+    /// The values.
+    pub fn file(&self) -> &SceneFile {
+        &self.file
+    }
+
+    /// The case that the scene means, in its own dimension, with all bodies packed.
+    pub fn build_any(&self) -> Result<AnyCase, SceneError> {
+        match self.dimension() {
+            1 => self.build().map(|case| AnyCase::One(Box::new(case))),
+            2 => self.build().map(|case| AnyCase::Two(Box::new(case))),
+            _ => self.build().map(|case| AnyCase::Three(Box::new(case))),
+        }
+    }
+
+    /// As [`Self::build_any`], for callers that know the dimension.
+    pub fn build<const D: usize>(&self) -> Result<Case<D>, SceneError> {
+        self.expect_dimension::<D>()?;
+        let file = &self.file;
+        let spacing = file.spacing.get();
+        let domain = domain::domain(file)?;
+        let free_stream = flow::free_stream(file, &domain)?;
+        let initial = flow::initial(file, &domain)?;
+        let output = output(&file.output, file.end_time.get())?;
+        budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
+        let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;
+        let bodies = plans
+            .into_iter()
+            .map(|plan| plan.body(&domain, &free_stream))
+            .collect::<Result<Vec<_>, _>>()?;
+        Ok(Case {
+            name: self.name.clone(),
+            spacing,
+            end_time: file.end_time.get(),
+            gamma: flow::gamma(file),
+            scheme: scheme(file.scheme),
+            domain,
+            free_stream,
+            initial,
+            disorder: file.initial.disorder.map_or(0.0, Disorder::get),
+            bodies,
+            output,
+        })
+    }
+
+    /// The bodies of the scene, ready to be packed.
+    pub fn body_plans<const D: usize>(
+        &self,
+        wishes: &PackWishes,
+    ) -> Result<Vec<BodyPlan<D>>, SceneError> {
+        self.expect_dimension::<D>()?;
+        let domain = domain::domain(&self.file)?;
+        bodies::plans(&self.file, &domain, &self.folder, wishes)
+    }
+
+    fn expect_dimension<const D: usize>(&self) -> Result<(), SceneError> {
+        if self.dimension() == D {
+            return Ok(());
+        }
+        let dimension = self.dimension();
+        Err(SceneError::value(
+            "dimension",
+            format!("is {dimension}, but a scene of dimension {D} is wanted here"),
+        ))
+    }
+}
+
+fn scheme(entry: SchemeEntry) -> Scheme {
+    /// Courant number of Villodi & Ramachandran, section 3.4.
+    const CFL: f64 = 0.5;
+    Scheme {
+        equations: entry.equations.map_or(Equations::Conservative, Into::into),
+        extrapolation: entry.extrapolation.map_or(Extrapolation::Wom, Into::into),
+        shield: entry.shield.unwrap_or(false),
+        constant_ghost_volume: entry.constant_ghost_volume.unwrap_or(true),
+        cfl: entry.cfl.map_or(CFL, Courant::get),
+    }
+}
+
+fn output(entry: &OutputEntry, end_time: f64) -> Result<OutputPlan, SceneError> {
+    /// Enough for a smooth film of a few seconds.
+    const FRAMES: usize = 20;
+    let frame_interval = match (entry.frames, entry.interval) {
+        (Some(_), Some(_)) => {
+            return Err(SceneError::value(
+                "output",
+                "give frames or interval, not both",
+            ));
+        }
+        (None, Some(interval)) => interval.get().min(end_time),
+        (frames, None) => end_time / frames.map_or(FRAMES, Count::get) as f64,
+    };
+    Ok(OutputPlan {
+        frame_interval,
+        history_every: entry.history_every.map_or(1, Count::get),
+    })
+}

@@ -1,0 +1,105 @@
+//! Sides of the domain as a scene names them.
+
+use std::fmt;
+
+use serde::Deserialize;
+use serde::de::{Deserializer, Error, MapAccess, Visitor, value::MapAccessDeserializer};
+
+use super::number::Finite;
+use crate::case::{Side, WallKind};
+
+/// What bounds the domain on one side: a word, or `{ wall = { ... } }`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SideEntry(pub Side);
+
+/// Words that name a side without further values.
+const WORDS: [&str; 7] = [
+    "inlet",
+    "outlet",
+    "free-stream",
+    "symmetry",
+    "periodic",
+    "wall",
+    "body",
+];
+
+/// The table form.
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct SideTable {
+    wall: WallEntry,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct WallEntry {
+    kind: Option<WallWord>,
+    velocity: Option<Finite>,
+    acceleration: Option<Finite>,
+}
+
+/// Slip or no slip, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
+#[serde(rename_all = "kebab-case")]
+pub enum WallWord {
+    /// The gas slides along the wall.
+    Slip,
+    /// The gas sticks to the wall.
+    NoSlip,
+}
+
+impl From<WallWord> for WallKind {
+    fn from(word: WallWord) -> Self {
+        match word {
+            WallWord::Slip => Self::Slip,
+            WallWord::NoSlip => Self::NoSlip,
+        }
+    }
+}
+
+impl<'de> Deserialize<'de> for SideEntry {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        deserializer.deserialize_any(SideVisitor)
+    }
+}
+
+/// Written by hand because serde's `untagged` would lose the position of an error in the file.
+struct SideVisitor;
+
+impl<'de> Visitor<'de> for SideVisitor {
+    type Value = SideEntry;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        write!(f, "one of {}, or a table `{{ wall = {{ .. }} }}`", words())
+    }
+
+    fn visit_str<E: Error>(self, word: &str) -> Result<SideEntry, E> {
+        Ok(SideEntry(match word {
+            "inlet" => Side::Inlet,
+            "outlet" => Side::Outlet,
+            "free-stream" => Side::FreeStream,
+            "symmetry" => Side::Symmetry,
+            "periodic" => Side::Periodic,
+            "body" => Side::Body,
+            "wall" => Side::Wall {
+                kind: WallKind::Slip,
+                velocity: 0.0,
+                acceleration: 0.0,
+            },
+            _ => return Err(E::unknown_variant(word, &WORDS)),
+        }))
+    }
+
+    fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<SideEntry, A::Error> {
+        let SideTable { wall } = SideTable::deserialize(MapAccessDeserializer::new(map))?;
+        Ok(SideEntry(Side::Wall {
+            kind: wall.kind.unwrap_or(WallWord::Slip).into(),
+            velocity: wall.velocity.map_or(0.0, Finite::get),
+            acceleration: wall.acceleration.map_or(0.0, Finite::get),
+        }))
+    }
+}
+
+fn words() -> String {
+    WORDS.map(|word| format!("`{word}`")).join(", ")
+}

@@ -1,0 +1,149 @@
+//! Neighbour lists, one per cluster of particles that the processor treats at once.
+//!
+//! A list is built once per step. It holds every pair that can come within the kernel's support
+//! up to the half-step evaluation, in both directions, so that no pair is seen from one side
+//! only: that keeps the pair sums conservative to round-off.
+
+use std::ops::Range;
+
+use aero_geometry::Vector;
+use pulp::{Arch, Simd, WithSimd};
+use rayon::prelude::*;
+
+mod candidates;
+mod hull;
+
+pub use candidates::Candidates;
+use hull::Hull;
+
+/// A smoothing length may grow by this factor in one step; the lists allow for it.
+pub const GROWTH: f64 = 1.03;
+
+/// Clusters per parallel task.
+const CLUSTERS_PER_CHUNK: usize = 32;
+
+/// A particle, or a mirror point, that looks for neighbours.
+#[derive(Clone, Copy, Debug)]
+pub struct Seeker<const D: usize> {
+    /// Position.
+    pub position: Vector<D>,
+    /// Half the smoothing length.
+    pub half_h: f64,
+    /// Velocity.
+    pub velocity: Vector<D>,
+}
+
+/// The neighbours of one cluster, as ranges of its chunk's entries.
+#[derive(Clone, Debug)]
+pub struct Cluster {
+    /// The cluster's particles.
+    pub targets: Range<usize>,
+    /// Neighbours in the gas.
+    pub gas: Range<usize>,
+    /// Neighbours among the ghosts.
+    pub wall: Range<usize>,
+}
+
+/// Neighbour lists of a run of clusters.
+#[derive(Clone, Debug, Default)]
+pub struct Chunk {
+    /// Slots of neighbours, cluster after cluster.
+    pub entries: Vec<u32>,
+    /// Clusters in order.
+    pub clusters: Vec<Cluster>,
+}
+
+/// Neighbour lists of all clusters.
+#[derive(Clone, Debug, Default)]
+pub struct Lists {
+    /// Chunks in order; each serves [`Lists::chunk_targets`] particles, the last one fewer.
+    pub chunks: Vec<Chunk>,
+    lanes: usize,
+}
+
+impl Lists {
+    /// Number of particles per chunk.
+    pub fn chunk_targets(&self) -> usize {
+        self.lanes.max(1) * CLUSTERS_PER_CHUNK
+    }
+
+    /// Lists the neighbours of `count` seekers in clusters as wide as the processor's vectors,
+    /// for a step whose half is at most `half_step` long.
+    pub fn build<const D: usize>(
+        &mut self,
+        arch: Arch,
+        count: usize,
+        seeker: impl Fn(usize) -> Seeker<D> + Sync,
+        sets: &[Candidates<'_, D>],
+        half_step: f64,
+    ) {
+        self.lanes = arch.dispatch(LaneCount);
+        let per_chunk = self.chunk_targets();
+        self.chunks
+            .resize_with(count.div_ceil(per_chunk), Chunk::default);
+        self.chunks
+            .par_iter_mut()
+            .enumerate()
+            .for_each(|(number, chunk)| {
+                let targets = number * per_chunk..count.min((number + 1) * per_chunk);
+                arch.dispatch(Build {
+                    chunk,
+                    targets,
+                    seeker: &seeker,
+                    sets,
+                    half_step,
+                });
+            });
+    }
+}
+
+/// Fills one chunk.
+struct Build<'a, F, const D: usize> {
+    chunk: &'a mut Chunk,
+    targets: Range<usize>,
+    seeker: &'a F,
+    sets: &'a [Candidates<'a, D>],
+    half_step: f64,
+}
+
+impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Chunk { entries, clusters } = self.chunk;
+        entries.clear();
+        clusters.clear();
+        let mut runs = Vec::new();
+        for start in self.targets.clone().step_by(S::F64_LANES) {
+            let targets = start..self.targets.end.min(start + S::F64_LANES);
+            let hull = Hull::new(simd, |l| (self.seeker)((start + l).min(targets.end - 1)));
+            let begin = entries.len();
+            for set in self.sets.iter().filter(|set| !set.is_wall()) {
+                hull.collect(simd, set, self.half_step, &mut runs, entries);
+            }
+            let middle = entries.len();
+            for set in self.sets.iter().filter(|set| set.is_wall()) {
+                hull.collect(simd, set, self.half_step, &mut runs, entries);
+            }
+            let (gas, wall) = (begin..middle, middle..entries.len());
+            clusters.push(Cluster { targets, gas, wall });
+        }
+    }
+}
+
+/// Number of particles that the processor treats at once.
+struct LaneCount;
+
+impl WithSimd for LaneCount {
+    type Output = usize;
+
+    fn with_simd<S: Simd>(self, _: S) -> usize {
+        S::F64_LANES
+    }
+}
+
+/// Number of particles that the processor treats at once.
+pub fn lane_count(arch: Arch) -> usize {
+    arch.dispatch(LaneCount)
+}

@@ -1,0 +1,321 @@
+//! Rates of density, velocity and energy: the sum of all pair laws.
+
+use aero_geometry::Vector;
+use pulp::{Arch, Simd, WithSimd};
+use rayon::prelude::*;
+
+use super::super::lanes::Lane;
+use super::super::neighbours::{Chunk, Lists};
+use super::super::particle::Rates;
+use super::super::records::{Matrix, Near, Records, State};
+use super::artificial_conduction::heat_flow;
+use super::artificial_viscosity::viscous_pressure;
+use super::density_diffusion::diffusion;
+use super::{LaneVector, Pair, Target, dot, unlane, zeros};
+
+/// How conduction is weighed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Conduction {
+    /// By `m_j / rho_j`, as printed in Villodi & Ramachandran 2024, eq. 14: it leaks energy
+    /// wherever the density varies.
+    Printed,
+    /// By `m_j / rho_ij`: what one particle gives the other receives.
+    Pairwise,
+}
+
+/// Rates of every listed particle of the fluid [Villodi & Ramachandran 2024, eqs 10, 12, 14, and
+/// 19-21 where `shifted`; signs as derived from the continuum equations].
+///
+/// The shifts in `rates` are read, where `shifted`, and kept; all else is overwritten.
+pub fn rates<const D: usize>(
+    arch: Arch,
+    lists: &Lists,
+    records: &Records<D>,
+    conduction: Conduction,
+    shifted: bool,
+    rates: &mut [Rates<D>],
+) {
+    lists
+        .chunks
+        .par_iter()
+        .zip(rates.par_chunks_mut(lists.chunk_targets()))
+        .for_each(|(chunk, rates)| {
+            let pass = Pass {
+                chunk,
+                records,
+                first: 0,
+                rates,
+            };
+            match (conduction, shifted) {
+                (Conduction::Printed, false) => arch.dispatch(FluidPass::<D, false, false>(pass)),
+                (Conduction::Printed, true) => arch.dispatch(FluidPass::<D, false, true>(pass)),
+                (Conduction::Pairwise, false) => arch.dispatch(FluidPass::<D, true, false>(pass)),
+                (Conduction::Pairwise, true) => arch.dispatch(FluidPass::<D, true, true>(pass)),
+            }
+        });
+}
+
+/// Accelerations that the gas would give ghosts of mass `rho V`: by the pair laws' symmetry the
+/// force on each ghost. `first` is the slot of the first ghost.
+pub fn reactions<const D: usize>(
+    arch: Arch,
+    lists: &Lists,
+    records: &Records<D>,
+    first: usize,
+    rates: &mut [Rates<D>],
+) {
+    lists
+        .chunks
+        .par_iter()
+        .zip(rates.par_chunks_mut(lists.chunk_targets()))
+        .for_each(|(chunk, rates)| {
+            arch.dispatch(ReactionPass(Pass {
+                chunk,
+                records,
+                first,
+                rates,
+            }))
+        });
+}
+
+struct Pass<'a, const D: usize> {
+    chunk: &'a Chunk,
+    records: &'a Records<D>,
+    first: usize,
+    rates: &'a mut [Rates<D>],
+}
+
+struct FluidPass<'a, const D: usize, const PAIRWISE: bool, const SHIFTED: bool>(Pass<'a, D>);
+
+struct ReactionPass<'a, const D: usize>(Pass<'a, D>);
+
+/// What the sums of particle `i` need of its own state, one per lane.
+struct Own<S: Simd, const D: usize> {
+    target: Target<S, D>,
+    velocity: LaneVector<S, D>,
+    half_sound: Lane<S>,
+    energy: Lane<S>,
+    half_gradient: LaneVector<S, D>,
+}
+
+/// Running sums, one per lane.
+#[derive(Clone, Copy)]
+struct Sums<S: Simd, const D: usize> {
+    /// `sum V_j grad W`.
+    gradient: LaneVector<S, D>,
+    /// `sum (V_j p_j L_j - rho_i m_j / rho_ij Pi) grad W`.
+    stress: LaneVector<S, D>,
+    /// `sum V_j (u_j - u_i) (x) grad W`.
+    velocity_gradient: [LaneVector<S, D>; D],
+    /// `sum V_j (e_j - e_i) grad W`.
+    energy_gradient: LaneVector<S, D>,
+    /// `sum m_j / rho_ij Pi u_ij . grad W`.
+    viscous_heat: Lane<S>,
+    conduction: Lane<S>,
+    diffusion: Lane<S>,
+}
+
+impl<S: Simd, const D: usize> Own<S, D> {
+    #[inline(always)]
+    fn load(simd: S, records: &Records<D>, slot: impl Fn(usize) -> usize) -> Self {
+        let state = |l: usize| &records.state[slot(l)];
+        Self {
+            target: Target::load(simd, |l| &records.near[slot(l)]),
+            velocity: std::array::from_fn(|k| {
+                Lane::gather(simd, |l| records.near[slot(l)].velocity[k])
+            }),
+            half_sound: Lane::gather(simd, |l| state(l).half_sound),
+            energy: Lane::gather(simd, |l| state(l).energy),
+            half_gradient: std::array::from_fn(|k| {
+                Lane::gather(simd, |l| state(l).half_gradient[k])
+            }),
+        }
+    }
+}
+
+impl<S: Simd, const D: usize> Sums<S, D> {
+    #[inline(always)]
+    fn new(simd: S) -> Self {
+        Self {
+            gradient: zeros(simd),
+            stress: zeros(simd),
+            velocity_gradient: [zeros(simd); D],
+            energy_gradient: zeros(simd),
+            viscous_heat: Lane::splat(simd, 0.0),
+            conduction: Lane::splat(simd, 0.0),
+            diffusion: Lane::splat(simd, 0.0),
+        }
+    }
+
+    /// Adds the terms of `i` with `j`; `GAS` adds conduction and diffusion, which act within
+    /// the gas only (`phi_ij` of Villodi & Ramachandran 2024, below eq. 10).
+    #[inline(always)]
+    fn add<const GAS: bool, const PAIRWISE: bool, const SHIFTED: bool>(
+        &mut self,
+        simd: S,
+        i: &Own<S, D>,
+        near: &Near<D>,
+        state: &State<D>,
+    ) {
+        let pair = Pair::new(simd, &i.target, near);
+        let volume = Lane::splat(simd, near.volume);
+        let mass = Lane::splat(simd, near.mass);
+        let gradient_volume = volume * pair.gradient_factor;
+        let pairwise = mass * pair.inverse_density;
+        let jump: LaneVector<S, D> =
+            std::array::from_fn(|k| Lane::splat(simd, near.velocity[k]) - i.velocity[k]);
+        let approach = -dot(&jump, &pair.separation);
+        let sound = i.half_sound + Lane::splat(simd, state.half_sound);
+        let viscous =
+            pairwise * viscous_pressure(simd, &pair, approach, sound) * pair.gradient_factor;
+        let energy = Lane::splat(simd, state.energy) - i.energy;
+
+        let density = i.target.half_density + i.target.half_density;
+        let resistance = -(viscous * density);
+        self.viscous_heat = viscous.mul_add(approach, self.viscous_heat);
+        for a in 0..D {
+            let r = pair.separation[a];
+            self.gradient[a] = gradient_volume.mul_add(r, self.gradient[a]);
+            let row: LaneVector<S, D> =
+                std::array::from_fn(|b| Lane::splat(simd, state.stress[(a, b)]));
+            let stress = dot(&row, &pair.separation);
+            self.stress[a] = stress.mul_add(pair.gradient_factor, self.stress[a]);
+            self.stress[a] = resistance.mul_add(r, self.stress[a]);
+            if SHIFTED {
+                self.energy_gradient[a] =
+                    (gradient_volume * energy).mul_add(r, self.energy_gradient[a]);
+            }
+            let weight = gradient_volume * jump[a];
+            for b in 0..D {
+                self.velocity_gradient[a][b] =
+                    weight.mul_add(pair.separation[b], self.velocity_gradient[a][b]);
+            }
+        }
+        if GAS {
+            let weight = if PAIRWISE { pairwise } else { volume };
+            self.conduction =
+                heat_flow(simd, &pair, energy, sound).mul_add(weight, self.conduction);
+            let slopes: LaneVector<S, D> = std::array::from_fn(|k| {
+                i.half_gradient[k] + Lane::splat(simd, state.half_gradient[k])
+            });
+            let rise = Lane::splat(simd, near.half_density) - i.target.half_density;
+            let deviation = rise + rise + dot(&slopes, &pair.separation);
+            self.diffusion =
+                diffusion(simd, &pair, deviation, sound).mul_add(volume, self.diffusion);
+        }
+    }
+}
+
+impl<const D: usize, const PAIRWISE: bool, const SHIFTED: bool> WithSimd
+    for FluidPass<'_, D, PAIRWISE, SHIFTED>
+{
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Pass {
+            chunk,
+            records,
+            first,
+            rates,
+        } = self.0;
+        let mut results = rates.iter_mut();
+        for cluster in &chunk.clusters {
+            let (start, last) = (
+                first + cluster.targets.start,
+                first + cluster.targets.end - 1,
+            );
+            let own = Own::load(simd, records, |l| (start + l).min(last));
+            let mut sums = Sums::new(simd);
+            for &j in &chunk.entries[cluster.gas.clone()] {
+                let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
+                sums.add::<true, PAIRWISE, SHIFTED>(simd, &own, near, state);
+            }
+            let by_gas = Forces::from(&sums);
+            for &j in &chunk.entries[cluster.wall.clone()] {
+                let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
+                sums.add::<false, PAIRWISE, SHIFTED>(simd, &own, near, state);
+            }
+            let forces = Forces::from(&sums);
+            let velocity_gradient = sums.velocity_gradient.map(|row| row.map(Lane::to_array));
+            let energy_gradient = sums.energy_gradient.map(Lane::to_array);
+            let heat = sums.viscous_heat.to_array();
+            let conduction = sums.conduction.to_array();
+            let diffusion = sums.diffusion.to_array();
+
+            for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {
+                let (near, state) = (&records.near[start + l], &records.state[start + l]);
+                let renormalisation = &state.renormalisation;
+                let slope = Matrix::<D>::from_fn(|a, b| velocity_gradient[a][b][l]);
+                let divergence = slope.component_mul(renormalisation).sum();
+                let total = forces.acceleration(l, near, state);
+                rates.acceleration = by_gas.acceleration(l, near, state);
+                rates.wall_acceleration = total - rates.acceleration;
+                rates.density = diffusion[l] - near.density() * divergence;
+                rates.energy =
+                    conduction[l] - 0.5 * heat[l] - state.pressure / near.density() * divergence;
+                if SHIFTED {
+                    let shift = renormalisation * rates.shift;
+                    rates.acceleration += slope * shift;
+                    rates.energy += unlane(&energy_gradient, l).dot(&shift);
+                    rates.density += 2.0 * state.half_gradient.dot(&rates.shift);
+                }
+            }
+        }
+    }
+}
+
+impl<const D: usize> WithSimd for ReactionPass<'_, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let Pass {
+            chunk,
+            records,
+            first,
+            rates,
+        } = self.0;
+        let mut results = rates.iter_mut();
+        for cluster in &chunk.clusters {
+            let (start, last) = (
+                first + cluster.targets.start,
+                first + cluster.targets.end - 1,
+            );
+            let own = Own::load(simd, records, |l| (start + l).min(last));
+            let mut sums = Sums::new(simd);
+            for &j in &chunk.entries[cluster.gas.clone()] {
+                let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
+                sums.add::<false, true, false>(simd, &own, near, state);
+            }
+            let forces = Forces::from(&sums);
+            for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {
+                let (near, state) = (&records.near[start + l], &records.state[start + l]);
+                rates.acceleration = forces.acceleration(l, near, state);
+            }
+        }
+    }
+}
+
+/// The sums that make up the acceleration, as numbers.
+struct Forces<const D: usize> {
+    gradient: [[f64; super::super::lanes::MAX_LANES]; D],
+    stress: [[f64; super::super::lanes::MAX_LANES]; D],
+}
+
+impl<const D: usize> Forces<D> {
+    #[inline(always)]
+    fn from<S: Simd>(sums: &Sums<S, D>) -> Self {
+        Self {
+            gradient: sums.gradient.map(Lane::to_array),
+            stress: sums.stress.map(Lane::to_array),
+        }
+    }
+
+    /// `-1/rho_i sum V_j (p_i L_i + p_j L_j) grad W + sum m_j / rho_ij Pi grad W` of lane `l`.
+    #[inline(always)]
+    fn acceleration(&self, l: usize, near: &Near<D>, state: &State<D>) -> Vector<D> {
+        let own = state.renormalisation * unlane(&self.gradient, l) * state.pressure;
+        -(own + unlane(&self.stress, l)) / near.density()
+    }
+}

@@ -1,0 +1,157 @@
+//! Renormalisation of the kernel's gradient, and the density gradient.
+
+use aero_geometry::Vector;
+use pulp::{Arch, Simd, WithSimd};
+use rayon::prelude::*;
+
+use super::super::lanes::Lane;
+use super::super::neighbours::{Chunk, Lists};
+use super::super::records::{Matrix, Near};
+use super::{Pair, Target, unlane, zeros};
+
+/// Below this determinant, relative to that of a ball of the same trace, the neighbours lie too
+/// nearly in a plane for the matrix to mean anything.
+const SINGULAR: f64 = 1e-3;
+
+/// Renormalisation matrix `L_i = [sum_j V_j (r_j - r_i) (x) grad_i W_ij]^-1` over gas and ghosts
+/// [Villodi & Ramachandran 2024, eq. 7; Randles & Libersky 1996], and the density gradient
+/// `L_i sum_j V_j (rho_j - rho_i) grad_i W_ij` [eq. 8]. The identity where neighbours are too few.
+#[derive(Clone, Copy, Debug)]
+pub struct Renormalisation<const D: usize> {
+    /// `L_i`.
+    pub matrix: Matrix<D>,
+    /// Density gradient.
+    pub density_gradient: Vector<D>,
+}
+
+impl<const D: usize> Default for Renormalisation<D> {
+    fn default() -> Self {
+        Self {
+            matrix: Matrix::identity(),
+            density_gradient: Vector::zeros(),
+        }
+    }
+}
+
+/// Renormalises every listed particle; `first` is the slot of the first one.
+pub fn renormalise<const D: usize>(
+    arch: Arch,
+    lists: &Lists,
+    near: &[Near<D>],
+    first: usize,
+    results: &mut [Renormalisation<D>],
+) {
+    lists
+        .chunks
+        .par_iter()
+        .zip(results.par_chunks_mut(lists.chunk_targets()))
+        .for_each(|(chunk, results)| {
+            arch.dispatch(Pass {
+                chunk,
+                near,
+                first,
+                results,
+            })
+        });
+}
+
+struct Pass<'a, const D: usize> {
+    chunk: &'a Chunk,
+    near: &'a [Near<D>],
+    first: usize,
+    results: &'a mut [Renormalisation<D>],
+}
+
+impl<const D: usize> WithSimd for Pass<'_, D> {
+    type Output = ();
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) {
+        let mut results = self.results.iter_mut();
+        for cluster in &self.chunk.clusters {
+            let last = self.first + cluster.targets.end - 1;
+            let first = self.first + cluster.targets.start;
+            let target = Target::load(simd, |l| &self.near[(first + l).min(last)]);
+            let mut moments = [zeros::<S, D>(simd); D];
+            let mut slope = zeros::<S, D>(simd);
+            for &j in &self.chunk.entries[cluster.gas.start..cluster.wall.end] {
+                let j = &self.near[j as usize];
+                let pair = Pair::new(simd, &target, j);
+                let weight = pair.gradient_factor * Lane::splat(simd, j.volume);
+                let difference = Lane::splat(simd, j.half_density) - target.half_density;
+                let rise = weight * difference;
+                for a in 0..D {
+                    slope[a] = rise.mul_add(pair.separation[a], slope[a]);
+                    let column = weight * pair.separation[a];
+                    for b in a..D {
+                        moments[a][b] = column.mul_add(pair.separation[b], moments[a][b]);
+                    }
+                }
+            }
+            let moments = moments.map(|row| row.map(Lane::to_array));
+            let slope = slope.map(Lane::to_array);
+            for (l, result) in results.by_ref().take(cluster.targets.len()).enumerate() {
+                let matrix = Matrix::<D>::from_fn(|a, b| -moments[a.min(b)][a.max(b)][l]);
+                result.matrix = inverse(&matrix);
+                result.density_gradient = result.matrix * unlane(&slope, l) * 2.0;
+            }
+        }
+    }
+}
+
+/// Inverse of a symmetric moment matrix, the identity where it is nearly singular.
+fn inverse<const D: usize>(matrix: &Matrix<D>) -> Matrix<D> {
+    let mean = matrix.trace() / D as f64;
+    let (determinant, adjugate) = adjugate(matrix);
+    if mean > 0.0 && determinant > SINGULAR * mean.powi(D as i32) {
+        adjugate / determinant
+    } else {
+        Matrix::identity()
+    }
+}
+
+/// Determinant and adjugate of a 1 x 1, 2 x 2 or 3 x 3 matrix.
+fn adjugate<const D: usize>(m: &Matrix<D>) -> (f64, Matrix<D>) {
+    match D {
+        1 => (m[(0, 0)], Matrix::identity()),
+        2 => {
+            let adjugate = Matrix::from_fn(|a, b| match (a, b) {
+                (0, 0) => m[(1, 1)],
+                (1, 1) => m[(0, 0)],
+                _ => -m[(a, b)],
+            });
+            (m[(0, 0)] * m[(1, 1)] - m[(0, 1)] * m[(1, 0)], adjugate)
+        }
+        _ => {
+            // Cofactor of the transposed place: rows and columns taken cyclically carry the sign.
+            let adjugate = Matrix::from_fn(|a, b| {
+                let (p, q) = ((b + 1) % 3, (b + 2) % 3);
+                let (r, s) = ((a + 1) % 3, (a + 2) % 3);
+                m[(p, r)] * m[(q, s)] - m[(p, s)] * m[(q, r)]
+            });
+            let determinant = (0..3).map(|k| m[(0, k)] * adjugate[(k, 0)]).sum();
+            (determinant, adjugate)
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_inverse_undoes_the_matrix_in_every_dimension() {
+        let one = Matrix::<1>::new(0.7);
+        assert!((one * inverse(&one) - Matrix::<1>::identity()).norm() < 1e-14);
+        let two = Matrix::<2>::new(1.1, 0.2, 0.2, 0.9);
+        assert!((two * inverse(&two) - Matrix::<2>::identity()).norm() < 1e-14);
+        let three = Matrix::<3>::new(1.1, 0.2, -0.1, 0.2, 0.9, 0.3, -0.1, 0.3, 1.2);
+        assert!((three * inverse(&three) - Matrix::<3>::identity()).norm() < 1e-14);
+    }
+
+    #[test]
+    fn a_flat_neighbourhood_falls_back_to_the_identity() {
+        let flat = Matrix::<2>::new(1.0, 0.0, 0.0, 1e-9);
+        assert_eq!(inverse(&flat), Matrix::<2>::identity());
+    }
+}

@@ -1,0 +1,120 @@
+//! The particles themselves.
+
+use aero_geometry::Vector;
+
+use super::records::Matrix;
+
+/// A particle of gas.
+#[derive(Clone, Copy, Debug)]
+pub struct Particle<const D: usize> {
+    /// Position.
+    pub position: Vector<D>,
+    /// Velocity of the gas.
+    pub velocity: Vector<D>,
+    /// Density.
+    pub density: f64,
+    /// Specific internal energy.
+    pub energy: f64,
+    /// Smoothing length.
+    pub smoothing_length: f64,
+    /// Mass.
+    pub mass: f64,
+    /// Number that the particle keeps for life.
+    pub id: u64,
+}
+
+/// Rates of change of one particle, and what walls contribute to them.
+#[derive(Clone, Copy, Debug)]
+pub struct Rates<const D: usize> {
+    /// Acceleration by gas.
+    pub acceleration: Vector<D>,
+    /// Acceleration by ghosts, to be added to the one by gas.
+    pub wall_acceleration: Vector<D>,
+    /// Rate of density.
+    pub density: f64,
+    /// Rate of specific internal energy.
+    pub energy: f64,
+    /// Transport velocity minus velocity, non-zero only under the penetration shield.
+    pub shift: Vector<D>,
+}
+
+impl<const D: usize> Default for Rates<D> {
+    fn default() -> Self {
+        Self {
+            acceleration: Vector::zeros(),
+            wall_acceleration: Vector::zeros(),
+            density: 0.0,
+            energy: 0.0,
+            shift: Vector::zeros(),
+        }
+    }
+}
+
+/// A particle in the buffer of an inlet, a free-stream side or an outlet. It moves at its own
+/// constant velocity and its state does not change.
+#[derive(Clone, Copy, Debug)]
+pub struct OpenParticle<const D: usize> {
+    /// State.
+    pub particle: Particle<D>,
+    /// Place in the moving free-stream lattice, if it carries the prescribed state. Otherwise it
+    /// has left the domain through an outlet with its state frozen.
+    pub lattice: Option<[i64; D]>,
+    /// Renormalisation matrix when it was frozen.
+    pub renormalisation: Matrix<D>,
+    /// Density gradient when it was frozen.
+    pub gradient: Vector<D>,
+}
+
+/// A ghost: a fixed volume of a body or wall that takes its state from the gas.
+#[derive(Clone, Copy, Debug)]
+pub struct Ghost<const D: usize> {
+    /// Position now.
+    pub position: Vector<D>,
+    /// Normal now, into the gas.
+    pub normal: Vector<D>,
+    /// Position at time zero.
+    pub origin: Vector<D>,
+    /// Normal at time zero.
+    pub origin_normal: Vector<D>,
+    /// Depth below the surface, positive.
+    pub depth: f64,
+    /// Volume; constant unless the experiment without constant volume is asked for.
+    pub volume: f64,
+    /// Mass that the experiment without constant volume holds constant instead.
+    pub reference_mass: f64,
+    /// The mirror point lies in the gas at the same distance from the same wall; false near
+    /// tips and edges, where it falls across them.
+    pub has_mirror: bool,
+    /// Number of the body: scene order, wall sides after.
+    pub body: u32,
+    /// Layer, 0 at the wall.
+    pub layer: u32,
+    /// Velocity of the wall here.
+    pub wall_velocity: Vector<D>,
+    /// Acceleration of the wall here.
+    pub wall_acceleration: Vector<D>,
+    /// Velocity given to the gas.
+    pub velocity: Vector<D>,
+    /// Pressure.
+    pub pressure: f64,
+    /// Specific internal energy.
+    pub energy: f64,
+    /// Density, from the equation of state.
+    pub density: f64,
+    /// Smoothing length.
+    pub smoothing_length: f64,
+    /// Smoothing length of the body's own packing.
+    pub nominal_h: f64,
+}
+
+impl<const D: usize> Ghost<D> {
+    /// Mirror point in the gas.
+    pub fn mirror(&self) -> Vector<D> {
+        self.position + self.normal * (2.0 * self.depth)
+    }
+
+    /// Closest point of the surface.
+    pub fn foot(&self) -> Vector<D> {
+        self.position + self.normal * self.depth
+    }
+}

@@ -1,0 +1,259 @@
+//! What a run shows of itself: frames, totals, counts, and why it failed.
+
+use aero_geometry::Vector;
+use aero_geometry::kernel::SUPPORT;
+
+use super::Simulation;
+use super::open::add;
+use super::particle::Particle;
+use super::records::State;
+use super::rigid::pad;
+use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
+
+/// Why a run stopped before its end.
+#[derive(Clone, Debug, thiserror::Error)]
+#[error("{reason} (particle {particle} at {position:?}, step {step}, time {time})")]
+pub struct Failure {
+    /// What happened and what may help.
+    pub reason: String,
+    /// Number of the particle.
+    pub particle: u64,
+    /// Where it was.
+    pub position: [f64; 3],
+    /// Step.
+    pub step: u64,
+    /// Time.
+    pub time: f64,
+}
+
+/// Counts and extremes since the start.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Statistics {
+    /// Particles that move by the equations now.
+    pub fluid: usize,
+    /// Ghosts of bodies and walls.
+    pub ghost: usize,
+    /// Fluid particles advanced one full step, summed over all steps.
+    pub particle_updates: u64,
+    /// Mean number of neighbours within the support.
+    pub neighbours_mean: f64,
+    /// Fluid particles inside a body or behind a wall now.
+    pub leaked: usize,
+    /// Ghosts whose mirror was short of neighbours, at the last evaluation.
+    pub mirror_fallbacks: usize,
+    /// Smallest density met.
+    pub min_density: f64,
+    /// Smallest specific internal energy met.
+    pub min_energy: f64,
+}
+
+/// Running counts and extremes.
+#[derive(Clone, Copy, Debug)]
+pub struct Extremes {
+    /// Particle updates so far.
+    pub updates: u64,
+    min_density: f64,
+    min_energy: f64,
+}
+
+impl Default for Extremes {
+    fn default() -> Self {
+        Self {
+            updates: 0,
+            min_density: f64::INFINITY,
+            min_energy: f64::INFINITY,
+        }
+    }
+}
+
+impl<const D: usize> Simulation<D> {
+    /// All particles now.
+    pub fn frame(&self) -> Frame {
+        let mut frame = Frame {
+            time: self.time,
+            step: self.steps,
+            ..Frame::default()
+        };
+        let gamma = self.case.gamma;
+        for particle in &self.fluid {
+            push(&mut frame, particle, gamma, Kind::Fluid);
+        }
+        for open in &self.open.particles {
+            let kind = if open.lattice.is_some() {
+                Kind::Inlet
+            } else {
+                Kind::Outlet
+            };
+            push(&mut frame, &open.particle, gamma, kind);
+        }
+        for (number, ghost) in self.walls.ghosts.iter().enumerate() {
+            let particle = Particle {
+                position: ghost.position,
+                velocity: ghost.velocity,
+                density: ghost.density,
+                energy: ghost.energy,
+                smoothing_length: ghost.smoothing_length,
+                mass: ghost.density * ghost.volume,
+                id: number as u64,
+            };
+            push(&mut frame, &particle, gamma, Kind::Ghost);
+        }
+        frame
+    }
+
+    /// State on the surfaces now, bodies in scene order and wall sides after.
+    pub fn surface(&self) -> SurfaceFrame {
+        let gas = &self.case.free_stream;
+        let dynamic_pressure = 0.5 * gas.density * gas.velocity.norm_squared();
+        let mut surface = SurfaceFrame {
+            time: self.time,
+            ..SurfaceFrame::default()
+        };
+        for ghost in self.walls.ghosts.iter().filter(|ghost| ghost.layer == 0) {
+            surface.position.push(pad(&ghost.foot()).into());
+            surface.normal.push(pad(&ghost.normal).into());
+            surface.pressure.push(ghost.pressure);
+            let over = ghost.pressure - gas.pressure;
+            let coefficient = if dynamic_pressure > 0.0 {
+                over / dynamic_pressure
+            } else {
+                0.0
+            };
+            surface.pressure_coefficient.push(coefficient);
+            surface.body.push(ghost.body);
+        }
+        surface
+    }
+
+    /// Conserved totals of the fluid now.
+    pub fn totals(&self) -> Totals {
+        let mut totals = Totals::default();
+        for particle in &self.fluid {
+            add(&mut totals, particle, 1.0);
+        }
+        totals
+    }
+
+    /// Counts and extremes; costs about as much as a step.
+    pub fn statistics(&self) -> Statistics {
+        Statistics {
+            fluid: self.fluid.len(),
+            ghost: self.walls.ghosts.len(),
+            particle_updates: self.extremes.updates,
+            neighbours_mean: self.neighbours_mean(),
+            leaked: self
+                .fluid
+                .iter()
+                .filter(|p| self.has_leaked(&p.position))
+                .count(),
+            mirror_fallbacks: self.walls.mirror_fallbacks,
+            min_density: self.extremes.min_density,
+            min_energy: self.extremes.min_energy,
+        }
+    }
+
+    fn neighbours_mean(&self) -> f64 {
+        let near = &self.records.near;
+        let mut pairs = 0_usize;
+        let mut particles = 0_usize;
+        for chunk in &self.lists.chunks {
+            for cluster in &chunk.clusters {
+                for i in cluster.targets.clone() {
+                    particles += 1;
+                    pairs += chunk.entries[cluster.gas.start..cluster.wall.end]
+                        .iter()
+                        .map(|&j| &near[j as usize])
+                        .filter(|j| {
+                            let reach = SUPPORT * (near[i].half_h + j.half_h);
+                            (near[i].position - j.position).norm_squared() < reach * reach
+                        })
+                        .count();
+                }
+            }
+        }
+        pairs as f64 / particles.max(1) as f64
+    }
+
+    /// True inside a body or behind a wall side.
+    fn has_leaked(&self, position: &Vector<D>) -> bool {
+        let in_body = self.case.bodies.iter().enumerate().any(|(number, body)| {
+            let origin = self.walls.pose(number, self.time).origin(position);
+            body.shape.bounds().contains(&origin) && body.shape.signed_distance(&origin) < 0.0
+        });
+        let sides = super::wall_sides(&self.case.domain);
+        in_body
+            || sides.into_iter().enumerate().any(|(number, (axis, end))| {
+                let pose = self.walls.pose(self.case.bodies.len() + number, self.time);
+                let origin = pose.origin(position)[axis];
+                let bounds = &self.case.domain.bounds;
+                if end == 0 {
+                    origin < bounds.min[axis]
+                } else {
+                    origin > bounds.max[axis]
+                }
+            })
+    }
+
+    /// Stops the run when a particle's state stops making sense, at the last good state.
+    pub(super) fn check(&mut self) -> Result<(), Failure> {
+        let mut bad = None;
+        for particle in &self.fluid {
+            let good = particle.density > 0.0
+                && particle.energy > 0.0
+                && particle.energy.is_finite()
+                && particle.density.is_finite()
+                && particle
+                    .position
+                    .iter()
+                    .chain(&particle.velocity)
+                    .all(|x| x.is_finite());
+            if !good {
+                bad = Some(*particle);
+                break;
+            }
+            self.extremes.min_density = self.extremes.min_density.min(particle.density);
+            self.extremes.min_energy = self.extremes.min_energy.min(particle.energy);
+        }
+        let Some(particle) = bad else { return Ok(()) };
+        let good = self.saved.iter().find(|saved| saved.id == particle.id);
+        let place = good.map_or(particle.position, |saved| saved.position);
+        self.fluid.clone_from(&self.saved);
+        Err(Failure {
+            reason: reason(&particle),
+            particle: particle.id,
+            position: pad(&place).into(),
+            step: self.steps,
+            time: self.time,
+        })
+    }
+}
+
+fn reason<const D: usize>(particle: &Particle<D>) -> String {
+    let what = if particle.energy <= 0.0 {
+        format!("internal energy fell to {:.3e}", particle.energy)
+    } else if particle.density <= 0.0 {
+        format!("density fell to {:.3e}", particle.density)
+    } else {
+        "the state is no longer finite".into()
+    };
+    format!("{what}; try a smaller `scheme.cfl` or a finer `spacing`")
+}
+
+fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gamma: f64, kind: Kind) {
+    let pressure = (gamma - 1.0) * particle.density * particle.energy;
+    let state = State::<D>::new(pressure, particle.density, particle.energy, gamma);
+    let sound = 2.0 * state.half_sound;
+    frame.position.push(pad(&particle.position).into());
+    frame.velocity.push(pad(&particle.velocity).into());
+    frame.density.push(particle.density);
+    frame.pressure.push(pressure);
+    frame.energy.push(particle.energy);
+    frame.mach.push(if sound > 0.0 {
+        particle.velocity.norm() / sound
+    } else {
+        0.0
+    });
+    frame.smoothing_length.push(particle.smoothing_length);
+    frame.kind.push(kind as u8);
+    frame.id.push(particle.id);
+}

@@ -1,0 +1,54 @@
+use super::*;
+
+fn pair_sums_balance<const D: usize>(cells: usize) {
+    let mut simulation = start(stirred::<D>(cells));
+    let before = simulation.totals();
+    let scale: f64 = simulation
+        .fluid
+        .iter()
+        .zip(&simulation.rates)
+        .map(|(particle, rates)| particle.mass * rates.acceleration.norm())
+        .sum();
+    let rates = simulation.rates_of_totals();
+    assert!(
+        rates.energy.abs() < 1e-14 * scale,
+        "energy rate {}",
+        rates.energy
+    );
+    for k in 0..D {
+        assert!(
+            rates.momentum[k].abs() < 1e-14 * scale,
+            "momentum rate {:?}",
+            rates.momentum
+        );
+    }
+    advance(&mut simulation, 20);
+    let after = simulation.totals();
+    assert!((after.mass / before.mass - 1.0).abs() < 1e-14);
+    for k in 0..D {
+        let drift = after.momentum[k] - before.momentum[k];
+        assert!(drift.abs() < 1e-12 * before.mass, "momentum drift {drift}");
+    }
+}
+
+#[test]
+fn mass_momentum_and_the_rate_of_energy_balance_to_round_off_in_a_periodic_box() {
+    pair_sums_balance::<1>(40);
+    pair_sums_balance::<2>(20);
+    pair_sums_balance::<3>(11);
+}
+
+#[test]
+fn the_drift_of_energy_falls_with_the_time_step_at_second_order_or_better() {
+    let drift = |cfl: f64| {
+        let mut case = stirred::<2>(20);
+        case.scheme.cfl = cfl;
+        let mut simulation = start(case);
+        let before = simulation.totals().energy;
+        advance_to(&mut simulation, 0.5);
+        (simulation.totals().energy / before - 1.0).abs()
+    };
+    let drifts = [0.4, 0.2, 0.1].map(drift);
+    assert!(drifts[0] < 1e-3, "drifts {drifts:?}");
+    assert!(drifts[0] / drifts[2] > 12.0, "drifts {drifts:?}");
+}

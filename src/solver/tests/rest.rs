@@ -1,0 +1,52 @@
+use super::*;
+
+fn stays_at_rest<const D: usize>(extrapolation: Extrapolation, equations: Equations) {
+    let mut case = cube::<D>(10, WALL);
+    case.scheme.extrapolation = extrapolation;
+    case.scheme.equations = equations;
+    let mut simulation = start(case);
+    advance(&mut simulation, 40);
+    for particle in &simulation.fluid {
+        assert!(
+            particle.velocity.norm() < 1e-12,
+            "moves at {}",
+            particle.velocity
+        );
+        assert!(
+            (particle.density / 1.4 - 1.0).abs() < 1e-12,
+            "density {}",
+            particle.density
+        );
+    }
+    assert_eq!(simulation.statistics().leaked, 0);
+}
+
+#[test]
+fn gas_in_a_closed_box_stays_at_rest_to_round_off() {
+    for extrapolation in [Extrapolation::Wom, Extrapolation::Wm] {
+        for equations in [Equations::Paper, Equations::Conservative] {
+            stays_at_rest::<1>(extrapolation, equations);
+            stays_at_rest::<2>(extrapolation, equations);
+        }
+        stays_at_rest::<3>(extrapolation, Equations::Conservative);
+    }
+}
+
+#[test]
+fn a_uniform_stream_through_open_sides_stays_uniform_to_round_off() {
+    let mut case = cube::<2>(12, Side::FreeStream);
+    case.domain.sides[0] = [Side::Inlet, Side::Outlet];
+    case.free_stream.velocity = Vector::<2>::new(2.5, 0.3);
+    let mut simulation = start(case);
+    let before = simulation.fluid.len();
+    advance_to(&mut simulation, 3.0);
+    let after = simulation.fluid.len();
+    assert!(
+        before.abs_diff(after) <= 2 * 12,
+        "{before} particles became {after}"
+    );
+    for particle in &simulation.fluid {
+        assert!((particle.velocity - Vector::<2>::new(2.5, 0.3)).norm() < 1e-11);
+        assert!((particle.density / 1.4 - 1.0).abs() < 1e-11);
+    }
+}

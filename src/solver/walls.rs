@@ -1,0 +1,332 @@
+//! Ghosts of bodies and wall sides: where they are and what state they show the gas.
+
+use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_geometry::{Pencils, Vector};
+use pulp::Arch;
+use rayon::prelude::*;
+
+use super::lattice;
+use super::neighbours::{Candidates, GROWTH, Lists, Seeker};
+use super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
+use super::particle::Ghost;
+use super::records::{GHOSTS, Matrix, Near, Records, State};
+use super::rigid::Pose;
+use super::side_walls;
+use crate::case::{Case, Extrapolation, Motion, WallKind};
+
+/// All ghosts, and what their bodies do.
+#[derive(Clone, Debug)]
+pub struct Walls<const D: usize> {
+    /// Ghosts in the order of `pencils`.
+    pub ghosts: Vec<Ghost<D>>,
+    /// Their order in space.
+    pub pencils: Pencils<D>,
+    /// Ghosts whose mirror was short of neighbours at the last evaluation.
+    pub mirror_fallbacks: usize,
+    /// Bodies in scene order, then wall sides.
+    bodies: Vec<(Motion<D>, WallKind)>,
+    extrapolation: Extrapolation,
+    constant_volume: bool,
+    gamma: f64,
+    width: f64,
+    found: Vec<Option<Interpolated<D>>>,
+    mirrored: Vec<Option<Interpolated<D>>>,
+}
+
+/// Neighbours of the ghosts.
+#[derive(Clone, Debug, Default)]
+pub struct WallLists {
+    /// Around each ghost.
+    pub near: Lists,
+    /// Around each mirror point; the gas only.
+    mirror: Lists,
+}
+
+impl<const D: usize> Walls<D> {
+    /// The ghosts of all bodies and wall sides of `case`; `width` is that of a pencil.
+    pub fn new(case: &Case<D>, width: f64) -> Self {
+        let mut bodies: Vec<_> = case.bodies.iter().map(|b| (b.motion, b.wall)).collect();
+        let sides = side_walls::side_walls(&case.domain, case.spacing);
+        bodies.extend(sides.iter().map(|side| (side.motion, side.kind)));
+        let mut ghosts = Vec::new();
+        for (number, body) in case.bodies.iter().enumerate() {
+            for (g, &position) in body.ghosts.position.iter().enumerate() {
+                let depth = -body.ghosts.distance[g];
+                let mut ghost = blank(case, position, body.ghosts.normal[g], depth);
+                ghost.volume = body.ghosts.volume[g];
+                ghost.reference_mass = ghost.density * ghost.volume;
+                ghost.nominal_h = SMOOTHING_RATIO * body.report.spacing;
+                ghost.body = number as u32;
+                ghost.layer = body.ghosts.layer[g];
+                let reached = body.shape.signed_distance(&ghost.mirror());
+                ghost.has_mirror = (reached - depth).abs() < 0.1 * depth;
+                ghosts.push(ghost);
+            }
+        }
+        let inside_a_body = |position: &Vector<D>| {
+            case.bodies
+                .iter()
+                .any(|body| body.shape.signed_distance(position) < 0.0)
+        };
+        for (number, side) in sides.iter().enumerate() {
+            for point in &side.ghosts {
+                if inside_a_body(&point.position) {
+                    continue;
+                }
+                let mut ghost = blank(case, point.position, point.normal, point.depth);
+                ghost.body = (case.bodies.len() + number) as u32;
+                ghost.layer = point.layer;
+                ghosts.push(ghost);
+            }
+        }
+        let mut walls = Self {
+            ghosts,
+            pencils: Pencils::default(),
+            mirror_fallbacks: 0,
+            bodies,
+            extrapolation: case.scheme.extrapolation,
+            constant_volume: case.scheme.constant_ghost_volume,
+            gamma: case.gamma,
+            width,
+            found: Vec::new(),
+            mirrored: Vec::new(),
+        };
+        walls.move_to(0.0);
+        walls.sort();
+        walls
+    }
+
+    /// True where any body moves.
+    pub fn are_moving(&self) -> bool {
+        self.bodies.iter().any(|(motion, _)| motion.is_moving())
+    }
+
+    /// Number of bodies and wall sides.
+    pub fn body_count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Pose of body `number` at `time`.
+    pub fn pose(&self, number: usize, time: f64) -> Pose<D> {
+        Pose::new(&self.bodies[number].0, time)
+    }
+
+    /// Moves all ghosts to where they are at `time`.
+    pub fn move_to(&mut self, time: f64) {
+        let poses: Vec<_> = self
+            .bodies
+            .iter()
+            .map(|(motion, _)| Pose::new(motion, time))
+            .collect();
+        for ghost in &mut self.ghosts {
+            let pose = &poses[ghost.body as usize];
+            ghost.position = pose.position(&ghost.origin);
+            ghost.normal = pose.direction(&ghost.origin_normal);
+            // The wall moves as its surface does, not as the ghost below it.
+            let foot = ghost.foot();
+            ghost.wall_velocity = pose.velocity(&foot);
+            ghost.wall_acceleration = pose.acceleration(&foot);
+        }
+    }
+
+    /// Sorts the ghosts in space; needed after they have moved.
+    pub fn sort(&mut self) {
+        let positions: Vec<_> = self.ghosts.iter().map(|ghost| ghost.position).collect();
+        self.pencils.rebuild(&positions, self.width);
+        self.ghosts = self
+            .pencils
+            .order()
+            .iter()
+            .map(|&g| self.ghosts[g as usize])
+            .collect();
+    }
+
+    /// Lists the gas around each ghost and, with mirrors, around each mirror point.
+    pub fn build_lists(
+        &self,
+        arch: Arch,
+        sets: &[Candidates<'_, D>],
+        half_step: f64,
+        lists: &mut WallLists,
+    ) {
+        let ghosts = &self.ghosts;
+        let count = ghosts.len();
+        lists
+            .near
+            .build(arch, count, |g| seeker(&ghosts[g]), sets, half_step);
+        if self.extrapolation == Extrapolation::Wm {
+            let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
+            let seeker = |g: usize| mirror_seeker(&ghosts[g]);
+            lists.mirror.build(arch, count, seeker, &gas, half_step);
+        }
+    }
+
+    /// Gives every ghost the state of the gas nearby, mirrored at the wall [Villodi &
+    /// Ramachandran 2024, section 3.4]. A ghost without gas in reach keeps its last state.
+    pub fn extrapolate(&mut self, arch: Arch, lists: &WallLists, records: &Records<D>) {
+        let ghosts = &self.ghosts;
+        self.found.resize(ghosts.len(), None);
+        interpolate(
+            arch,
+            &lists.near,
+            |g| seeker(&ghosts[g]),
+            records,
+            Consistency::Shepard,
+            &mut self.found,
+        );
+        self.mirrored.clear();
+        self.mirrored.resize(ghosts.len(), None);
+        if self.extrapolation == Extrapolation::Wm {
+            interpolate(
+                arch,
+                &lists.mirror,
+                |g| mirror_seeker(&ghosts[g]),
+                records,
+                Consistency::FirstOrder,
+                &mut self.mirrored,
+            );
+        }
+        let (bodies, gamma) = (&self.bodies, self.gamma);
+        let constant_volume = self.constant_volume;
+        self.ghosts
+            .par_iter_mut()
+            .zip(&self.found)
+            .zip(&self.mirrored)
+            .for_each(|((ghost, found), mirrored)| {
+                let mirrored = mirrored.filter(|_| ghost.has_mirror);
+                let Some(gas) = mirrored.or(*found) else {
+                    return;
+                };
+                let arm = match mirrored {
+                    Some(_) => 2.0 * ghost.depth,
+                    None => gas.centroid.dot(&ghost.normal),
+                };
+                show(ghost, &gas, arm, bodies[ghost.body as usize].1, gamma);
+                if !constant_volume {
+                    ghost.volume = ghost.reference_mass / ghost.density;
+                }
+            });
+        self.mirror_fallbacks = match self.extrapolation {
+            Extrapolation::Wom => 0,
+            Extrapolation::Wm => self
+                .ghosts
+                .iter()
+                .zip(&self.mirrored)
+                .zip(&self.found)
+                .filter(|((ghost, mirrored), found)| {
+                    found.is_some() && !(mirrored.is_some() && ghost.has_mirror)
+                })
+                .count(),
+        };
+    }
+
+    /// Lets each ghost's smoothing length follow that of the gas nearby; once per step.
+    pub fn update_smoothing_lengths(&mut self) {
+        for ((ghost, found), mirrored) in
+            self.ghosts.iter_mut().zip(&self.found).zip(&self.mirrored)
+        {
+            if let Some(gas) = mirrored.filter(|_| ghost.has_mirror).or(*found) {
+                ghost.smoothing_length = gas.smoothing_length.min(GROWTH * ghost.smoothing_length);
+            }
+        }
+    }
+
+    /// Writes the ghosts' records. Ghosts partition space evenly: their renormalisation is that
+    /// of a lattice, which the gas at rest has too.
+    pub fn fill(&self, records: &mut Records<D>) {
+        let slots = records.segment(GHOSTS);
+        let even = Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO);
+        let (near, state) = (
+            &mut records.near[slots.clone()],
+            &mut records.state[slots.clone()],
+        );
+        near.par_iter_mut()
+            .zip(state)
+            .zip(&self.ghosts)
+            .for_each(|((near, state), ghost)| {
+                *near = Near {
+                    position: ghost.position,
+                    half_h: 0.5 * ghost.smoothing_length,
+                    volume: ghost.volume,
+                    mass: ghost.density * ghost.volume,
+                    half_density: 0.5 * ghost.density,
+                    velocity: ghost.velocity,
+                };
+                *state = State::new(ghost.pressure, ghost.density, ghost.energy, self.gamma);
+                state.renormalise(even, Vector::zeros(), ghost.volume);
+            });
+    }
+}
+
+fn seeker<const D: usize>(ghost: &Ghost<D>) -> Seeker<D> {
+    Seeker {
+        position: ghost.position,
+        half_h: 0.5 * ghost.smoothing_length,
+        velocity: ghost.wall_velocity,
+    }
+}
+
+fn mirror_seeker<const D: usize>(ghost: &Ghost<D>) -> Seeker<D> {
+    Seeker {
+        position: ghost.mirror(),
+        ..seeker(ghost)
+    }
+}
+
+/// A ghost in the free stream's state.
+fn blank<const D: usize>(
+    case: &Case<D>,
+    position: Vector<D>,
+    normal: Vector<D>,
+    depth: f64,
+) -> Ghost<D> {
+    let gas = &case.free_stream;
+    let h = SMOOTHING_RATIO * case.spacing;
+    let volume = case.spacing.powi(D as i32);
+    Ghost {
+        position,
+        normal,
+        origin: position,
+        origin_normal: normal,
+        depth,
+        volume,
+        reference_mass: gas.density * volume,
+        has_mirror: true,
+        body: 0,
+        layer: 0,
+        wall_velocity: Vector::zeros(),
+        wall_acceleration: Vector::zeros(),
+        velocity: Vector::zeros(),
+        pressure: gas.pressure,
+        energy: gas.pressure / ((case.gamma - 1.0) * gas.density),
+        density: gas.density,
+        smoothing_length: h,
+        nominal_h: h,
+    }
+}
+
+/// Mirrors the state of the gas at the wall. `arm` is the distance along the normal from the
+/// ghost to where the gas was read.
+fn show<const D: usize>(
+    ghost: &mut Ghost<D>,
+    gas: &Interpolated<D>,
+    arm: f64,
+    kind: WallKind,
+    gamma: f64,
+) {
+    let wall = ghost.wall_velocity;
+    ghost.velocity = match kind {
+        // Eqs 26-28 with the normal into the gas: the normal component relative to the wall
+        // turns round, or all of the relative velocity.
+        WallKind::Slip => {
+            gas.velocity - ghost.normal * (2.0 * (gas.velocity - wall).dot(&ghost.normal))
+        }
+        WallKind::NoSlip => wall * 2.0 - gas.velocity,
+    };
+    // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure.
+    let density = gas.pressure / ((gamma - 1.0) * gas.energy);
+    let rise = arm * density * ghost.wall_acceleration.dot(&ghost.normal);
+    ghost.pressure = (gas.pressure + rise).max(0.0);
+    ghost.energy = gas.energy;
+    ghost.density = ghost.pressure / ((gamma - 1.0) * gas.energy);
+}

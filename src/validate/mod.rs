@@ -1,0 +1,112 @@
+//! Runs cases and compares them with theory: ties the solver to the independent `validation` crate.
+//!
+//! One file per case. A case runs its scene of `cases/` in several variants and returns rows of the
+//! table; exact solutions and metrics are not here.
+
+mod outcome;
+mod sod;
+mod wedge;
+
+use std::path::Path;
+
+use aero_validation::metrics::MetricError;
+use aero_validation::table::Check;
+
+use crate::run::RunError;
+use crate::scene::SceneError;
+
+/// How much to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Minutes in all.
+    Quick,
+    /// At the published resolution, every variant.
+    Full,
+}
+
+/// What a case gets.
+pub struct Context<'a> {
+    /// How much to run.
+    pub level: Level,
+    /// Folder for pictures.
+    pub out: &'a Path,
+    /// Told of every run before it starts.
+    pub announce: &'a dyn Fn(&str),
+}
+
+impl std::fmt::Debug for Context<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Context")
+            .field("level", &self.level)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Why a comparison could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum ValidateError {
+    /// No such case.
+    #[error("unknown case `{name}`; known are {known}")]
+    Unknown {
+        /// As typed.
+        name: String,
+        /// All names.
+        known: String,
+    },
+    /// A scene of the project is wrong.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A run stopped.
+    #[error("case `{case}` with {variant}: {source}")]
+    Run {
+        /// Name of the case.
+        case: String,
+        /// What was varied.
+        variant: String,
+        /// Why.
+        source: Box<RunError>,
+    },
+    /// The flow does not show what is to be measured.
+    #[error("case `{case}`: {source}")]
+    Metric {
+        /// Name of the case.
+        case: String,
+        /// Why.
+        source: MetricError,
+    },
+    /// There is no exact solution.
+    #[error(transparent)]
+    Exact(#[from] aero_validation::exact::ExactError),
+    /// A picture cannot be written.
+    #[error(transparent)]
+    Picture(#[from] aero_validation::pictures::PictureError),
+}
+
+type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
+
+/// All cases, in the order in which they run.
+const CASES: [(&str, Comparison); 2] = [("wedge", wedge::compare), ("sod", sod::compare)];
+
+/// Runs the named cases, all of them where none is named, and returns their rows.
+///
+/// # Errors
+/// A name that is not a case, before anything runs; a run that stops.
+pub fn validate(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let known = || CASES.map(|(name, _)| name).join(", ");
+    if let Some(name) = names
+        .iter()
+        .find(|name| CASES.iter().all(|case| case.0 != **name))
+    {
+        return Err(ValidateError::Unknown {
+            name: name.clone(),
+            known: known(),
+        });
+    }
+    let mut checks = Vec::new();
+    for (name, compare) in CASES {
+        if names.is_empty() || names.iter().any(|asked| asked == name) {
+            checks.extend(compare(context)?);
+        }
+    }
+    Ok(checks)
+}

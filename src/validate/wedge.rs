@@ -1,0 +1,311 @@
+//! The compression corner against oblique shock theory.
+
+use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_validation::exact::oblique::{ObliqueShock, Strength, oblique_shock};
+use aero_validation::metrics::MetricError;
+use aero_validation::metrics::gradient::{Cloud, gradient};
+use aero_validation::metrics::gradient_angle::{SHARE, gradient_angle};
+use aero_validation::metrics::plateau::{Plateau, Ramp, Stream, plateau};
+use aero_validation::metrics::shock_line::{ShockLine, ShockSearch, fit_shock_line};
+use aero_validation::pictures::particles::{Overlay, ParticlePicture};
+use aero_validation::table::{Check, Subject};
+
+use super::outcome::{Outcome, Source, run};
+use super::{Context, Level, ValidateError};
+
+const SCENE: Source = Source {
+    name: "wedge",
+    text: include_str!("../../cases/wedge.toml"),
+};
+const THEORY: &str = "oblique shock theory (NACA 1135, 1953)";
+const GAMMA: f64 = 1.4;
+/// Distance from corner, wall and shock at which the flow is read, in smoothing lengths.
+const CLEARANCE: f64 = 6.0;
+
+/// One run of the scene.
+#[derive(Clone, Copy, Debug)]
+struct Variant {
+    mach: f64,
+    /// Degrees.
+    angle: f64,
+    /// Cells per unit length.
+    cells: u32,
+    end_time: f64,
+    equations: &'static str,
+    extrapolation: &'static str,
+    /// Largest error of the plateau, per cent; none where the scheme is shown for comparison.
+    plateau: Option<f64>,
+    level: Level,
+}
+
+const fn conservative(mach: f64, cells: u32, end_time: f64, plateau: f64) -> Variant {
+    Variant {
+        mach,
+        angle: 20.0,
+        cells,
+        end_time,
+        equations: "conservative",
+        extrapolation: "wom",
+        plateau: Some(plateau),
+        level: Level::Quick,
+    }
+}
+
+const fn full(variant: Variant) -> Variant {
+    Variant {
+        level: Level::Full,
+        ..variant
+    }
+}
+
+const fn wm(variant: Variant) -> Variant {
+    Variant {
+        extrapolation: "wm",
+        ..variant
+    }
+}
+
+const fn paper(variant: Variant) -> Variant {
+    Variant {
+        equations: "paper",
+        plateau: None,
+        ..variant
+    }
+}
+
+const MILD: Variant = conservative(2.5, 16, 10.0, 1.0);
+const STRONG: Variant = conservative(5.0, 32, 5.0, 1.0);
+const HYPERSONIC: Variant = conservative(10.0, 32, 4.0, 2.0);
+
+const VARIANTS: [Variant; 12] = [
+    MILD,
+    wm(MILD),
+    paper(MILD),
+    full(paper(wm(MILD))),
+    STRONG,
+    full(wm(STRONG)),
+    full(paper(STRONG)),
+    full(paper(wm(STRONG))),
+    full(HYPERSONIC),
+    full(wm(HYPERSONIC)),
+    full(paper(HYPERSONIC)),
+    full(paper(wm(HYPERSONIC))),
+];
+
+/// Runs the variants and compares plateau and shock angle with theory.
+pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let mut checks = Vec::new();
+    for variant in VARIANTS
+        .iter()
+        .filter(|v| context.level == Level::Full || v.level == Level::Quick)
+    {
+        let outcome = run(SCENE, &variant.settings(), context)?;
+        checks.extend(variant.check(&outcome, context)?);
+    }
+    checks.push(leak(context)?);
+    Ok(checks)
+}
+
+/// Without constant ghost volumes particles leak through the ramp, as Villodi & Ramachandran 2024
+/// show in their figure 2a; a row to look at.
+fn leak(context: &Context<'_>) -> Result<Check, ValidateError> {
+    let mut settings = MILD.settings();
+    settings.push("scheme.constant_ghost_volume=false".into());
+    let outcome = run(SCENE, &settings, context)?;
+    picture(
+        &outcome,
+        &MILD.shock()?,
+        "wedge-without-constant-volume",
+        context,
+    )?;
+    let quantity = "M 2.5, ghost volumes not constant: particles in the wall";
+    let source = "leaks (Villodi & Ramachandran 2024, fig. 2a)";
+    Ok(Subject::new("wedge", quantity, source).informs(outcome.summary.leaked as f64, 0.0))
+}
+
+impl Variant {
+    fn settings(&self) -> Vec<String> {
+        vec![
+            format!("free_stream.mach={}", self.mach),
+            format!("body.ramp.shape.compression_corner.angle={:?}", self.angle),
+            format!("spacing={}", self.spacing()),
+            format!("end_time={:?}", self.end_time),
+            format!("scheme.equations={}", self.equations),
+            format!("scheme.extrapolation={}", self.extrapolation),
+        ]
+    }
+
+    fn spacing(&self) -> f64 {
+        1.0 / f64::from(self.cells)
+    }
+
+    fn shock(&self) -> Result<ObliqueShock, ValidateError> {
+        Ok(oblique_shock(
+            self.mach,
+            self.angle.to_radians(),
+            GAMMA,
+            Strength::Weak,
+        )?)
+    }
+
+    fn label(&self) -> String {
+        let Self {
+            mach,
+            angle,
+            cells,
+            equations,
+            extrapolation,
+            ..
+        } = self;
+        format!("M {mach}, {angle} deg, dx 1/{cells}, {equations} {extrapolation}")
+    }
+
+    fn check(&self, outcome: &Outcome, context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+        let shock = self.shock()?;
+        let measured =
+            Measured::new(self, outcome, &shock).map_err(|source| ValidateError::Metric {
+                case: SCENE.name.into(),
+                source,
+            })?;
+        let name = format!(
+            "wedge-M{}-{}-{}",
+            self.mach, self.equations, self.extrapolation
+        );
+        picture(outcome, &shock, &name, context)?;
+
+        let label = self.label();
+        let row = |quantity: &str, measured: f64, reference: f64, allowed: Option<f64>| {
+            let quantity = format!("{label}: {quantity}");
+            let subject = Subject::new(SCENE.name, &quantity, THEORY);
+            match allowed {
+                Some(allowed) => subject.relative(measured, reference, allowed),
+                None => subject.informs(measured, reference),
+            }
+        };
+        let when_cured = |allowed: f64| self.plateau.map(|_| allowed);
+        let degrees = shock.angle.to_degrees();
+        let pressure = shock.pressure_ratio / GAMMA;
+        let mut checks = vec![
+            row(
+                "plateau density",
+                measured.plateau.density,
+                shock.density_ratio,
+                self.plateau,
+            ),
+            row(
+                "plateau pressure",
+                measured.plateau.pressure,
+                pressure,
+                self.plateau,
+            ),
+            row(
+                "plateau Mach number",
+                measured.plateau.mach,
+                shock.mach,
+                self.plateau,
+            ),
+            row(
+                "half-jump shock angle, deg",
+                measured.line.angle.to_degrees(),
+                degrees,
+                when_cured(0.5),
+            ),
+            row(
+                "shock angle by eq. (36), deg",
+                measured.published.to_degrees(),
+                degrees,
+                when_cured(1.2),
+            ),
+        ];
+        if self.plateau.is_some() {
+            let quantity = format!("{label}: particles in the wall");
+            let subject = Subject::new(SCENE.name, &quantity, "no penetration");
+            checks.push(subject.at_most(outcome.summary.leaked as f64, 0.0));
+        }
+        Ok(checks)
+    }
+}
+
+/// What is read off the flow.
+struct Measured {
+    plateau: Plateau,
+    line: ShockLine,
+    /// Shock angle by the steepest gradients, radians.
+    published: f64,
+}
+
+impl Measured {
+    fn new(
+        variant: &Variant,
+        outcome: &Outcome,
+        shock: &ObliqueShock,
+    ) -> Result<Self, MetricError> {
+        let gas = &outcome.gas;
+        let ramp = Ramp {
+            corner: [0.0, 0.0],
+            angle: variant.angle.to_radians(),
+            end_x: 3.0,
+        };
+        let stream = Stream {
+            position: &gas.position,
+            density: &gas.density,
+            pressure: &gas.pressure,
+            mach: &gas.mach,
+        };
+        // Behind the shock the particles are closer and the kernels narrower.
+        let h = SMOOTHING_RATIO * variant.spacing();
+        let h_behind = h / shock.density_ratio.sqrt();
+        let search = ShockSearch::above_ramp(
+            &ramp,
+            3.0,
+            CLEARANCE * h,
+            [1.0, shock.density_ratio],
+            variant.spacing(),
+        );
+        let volume: Vec<f64> = gas
+            .smoothing_length
+            .iter()
+            .map(|h| (h / SMOOTHING_RATIO).powi(2))
+            .collect();
+        let cloud = Cloud {
+            position: &gas.position,
+            volume: &volume,
+            smoothing_length: &gas.smoothing_length,
+            dimension: 2,
+        };
+        let gradients = gradient(&cloud, &gas.density)?;
+        Ok(Self {
+            plateau: plateau(&stream, &ramp, shock.angle, h_behind)?,
+            line: fit_shock_line(&gas.position, &gas.density, &search)?,
+            published: gradient_angle(&gas.position, &gradients, SHARE)?.angle,
+        })
+    }
+}
+
+/// The density field with the theoretical shock.
+fn picture(
+    outcome: &Outcome,
+    shock: &ObliqueShock,
+    name: &str,
+    context: &Context<'_>,
+) -> Result<(), ValidateError> {
+    let frame = &outcome.frame;
+    let diameter: Vec<f64> = frame
+        .smoothing_length
+        .iter()
+        .map(|h| h / SMOOTHING_RATIO)
+        .collect();
+    let title = format!("Density behind a compression corner ({name})");
+    let mut picture = ParticlePicture::new(
+        &title,
+        &frame.position,
+        &diameter,
+        &frame.density,
+        "density / free stream",
+    );
+    let line = vec![[0.0, 0.0], [3.0, 3.0 * shock.angle.tan()]];
+    picture
+        .overlays
+        .push(Overlay::theory("oblique shock theory", line));
+    Ok(picture.save(&context.out.join(format!("{name}.png")))?)
+}

@@ -1,0 +1,156 @@
+//! A run writes every file that it promises, and they read back.
+
+mod support;
+
+use support::{BOX, Workplace, read_vtp};
+
+const PARTICLE_ARRAYS: [&str; 8] = [
+    "velocity",
+    "density",
+    "pressure",
+    "energy",
+    "mach",
+    "smoothing_length",
+    "kind",
+    "id",
+];
+
+const SUMMARY_KEYS: [&str; 20] = [
+    "case",
+    "scheme",
+    "extrapolation",
+    "dimension",
+    "spacing",
+    "particles",
+    "steps",
+    "end_time",
+    "stop_reason",
+    "wall_seconds",
+    "cpu_seconds",
+    "threads",
+    "particle_updates_per_cpu_second",
+    "neighbours_mean",
+    "conservation",
+    "bodies",
+    "leaked",
+    "mirror_fallbacks",
+    "min_density",
+    "min_energy",
+];
+
+#[test]
+fn frames_hold_every_array_for_every_particle() {
+    let place = Workplace::new();
+    place.run(BOX, &[]).succeeds();
+    for number in 0..3 {
+        let (points, arrays) = read_vtp(&place.path(&format!("results/frame-00000{number}.vtp")));
+        assert!(points > 200, "{points} particles");
+        let names: Vec<&str> = arrays.iter().map(|(name, _)| name.as_str()).collect();
+        assert_eq!(names, PARTICLE_ARRAYS);
+        for (name, length) in &arrays {
+            let components = if name == "velocity" { 3 } else { 1 };
+            assert_eq!(*length, components * points, "{name}");
+        }
+    }
+}
+
+#[test]
+fn the_collection_lists_the_frames_at_their_exact_times() {
+    let place = Workplace::new();
+    place.run(BOX, &[]).succeeds();
+    let text = std::fs::read_to_string(place.path("results/run.pvd")).unwrap();
+    for (time, number) in [("0.0", 0), ("0.01", 1), ("0.02", 2)] {
+        let entry = format!("timestep=\"{time}\" part=\"0\" file=\"frame-00000{number}.vtp\"");
+        assert!(text.contains(&entry), "{entry} is missing in {text}");
+    }
+    assert_eq!(text.matches("<DataSet").count(), 3);
+}
+
+#[test]
+fn the_summary_holds_every_key() {
+    let place = Workplace::new();
+    place.run(BOX, &["--threads", "1"]).succeeds();
+    let summary = place.json("results/summary.json");
+    for key in SUMMARY_KEYS {
+        assert!(!summary[key].is_null(), "`{key}` is missing");
+    }
+    assert_eq!(summary["case"], "scene");
+    assert_eq!(summary["scheme"], "conservative");
+    assert_eq!(summary["end_time"], 0.02);
+    assert_eq!(summary["stop_reason"], "end time reached");
+    assert_eq!(summary["threads"], 1);
+    for key in ["mass", "momentum", "energy"] {
+        let drift = summary["conservation"][key].as_f64().unwrap();
+        assert!(drift.abs() < 1e-3, "{key} drifts by {drift}");
+    }
+}
+
+#[test]
+fn the_history_has_a_row_per_step_and_the_end_in_the_last() {
+    let place = Workplace::new();
+    place.run(BOX, &[]).succeeds();
+    let text = std::fs::read_to_string(place.path("results/history.csv")).unwrap();
+    let mut lines = text.lines();
+    let header = lines.next().unwrap();
+    assert!(header.starts_with("step,time,dt,x_min.fx,"), "{header}");
+    assert!(header.ends_with(",mass,momentum_x,momentum_y,momentum_z,energy"));
+    let columns = header.split(',').count();
+    let rows: Vec<Vec<f64>> = lines
+        .map(|line| line.split(',').map(|cell| cell.parse().unwrap()).collect())
+        .collect();
+    assert!(rows.iter().all(|row| row.len() == columns));
+    let steps = place.json("results/summary.json")["steps"]
+        .as_u64()
+        .unwrap();
+    assert_eq!(rows.len() as u64, steps);
+    assert_eq!(rows[rows.len() - 1][1], 0.02);
+}
+
+#[test]
+fn no_half_written_file_is_left() {
+    let place = Workplace::new();
+    place.run(BOX, &[]).succeeds();
+    let names = std::fs::read_dir(place.path("results")).unwrap();
+    for name in names {
+        let name = name.unwrap().file_name();
+        assert!(!name.to_string_lossy().contains(".part"), "{name:?}");
+    }
+}
+
+#[test]
+fn results_go_to_a_folder_of_the_scene_unless_told_otherwise() {
+    let place = Workplace::new();
+    place.write("quiet.toml", BOX);
+    let answer = place.aero(&["run", "quiet.toml"]);
+    answer.succeeds();
+    assert!(
+        answer.out.contains("results in `out/quiet`"),
+        "{}",
+        answer.out
+    );
+    assert!(place.path("out/quiet/summary.json").exists());
+}
+
+#[test]
+fn a_folder_that_cannot_be_made_is_named() {
+    let place = Workplace::new();
+    place.write("taken", "a file");
+    place.write("scene.toml", BOX);
+    let answer = place.aero(&["run", "scene.toml", "--out", "taken/results"]);
+    assert_eq!(answer.status, 1);
+    assert!(
+        answer.err.contains("cannot write `taken/results`"),
+        "{}",
+        answer.err
+    );
+}
+
+#[test]
+fn the_same_scene_gives_the_same_bytes_on_one_thread_and_on_two() {
+    let frames = ["1", "2"].map(|threads| {
+        let place = Workplace::new();
+        place.run(BOX, &["--threads", threads]).succeeds();
+        std::fs::read(place.path("results/frame-000002.vtp")).unwrap()
+    });
+    assert!(frames[0] == frames[1]);
+}

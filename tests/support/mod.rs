@@ -1,0 +1,164 @@
+//! What the command-line tests share: the program, a folder of its own for each test, small scenes.
+
+#![allow(dead_code)] // Every test file uses a part of it.
+
+use std::path::{Path, PathBuf};
+
+use assert_cmd::Command;
+use tempfile::TempDir;
+
+/// A folder that goes with the test.
+pub struct Workplace {
+    folder: TempDir,
+}
+
+/// What a command said and how it ended.
+pub struct Answer {
+    pub status: i32,
+    pub out: String,
+    pub err: String,
+}
+
+impl Workplace {
+    pub fn new() -> Self {
+        Self {
+            folder: tempfile::tempdir().expect("a temporary folder"),
+        }
+    }
+
+    pub fn path(&self, name: &str) -> PathBuf {
+        self.folder.path().join(name)
+    }
+
+    pub fn write(&self, name: &str, content: impl AsRef<[u8]>) -> PathBuf {
+        let path = self.path(name);
+        std::fs::write(&path, content).expect("a file in the temporary folder");
+        path
+    }
+
+    /// Runs `aero` in the folder.
+    pub fn aero<S: AsRef<std::ffi::OsStr>>(&self, arguments: &[S]) -> Answer {
+        let output = Command::cargo_bin("aero")
+            .expect("the program")
+            .current_dir(self.folder.path())
+            .args(arguments)
+            .output()
+            .expect("the program runs");
+        Answer {
+            status: output.status.code().expect("no signal"),
+            out: String::from_utf8(output.stdout).expect("text"),
+            err: String::from_utf8(output.stderr).expect("text"),
+        }
+    }
+
+    /// Runs a scene given as text.
+    pub fn run(&self, scene: &str, more: &[&str]) -> Answer {
+        self.write("scene.toml", scene);
+        let arguments = [&["run", "scene.toml", "--out", "results"], more].concat();
+        self.aero(&arguments)
+    }
+
+    pub fn json(&self, name: &str) -> serde_json::Value {
+        let text = std::fs::read_to_string(self.path(name)).expect("a JSON file");
+        serde_json::from_str(&text).expect("JSON")
+    }
+}
+
+impl Answer {
+    /// Asserts that the command was refused as wrong, in one error that holds all `words`.
+    #[track_caller]
+    pub fn refuses(&self, words: &[&str]) {
+        assert_eq!(self.status, 2, "status of: {}", self.err);
+        assert!(!self.err.contains("panicked"), "{}", self.err);
+        assert!(self.err.starts_with("error: "), "{}", self.err);
+        assert_eq!(self.err.matches("error: ").count(), 1, "{}", self.err);
+        for word in words {
+            assert!(
+                self.err.contains(word),
+                "`{word}` is missing in: {}",
+                self.err
+            );
+        }
+    }
+
+    /// Asserts that the command succeeded.
+    #[track_caller]
+    pub fn succeeds(&self) {
+        assert_eq!(self.status, 0, "{}{}", self.out, self.err);
+    }
+}
+
+/// A gas at rest in a closed box, a few hundred particles.
+pub const BOX: &str = r#"
+dimension = 2
+spacing = 0.05
+end_time = 0.02
+
+[domain]
+min = [0.0, 0.0]
+max = [1.0, 0.5]
+
+[domain.sides]
+x_min = "wall"
+x_max = "wall"
+y_min = "periodic"
+y_max = "periodic"
+
+[initial.riemann]
+position = 0.5
+left = { density = 1.0, pressure = 1.0 }
+right = { density = 0.125, pressure = 0.1 }
+
+[output]
+frames = 2
+"#;
+
+/// `BOX` with one line in place of another.
+#[track_caller]
+pub fn box_with(old: &str, new: &str) -> String {
+    assert!(BOX.contains(old), "`{old}` is not in the scene");
+    BOX.replace(old, new)
+}
+
+/// An octahedron of unit radius about the origin, as ASCII STL.
+pub fn octahedron(name: &str) -> String {
+    let corners = |signs: [f64; 3]| {
+        let [x, y, z] = signs;
+        let mut corners = [[x, 0.0, 0.0], [0.0, y, 0.0], [0.0, 0.0, z]];
+        if x * y * z < 0.0 {
+            corners.swap(0, 1);
+        }
+        corners
+    };
+    let mut lines = vec![format!("solid {name}")];
+    for number in 0..8_u8 {
+        let sign = |bit: u8| if number >> bit & 1 == 0 { 1.0 } else { -1.0 };
+        lines.push("facet normal 0 0 0\nouter loop".into());
+        for [x, y, z] in corners([sign(0), sign(1), sign(2)]) {
+            lines.push(format!("vertex {x} {y} {z}"));
+        }
+        lines.push("endloop\nendfacet".into());
+    }
+    lines.push(format!("endsolid {name}\n"));
+    lines.join("\n")
+}
+
+/// Points and named arrays of a `.vtp` file, read back by an independent reader.
+pub fn read_vtp(path: &Path) -> (usize, Vec<(String, usize)>) {
+    use vtkio::model::{Attribute, DataSet, Piece, Vtk};
+    let vtk = Vtk::import(path).expect("a VTK file");
+    let DataSet::PolyData { pieces, .. } = vtk.data else {
+        panic!("not PolyData");
+    };
+    let Some(Piece::Inline(piece)) = pieces.into_iter().next() else {
+        panic!("no piece");
+    };
+    let verts = piece.verts.as_ref().expect("vertex cells");
+    let points = piece.points.len() / 3;
+    assert_eq!(verts.num_cells(), points);
+    let arrays = piece.data.point.iter().map(|attribute| match attribute {
+        Attribute::DataArray(array) => (array.name.clone(), array.data.len()),
+        Attribute::Field { .. } => panic!("a field in an XML file"),
+    });
+    (points, arrays.collect())
+}

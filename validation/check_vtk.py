@@ -1,0 +1,219 @@
+#!/usr/bin/env python3
+"""Reads every VTK file of a run back with VTK itself and checks what is in it.
+
+    check_vtk.py PATH...
+
+PATH is a folder (its .pvd and .vtp files), a .pvd collection (the files it lists) or a .vtp file.
+Needs the `vtk` package (pip install vtk). Exit status: 0 all good, 1 a fault was found, 2 the
+command is wrong or there is nothing to check.
+
+Checked for every file: VTK reads it without an error; there are points, all finite; every point has
+a vertex cell (ParaView shows nothing otherwise); every array is finite and as long as the points.
+Checked by the file's name (frame-*.vtp, surface-*.vtp, *-ghosts.vtp): the arrays that aero promises,
+with their number of components, and values that make sense. Checked for a collection: its files
+exist and its times rise.
+"""
+
+import pathlib
+import sys
+import xml.etree.ElementTree as ElementTree
+
+try:
+    import numpy
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+except ImportError as error:
+    print(f"check_vtk.py: {error}; install with: pip install vtk", file=sys.stderr)
+    sys.exit(2)
+
+# Components of the arrays by kind of file.
+FRAME = {
+    "velocity": 3,
+    "density": 1,
+    "pressure": 1,
+    "energy": 1,
+    "mach": 1,
+    "smoothing_length": 1,
+    "kind": 1,
+    "id": 1,
+}
+GHOSTS = {"normal": 3, "distance": 1, "volume": 1, "layer": 1, "body": 1}
+SURFACE = {"normal": 3, "pressure": 1, "pressure_coefficient": 1, "body": 1}
+
+# Values of `kind`.
+FLUID, OUTLET, LAST_KIND = 0, 2, 3
+
+
+def expected_arrays(path):
+    """The arrays that a file of this name must have."""
+    name = path.name
+    if name.startswith("frame-"):
+        return FRAME
+    if name.startswith("surface-"):
+        return SURFACE
+    if name.endswith("-ghosts.vtp"):
+        return GHOSTS
+    return {}
+
+
+def check_values(arrays):
+    """What is wrong with the values of the arrays present."""
+    faults = []
+
+    def require(ok, message):
+        if not numpy.all(ok):
+            count = numpy.count_nonzero(~numpy.asarray(ok))
+            faults.append(f"{message} at {count} points")
+
+    kind = arrays.get("kind")
+    moving = slice(None) if kind is None else kind <= OUTLET
+    fluid = slice(None) if kind is None else kind == FLUID
+    for name in ("density", "energy"):
+        if name in arrays:
+            require(arrays[name][fluid] > 0, f"`{name}` is not positive")
+    for name in ("smoothing_length", "volume"):
+        if name in arrays:
+            require(arrays[name] > 0, f"`{name}` is not positive")
+    for name in ("mach", "layer", "body"):
+        if name in arrays:
+            require(arrays[name] >= 0, f"`{name}` is negative")
+    if kind is not None:
+        require(numpy.isin(kind, range(LAST_KIND + 1)), f"`kind` is not one of 0 to {LAST_KIND}")
+    if "id" in arrays:
+        ids = arrays["id"][moving]
+        if len(numpy.unique(ids)) != len(ids):
+            faults.append(f"`id` repeats: {len(ids) - len(numpy.unique(ids))} of {len(ids)} are not new")
+    if "normal" in arrays:
+        length = numpy.linalg.norm(arrays["normal"], axis=1)
+        require(numpy.abs(length - 1) < 1e-3, "`normal` is not a unit vector")
+    return faults
+
+
+def check_file(path):
+    """What is wrong with one .vtp file, and a line that describes it."""
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    reader = vtkXMLPolyDataReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    complaints = window.GetOutput().strip()
+    if complaints:
+        return [f"VTK complains: {' '.join(complaints.split())}"], ""
+    data = reader.GetOutput()
+    count = data.GetNumberOfPoints()
+    if count == 0:
+        return ["there are no points"], ""
+    faults = []
+    if not numpy.isfinite(vtk_to_numpy(data.GetPoints().GetData())).all():
+        faults.append("some positions are not finite")
+    if data.GetNumberOfVerts() != count:
+        faults.append(f"{data.GetNumberOfVerts()} vertex cells for {count} points; write one each")
+    point_data = data.GetPointData()
+    arrays = {}
+    for index in range(point_data.GetNumberOfArrays()):
+        array = point_data.GetAbstractArray(index)
+        name = array.GetName()
+        if name is None or point_data.GetArray(index) is None:
+            faults.append(f"array {index} has no name or holds no numbers")
+            continue
+        values = vtk_to_numpy(array)
+        if len(values) != count:
+            faults.append(f"`{name}` has {len(values)} entries for {count} points")
+        elif not numpy.isfinite(values).all():
+            bad = numpy.count_nonzero(~numpy.isfinite(values))
+            faults.append(f"`{name}` has {bad} values that are not finite")
+        else:
+            arrays[name] = values
+    for name, components in expected_arrays(path).items():
+        array = point_data.GetArray(name)
+        if array is None:
+            faults.append(f"`{name}` is missing")
+        elif array.GetNumberOfComponents() != components:
+            faults.append(f"`{name}` has {array.GetNumberOfComponents()} components, not {components}")
+            arrays.pop(name, None)
+    faults += check_values(arrays)
+    return faults, f"{count} points; {', '.join(sorted(arrays)) or 'no arrays'}"
+
+
+def check_collection(path):
+    """What is wrong with a .pvd collection, and the files it lists."""
+    try:
+        root = ElementTree.parse(path).getroot()
+    except ElementTree.ParseError as error:
+        return [f"not well-formed: {error}"], []
+    if root.tag != "VTKFile" or root.get("type") != "Collection":
+        return ["not a VTK collection"], []
+    faults, files, last, seen = [], [], None, set()
+    for entry in root.iter("DataSet"):
+        listed = entry.get("file")
+        if not listed:
+            faults.append("an entry names no file")
+            continue
+        try:
+            time = float(entry.get("timestep", "nan"))
+        except ValueError:
+            time = float("nan")
+        if not numpy.isfinite(time):
+            faults.append(f"`{listed}` has no time")
+        elif last is not None and time < last:
+            faults.append(f"the time falls from {last} to {time} at `{listed}`")
+        key = (time, entry.get("group"), entry.get("part"))
+        if key in seen:
+            faults.append(f"time {time} comes twice for the same part, at `{listed}`")
+        seen.add(key)
+        last = time
+        target = path.parent / listed
+        if target.is_file():
+            files.append(target)
+        else:
+            faults.append(f"`{listed}` does not exist")
+    if not files and not faults:
+        faults.append("it lists no files")
+    return faults, files
+
+
+def main(arguments):
+    if not arguments or arguments[0] in ("-h", "--help"):
+        print(__doc__)
+        return 0 if arguments else 2
+    # Errors are collected per file and reported once.
+    vtkLogger.SetStderrVerbosity(vtkLogger.VERBOSITY_OFF)
+    collections, files = [], []
+    for path in map(pathlib.Path, arguments):
+        if path.is_dir():
+            collections += sorted(path.glob("*.pvd"))
+            files += sorted(path.glob("*.vtp"))
+        elif not path.is_file():
+            print(f"check_vtk.py: `{path}` does not exist", file=sys.stderr)
+            return 2
+        elif path.suffix == ".pvd":
+            collections.append(path)
+        else:
+            files.append(path)
+    faulty = 0
+
+    def report(path, faults, note):
+        nonlocal faulty
+        faulty += bool(faults)
+        print(f"{'FAULT' if faults else 'ok':5}  {path}  {'' if faults else note}".rstrip())
+        for fault in faults:
+            print(f"       {fault}")
+
+    for path in collections:
+        faults, listed = check_collection(path)
+        report(path, faults, f"{len(listed)} files")
+        files += listed
+    unique = list(dict.fromkeys(path.resolve() for path in files))
+    for path in unique:
+        report(path, *check_file(path))
+    total = len(collections) + len(unique)
+    if total == 0:
+        print("check_vtk.py: no .pvd or .vtp files to check", file=sys.stderr)
+        return 2
+    print(f"{total - faulty} of {total} files are good")
+    return 1 if faulty else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))

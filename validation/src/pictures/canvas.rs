@@ -1,0 +1,381 @@
+//! Paper and pen: sizes in points (one point is one pixel of the finished picture), drawn finer
+//! inside and reduced, so that edges are smooth in a PNG and places exact in an SVG.
+
+use super::colour::{BLACK, Colour, WHITE, rgb};
+use super::{Format, PictureError, format_of};
+use plotters::backend::{BitMapBackend, DrawingBackend, SVGBackend};
+use plotters::coord::Shift;
+use plotters::drawing::{DrawingArea, IntoDrawingArea};
+use plotters::element::{Circle, PathElement, Rectangle, Text};
+use plotters::style::text_anchor::{HPos, Pos, VPos};
+use plotters::style::{
+    Color as _, FontDesc, FontFamily, FontStyle, FontTransform, ShapeStyle, TextStyle,
+    register_font,
+};
+use std::path::Path;
+use std::sync::OnceLock;
+
+/// Fine pixels per point.
+const FINE: u32 = 3;
+/// Name under which the built-in font (`DejaVu` Sans, Bitstream Vera licence) is known; as a generic
+/// family it also tells viewers of an SVG what to use.
+const FAMILY: FontFamily<'static> = FontFamily::SansSerif;
+
+/// A picture that can draw itself on paper of its own choice of size.
+pub(super) trait Drawing {
+    /// Width and height in points.
+    fn size(&self) -> [f64; 2];
+    /// Draws everything.
+    fn draw<DB: DrawingBackend>(&self, pen: &Pen<'_, DB>) -> Result<(), String>;
+}
+
+/// Where a text's given place lies in it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(super) enum Anchor {
+    Left,
+    Centre,
+    Right,
+    /// Centred, running upwards.
+    Upwards,
+}
+
+/// How a line looks.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Stroke {
+    pub(super) colour: Colour,
+    pub(super) width: f64,
+    pub(super) dashed: bool,
+}
+
+/// Draws in points.
+pub(super) struct Pen<'a, DB: DrawingBackend> {
+    area: &'a DrawingArea<DB, Shift>,
+    format: Format,
+}
+
+/// Draws a picture into a PNG or SVG file.
+pub(super) fn save(drawing: &impl Drawing, path: &Path) -> Result<(), PictureError> {
+    let failed = |reason: String| PictureError::Write {
+        path: path.to_owned(),
+        reason,
+    };
+    let format = format_of(path)?;
+    load_font().map_err(failed)?;
+    let [width, height] = drawing.size().map(|v| v.round().max(1.0) as u32);
+    let fine = (FINE * width, FINE * height);
+    match format {
+        Format::Svg => {
+            let mut text = String::new();
+            {
+                let area = SVGBackend::with_string(&mut text, fine).into_drawing_area();
+                draw_on(&area, drawing, format).map_err(failed)?;
+            }
+            // The view box keeps the fine coordinates; only the size on the page is reduced.
+            let fine_size = format!("width=\"{}\" height=\"{}\"", fine.0, fine.1);
+            let size = format!("width=\"{width}\" height=\"{height}\"");
+            std::fs::write(path, text.replacen(&fine_size, &size, 1))
+                .map_err(|e| failed(e.to_string()))
+        }
+        Format::Png => {
+            let mut pixels = vec![255; (3 * fine.0 * fine.1) as usize];
+            {
+                let area = BitMapBackend::with_buffer(&mut pixels, fine).into_drawing_area();
+                draw_on(&area, drawing, format).map_err(failed)?;
+            }
+            let reduced = reduce(&pixels, width as usize, height as usize);
+            let mut file = BitMapBackend::new(path, (width, height));
+            file.blit_bitmap((0, 0), (width, height), &reduced)
+                .and_then(|()| file.present())
+                .map_err(|e| failed(e.to_string()))
+        }
+    }
+}
+
+fn draw_on<DB: DrawingBackend>(
+    area: &DrawingArea<DB, Shift>,
+    drawing: &impl Drawing,
+    format: Format,
+) -> Result<(), String> {
+    area.fill(&rgb(WHITE)).map_err(|e| e.to_string())?;
+    drawing.draw(&Pen { area, format })?;
+    area.present().map_err(|e| e.to_string())
+}
+
+/// Makes the built-in font known to the drawing library, once.
+fn load_font() -> Result<(), String> {
+    static LOADED: OnceLock<bool> = OnceLock::new();
+    let name = FAMILY.as_str();
+    let loaded = *LOADED.get_or_init(|| {
+        register_font(name, FontStyle::Normal, dejavu::sans::regular()).is_ok()
+            && register_font(name, FontStyle::Bold, dejavu::sans::bold()).is_ok()
+    });
+    if loaded {
+        Ok(())
+    } else {
+        Err("the built-in font does not load".to_owned())
+    }
+}
+
+/// Mean of every block of fine pixels.
+fn reduce(fine: &[u8], width: usize, height: usize) -> Vec<u8> {
+    let n = FINE as usize;
+    let mut reduced = vec![0; 3 * width * height];
+    for y in 0..height {
+        for x in 0..width {
+            for c in 0..3 {
+                let mut sum = 0;
+                for j in 0..n {
+                    for i in 0..n {
+                        let pixel = (n * y + j) * n * width + n * x + i;
+                        sum += usize::from(fine[3 * pixel + c]);
+                    }
+                }
+                reduced[3 * (y * width + x) + c] = ((sum + n * n / 2) / (n * n)) as u8;
+            }
+        }
+    }
+    reduced
+}
+
+impl<DB: DrawingBackend> Pen<'_, DB> {
+    /// An open line through `points`.
+    pub(super) fn line(&self, points: &[[f64; 2]], stroke: Stroke) -> Result<(), String> {
+        let style = rgb(stroke.colour).stroke_width(fine_width(stroke.width));
+        let pieces = if stroke.dashed {
+            dashes(points, 4.0 * stroke.width + 2.0, 2.0 * stroke.width + 2.0)
+        } else {
+            vec![points.to_vec()]
+        };
+        for piece in pieces {
+            let mut corners: Vec<(i32, i32)> = piece.iter().map(fine).collect();
+            corners.dedup();
+            match self.format {
+                Format::Svg if corners.len() > 1 => self.path(corners, style)?,
+                Format::Svg => {}
+                // The bitmap backend fills a thick line's outline by the even-odd rule, which leaves
+                // holes where the line doubles back: draw it piece by piece with round joints.
+                Format::Png => {
+                    for pair in corners.windows(2) {
+                        self.path(pair.to_vec(), style)?;
+                    }
+                    for joint in corners.iter().skip(1).take(corners.len().saturating_sub(2)) {
+                        let radius = (fine_width(stroke.width) / 2) as i32;
+                        let disc = Circle::new(*joint, radius, rgb(stroke.colour).filled());
+                        self.area.draw(&disc).map_err(|e| e.to_string())?;
+                    }
+                }
+            }
+        }
+        Ok(())
+    }
+
+    fn path(&self, corners: Vec<(i32, i32)>, style: ShapeStyle) -> Result<(), String> {
+        self.area
+            .draw(&PathElement::new(corners, style))
+            .map_err(|e| e.to_string())
+    }
+
+    /// A filled upright rectangle between two corners.
+    pub(super) fn fill_box(
+        &self,
+        from: [f64; 2],
+        to: [f64; 2],
+        colour: Colour,
+    ) -> Result<(), String> {
+        let shape = Rectangle::new([fine(&from), fine(&to)], rgb(colour).filled());
+        self.area.draw(&shape).map_err(|e| e.to_string())
+    }
+
+    /// A filled disc.
+    pub(super) fn disc(&self, centre: [f64; 2], radius: f64, colour: Colour) -> Result<(), String> {
+        let radius = (radius * f64::from(FINE)).round().max(1.0) as i32;
+        self.area
+            .draw(&Circle::new(fine(&centre), radius, rgb(colour).filled()))
+            .map_err(|e| e.to_string())
+    }
+
+    /// A text whose anchor lies at `place`, vertically centred on it.
+    pub(super) fn text(
+        &self,
+        text: &str,
+        place: [f64; 2],
+        font: Font,
+        anchor: Anchor,
+    ) -> Result<(), String> {
+        let (horizontal, turn) = match anchor {
+            Anchor::Left => (HPos::Left, FontTransform::None),
+            Anchor::Right => (HPos::Right, FontTransform::None),
+            Anchor::Centre => (HPos::Center, FontTransform::None),
+            Anchor::Upwards => (HPos::Center, FontTransform::Rotate270),
+        };
+        let colour = rgb(font.colour);
+        // The bitmap backend centres the box of a line of text, whose letters stand high in it.
+        let drop = match self.format {
+            Format::Png => 0.11 * font.size,
+            Format::Svg => 0.0,
+        };
+        let place = match anchor {
+            Anchor::Upwards => [place[0] + drop, place[1]],
+            _ => [place[0], place[1] + drop],
+        };
+        let style = TextStyle::from(font.description().transform(turn))
+            .color(&colour)
+            .pos(Pos::new(horizontal, VPos::Center));
+        self.area
+            .draw(&Text::new(text.to_owned(), fine(&place), style))
+            .map_err(|e| e.to_string())
+    }
+}
+
+/// Size, weight and colour of a text.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Font {
+    pub(super) size: f64,
+    pub(super) bold: bool,
+    pub(super) colour: Colour,
+}
+
+impl Font {
+    /// Black text of ordinary weight.
+    pub(super) const fn plain(size: f64) -> Self {
+        Self {
+            size,
+            bold: false,
+            colour: BLACK,
+        }
+    }
+
+    /// Width of `text` in points.
+    pub(super) fn width(self, text: &str) -> f64 {
+        // Without the font there is no picture either, so the estimate is never used.
+        let estimate = 0.6 * self.size * text.chars().count() as f64;
+        if load_font().is_err() {
+            return estimate;
+        }
+        self.description()
+            .box_size(text)
+            .map_or(estimate, |(width, _)| f64::from(width) / f64::from(FINE))
+    }
+
+    fn description(self) -> FontDesc<'static> {
+        let style = if self.bold {
+            FontStyle::Bold
+        } else {
+            FontStyle::Normal
+        };
+        FontDesc::new(FAMILY, self.size * f64::from(FINE), style)
+    }
+}
+
+fn fine([x, y]: &[f64; 2]) -> (i32, i32) {
+    let scale = |v: f64| (v * f64::from(FINE)).round() as i32;
+    (scale(*x), scale(*y))
+}
+
+fn fine_width(width: f64) -> u32 {
+    (width * f64::from(FINE)).round().max(1.0) as u32
+}
+
+/// Cuts a line into dashes of length `on`, `off` apart.
+fn dashes(points: &[[f64; 2]], on: f64, off: f64) -> Vec<Vec<[f64; 2]>> {
+    // Distance along the line to every corner.
+    let mut along = vec![0.0];
+    for pair in points.windows(2) {
+        let step = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
+        along.push(along[along.len() - 1] + step);
+    }
+    let total = along[along.len() - 1];
+    let at = |s: f64| {
+        let after = along.partition_point(|v| *v < s).clamp(1, points.len() - 1);
+        let share = (s - along[after - 1]) / (along[after] - along[after - 1]).max(1e-300);
+        std::array::from_fn(|a| {
+            let (from, to) = (points[after - 1][a], points[after][a]);
+            from + share.clamp(0.0, 1.0) * (to - from)
+        })
+    };
+    let count = if points.len() > 1 {
+        (total / (on + off)).ceil() as usize
+    } else {
+        0
+    };
+    (0..count)
+        .map(|k| {
+            let start = k as f64 * (on + off);
+            let end = (start + on).min(total);
+            let mut piece = vec![at(start)];
+            let inside =
+                along.partition_point(|v| *v <= start)..along.partition_point(|v| *v < end);
+            piece.extend_from_slice(&points[inside]);
+            piece.push(at(end));
+            piece
+        })
+        .collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    struct Page(&'static str);
+
+    impl Drawing for Page {
+        fn size(&self) -> [f64; 2] {
+            [200.0, 60.0]
+        }
+
+        fn draw<DB: DrawingBackend>(&self, pen: &Pen<'_, DB>) -> Result<(), String> {
+            pen.text(self.0, [100.0, 30.0], Font::plain(20.0), Anchor::Centre)
+        }
+    }
+
+    #[test]
+    fn text_leaves_ink_without_any_font_of_the_system() {
+        load_font().unwrap();
+        let fine_size = (3 * 200, 3 * 60);
+        let mut pixels = vec![255; (3 * fine_size.0 * fine_size.1) as usize];
+        {
+            let area = BitMapBackend::with_buffer(&mut pixels, fine_size).into_drawing_area();
+            draw_on(&area, &Page("βρ₁ = 29.8°"), Format::Png).unwrap();
+        }
+        let reduced = reduce(&pixels, 200, 60);
+        let dark = reduced.chunks(3).filter(|p| p[0] < 100).count();
+        assert!((200..3000).contains(&dark), "{dark}");
+    }
+
+    #[test]
+    fn files_are_written_in_the_format_of_their_name() {
+        let folder = tempfile::tempdir().unwrap();
+        let png = folder.path().join("a.png");
+        save(&Page("x"), &png).unwrap();
+        assert!(std::fs::read(&png).unwrap().starts_with(b"\x89PNG"));
+        let svg = folder.path().join("a.SVG");
+        save(&Page("x < y"), &svg).unwrap();
+        let text = std::fs::read_to_string(&svg).unwrap();
+        assert!(
+            text.starts_with("<svg width=\"200\" height=\"60\" viewBox=\"0 0 600 180\""),
+            "{text}"
+        );
+        assert!(text.contains("x &lt; y"));
+    }
+
+    #[test]
+    fn other_names_and_absent_folders_are_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        let error = save(&Page("x"), &folder.path().join("a.jpg")).unwrap_err();
+        assert!(error.to_string().contains(".png or .svg"), "{error}");
+        assert!(save(&Page("x"), &folder.path().join("absent/a.png")).is_err());
+        assert!(save(&Page("x"), &folder.path().join("absent/a.svg")).is_err());
+    }
+
+    #[test]
+    fn dashes_cover_their_share_of_the_line() {
+        let pieces = dashes(&[[0.0, 0.0], [30.0, 40.0], [30.0, 90.0]], 6.0, 4.0);
+        let inked: f64 = pieces
+            .iter()
+            .flat_map(|p| p.windows(2))
+            .map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]))
+            .sum();
+        assert!((inked - 60.0).abs() < 1e-6, "{inked}");
+        assert_eq!(pieces.len(), 10);
+    }
+}
