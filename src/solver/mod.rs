@@ -121,7 +121,7 @@ impl<const D: usize> Simulation<D> {
             extremes: snapshot::Extremes::default(),
             case,
         };
-        simulation.prepare(&StepBound { step: 0.0 });
+        simulation.prepare(StepBound { step: 0.0 });
         simulation.evaluate(0.0);
         Ok(simulation)
     }
@@ -151,7 +151,7 @@ impl<const D: usize> Simulation<D> {
     /// its last good state.
     pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
         let bound = self.step_bound();
-        self.prepare(&bound);
+        self.prepare(bound);
         if self.case.scheme.equations == Equations::Conservative {
             self.read_densities();
         }
@@ -206,7 +206,7 @@ impl<const D: usize> Simulation<D> {
     }
 
     /// Sorts all particles in space, makes images and lists neighbours.
-    fn prepare(&mut self, bound: &StepBound) {
+    fn prepare(&mut self, bound: StepBound) {
         let half_step = 0.5 * bound.step;
         let positions: Vec<_> = self.fluid.iter().map(|p| p.position).collect();
         self.fluid_pencils.rebuild(&positions, self.width);
@@ -346,7 +346,7 @@ impl<const D: usize> Simulation<D> {
             .zip(near.par_iter())
             .zip(&self.renormalisations)
             .for_each(|((state, near), r)| {
-                state.renormalise(r.matrix, r.density_gradient, near.volume)
+                state.renormalise(r.matrix, r.density_gradient, near.volume);
             });
         self.flow_images
             .refresh(&mut self.records, FLUID, FLOW_IMAGES);
@@ -355,16 +355,16 @@ impl<const D: usize> Simulation<D> {
     fn shield(&mut self) {
         let first = self.records.start[GHOSTS];
         let (ghosts, images) = (&self.walls.ghosts, &self.ghost_images);
-        let wall = |slot: usize| match ghosts.get(slot - first) {
-            Some(ghost) => (ghost.normal, ghost.wall_velocity),
-            None => {
-                let (source, sign) = images.source(slot - first - ghosts.len());
-                let ghost = &ghosts[source];
-                (
-                    sign.component_mul(&ghost.normal),
-                    sign.component_mul(&ghost.wall_velocity),
-                )
+        let wall = |slot: usize| {
+            if let Some(ghost) = ghosts.get(slot - first) {
+                return (ghost.normal, ghost.wall_velocity);
             }
+            let (source, sign) = images.source(slot - first - ghosts.len());
+            let ghost = &ghosts[source];
+            (
+                sign.component_mul(&ghost.normal),
+                sign.component_mul(&ghost.wall_velocity),
+            )
         };
         shield(
             &self.lists,

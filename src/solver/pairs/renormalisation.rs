@@ -51,7 +51,7 @@ pub fn renormalise<const D: usize>(
                 near,
                 first,
                 results,
-            })
+            });
         });
 }
 
