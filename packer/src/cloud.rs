@@ -7,6 +7,8 @@ use aero_geometry::Vector;
 pub(crate) enum Lock {
     /// Wherever its neighbours push it.
     Free,
+    /// Wherever its neighbours push it on its side of the surface; for thin parts.
+    Thin,
     /// Along a level of the signed distance.
     Level(f64),
     /// Not at all.
@@ -33,6 +35,22 @@ impl<const D: usize> Cloud<D> {
         self.layer.push(layer);
         self.lock.push(lock);
         self.volume.push(volume);
+    }
+
+    /// Keeps the particles whose position is `wanted`.
+    pub fn retain(&mut self, wanted: impl Fn(&Vector<D>) -> bool) {
+        let all = std::mem::take(self);
+        for n in (0..all.len()).filter(|&n| wanted(&all.position[n])) {
+            self.push(all.position[n], all.layer[n], all.lock[n], all.volume[n]);
+        }
+    }
+
+    /// Positions and volumes.
+    pub fn particles(&self) -> impl Iterator<Item = (Vector<D>, f64)> {
+        self.position
+            .iter()
+            .copied()
+            .zip(self.volume.iter().copied())
     }
 
     /// Number of particles.

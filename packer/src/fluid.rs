@@ -1,16 +1,20 @@
 //! The fluid side: conforming layers outside the body and a shell that leads over into the lattice.
 
+use std::collections::HashSet;
+
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Shape, Vector};
 
 use crate::cloud::{Cloud, Lock};
 use crate::grid::Cell;
-use crate::lattice::{freeze_lattice, lattice_grid, lattice_planes};
+use crate::lattice::{Flawless, lattice_grid, lattice_planes};
 use crate::mirror::Mirrors;
 use crate::plan::{Plan, Side};
-use crate::relax::relax;
-use crate::schedule::FLUID_STEPS;
+use crate::relax::{relax, relax_thin};
+use crate::schedule::{FLUID_STEPS, THIN_STEPS};
 use crate::seeds::seed;
+use crate::sources::Sources;
+use crate::thin::fill_thin;
 use crate::{Ghosts, PackError, PackOptions};
 
 /// Thickness of the shell between conforming layers and lattice, in spacings. Not a whole or half
@@ -44,16 +48,11 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
     let begins = lattice_begins(options);
     let margin = (begins + support) / spacing + 1.0;
     let plan = Plan::new(shape, options, mirrors, Side::Fluid, margin)?;
-    let (mut cloud, carry) = seed(&plan)?;
+    let (mut cloud, left) = seed(&plan)?;
 
     let grid = lattice_grid(&plan.mirrors, &options.anchor, spacing);
-    let from = options.fluid_layers as f64 * spacing;
-    let sites = grid.band(
-        shape,
-        &plan.bounds,
-        (from - 2.0 * spacing, begins + support),
-        spacing,
-    )?;
+    let sites = grid.band(shape, &plan.bounds, (0.0, begins + support), spacing)?;
+    let flawless = Flawless::new(&plan, grid, &sites, ghosts);
     let place = |cell: &Cell<D>| {
         plan.mirrors
             .snapped(grid.centre(&cell.index), 1e-6 * spacing)
@@ -63,54 +62,60 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
         .filter(|cell| cell.distance > begins)
         .map(place)
         .collect();
-
-    // The shell takes the sites farthest from the body, as many as its volume holds.
-    let mut shell: Vec<&Cell<D>> = sites
+    let near: Vec<&Cell<D>> = sites
         .iter()
-        .filter(|cell| cell.distance <= begins)
+        .filter(|cell| cell.distance > 0.0 && cell.distance <= begins)
         .collect();
-    let weight = |cell: &Cell<D>| plan.mirrors.share(&place(cell));
-    let wanted = carry
-        + shell
-            .iter()
-            .map(|cell| weight(cell) * (1.0 - cell.fraction_below(from, spacing)))
-            .sum::<f64>();
-    shell.sort_by(|a, b| b.distance.total_cmp(&a.distance));
-    let mut taken = 0.0;
+    let (kept, shell): (Vec<&Cell<D>>, Vec<&Cell<D>>) =
+        near.into_iter().partition(|cell| flawless.at(cell));
+    let kept_homes: HashSet<[i64; D]> = kept.iter().map(|cell| cell.index).collect();
+    cloud.retain(|point| !kept_homes.contains(&flawless.home(point)));
+
+    // The shell takes the sites beyond the layers, and of those cut by the layers' end the part
+    // that its volume holds, spread evenly: rounding is handed on to the next cell.
+    let end = options.fluid_layers as f64 * spacing;
+    let volume = plan.particle_volume();
+    let thin = plan.has_thin_cells();
+    let mut carry = if thin { 0.0 } else { left / volume };
     for cell in shell {
-        taken += weight(cell);
-        if taken > wanted + 0.5 {
-            break;
+        let site = place(cell);
+        let share = plan.mirrors.share(&site);
+        carry += share * (1.0 - cell.fraction_below(end, spacing));
+        if carry >= 0.5 * share {
+            carry -= share;
+            cloud.push(site, options.fluid_layers as u32, Lock::Free, volume);
         }
-        cloud.push(
-            place(cell),
-            options.fluid_layers as u32,
-            Lock::Free,
-            plan.particle_volume(),
-        );
+    }
+    for cell in kept {
+        let layer = (cell.distance / spacing)
+            .floor()
+            .min(options.fluid_layers as f64);
+        cloud.push(place(cell), layer as u32, Lock::Frozen, volume);
     }
 
-    let mut fixed: Vec<(Vector<D>, f64)> = lattice
-        .iter()
-        .map(|&point| (point, plan.particle_volume()))
-        .collect();
+    let mut fixed: Vec<(Vector<D>, f64)> = lattice.iter().map(|&point| (point, volume)).collect();
     let ghost = ghosts
         .position
         .iter()
         .copied()
         .zip(ghosts.volume.iter().copied());
     fixed.extend(ghost.filter(|(point, _)| plan.mirrors.above(point)));
+    if thin {
+        let placed = cloud.particles().chain(fixed.iter().copied());
+        let placed = Sources::new(&plan.mirrors, placed, support);
+        fill_thin(&plan, &mut cloud, left, &placed, |_, _| 1.0);
+    }
     for n in 0..cloud.len() {
         let near_region = options
             .region
             .is_none_or(|region| region.grown(spacing).contains(&cloud.position[n]));
         if !near_region {
             cloud.lock[n] = Lock::Frozen;
-        } else if cloud.layer[n] > 0 {
+        } else if cloud.layer[n] > 0 && matches!(cloud.lock[n], Lock::Level(_)) {
             cloud.lock[n] = Lock::Free;
         }
     }
-    freeze_lattice(&plan, &mut cloud, &fixed);
+    relax_thin(&plan, &mut cloud, &fixed, None, THIN_STEPS);
     for run in FLUID_STEPS {
         relax(&plan, &mut cloud, &fixed, None, run);
     }

@@ -19,7 +19,9 @@ mod rows;
 mod schedule;
 mod seeds;
 mod sheets;
+mod sources;
 mod target;
+mod thin;
 
 pub use error::PackError;
 pub use ghosts::{Ghosts, Packing};

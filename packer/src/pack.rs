@@ -7,14 +7,16 @@ use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
 use crate::fluid::{lattice_begins, pack_fluid};
-use crate::lattice::freeze_lattice;
+use crate::lattice::freeze_on_lattice;
 use crate::mirror::{Mirrors, flip};
 use crate::plan::{Plan, Side};
 use crate::quality::Quality;
-use crate::relax::relax;
-use crate::schedule::GHOST_STEPS;
+use crate::relax::{relax, relax_thin};
+use crate::schedule::{GHOST_STEPS, THIN_STEPS};
 use crate::seeds::seed;
-use crate::target::Target;
+use crate::sources::Sources;
+use crate::target::ideal_layers;
+use crate::thin::fill_thin;
 use crate::{Ghosts, PackError, PackOptions, Packing};
 
 /// Packs ghosts into `shape` and, if asked, conforming fluid around it.
@@ -25,8 +27,12 @@ pub fn pack<const D: usize>(
     let start = Instant::now();
     options.check()?;
     let plan = Plan::new(shape, options, Mirrors::of(shape), Side::Ghosts, 2.0)?;
-    let (mut cloud, _) = seed(&plan)?;
-    let target = Target::of_layers(&plan);
+    let (mut cloud, left) = seed(&plan)?;
+    let target = ideal_layers(&plan);
+    let placed = Sources::new(&plan.mirrors, cloud.particles(), plan.support());
+    fill_thin(&plan, &mut cloud, left, &placed, |point, smoothing| {
+        target.density(point, smoothing)
+    });
     relax_ghosts(&plan, &mut cloud, &target);
     let everywhere = with_surface(&plan, &cloud);
     let ghosts = clipped(&plan, &everywhere);
@@ -55,13 +61,14 @@ pub fn pack<const D: usize>(
 }
 
 /// Lets the ghosts settle: all but the wall layer and those on the lattice may leave their level.
-fn relax_ghosts<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>, target: &Target<D>) {
+fn relax_ghosts<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>, target: &Sources<D>) {
     for n in 0..cloud.len() {
-        if cloud.layer[n] > 0 {
+        if cloud.layer[n] > 0 && cloud.lock[n] != Lock::Thin {
             cloud.lock[n] = Lock::Free;
         }
     }
-    freeze_lattice(plan, cloud, &[]);
+    freeze_on_lattice(plan, cloud);
+    relax_thin(plan, cloud, &[], Some(target), THIN_STEPS);
     for run in GHOST_STEPS {
         relax(plan, cloud, &[], Some(target), run);
     }

@@ -1,16 +1,20 @@
 //! What is to be packed: the part of space, the grid over it and the volume of each layer.
 
+use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Bounds, Shape, Vector};
+use rayon::prelude::*;
 
 use crate::grid::{Cell, Grid};
+use crate::lattice::lattice_grid;
 use crate::mirror::Mirrors;
+use crate::thin::thin_cells;
 use crate::{PackError, PackOptions};
 
 /// Spacings by which the packing reaches beyond the region, so that its cut ends do not show.
 const BEYOND_REGION: f64 = 6.0;
 
-/// Cells per spacing over which layer volumes are summed. Five puts the layers' middles between
-/// cell corners, and their faces on them.
+/// Cells per spacing over which layer volumes are summed. In the plane, five puts the layers'
+/// middles between cell corners, and their faces on them.
 const FINENESS: [f64; 2] = [5.0, 2.0];
 
 /// Which side of the surface is packed.
@@ -40,6 +44,8 @@ pub(crate) struct Plan<'a, const D: usize> {
     pub fine: Grid<D>,
     /// Cells of the fine grid in and beside the layers.
     pub band: Vec<Cell<D>>,
+    /// For each of them whether it is too thin there for its layer.
+    thin: Vec<bool>,
     /// How exactly a point has to meet its level.
     pub tolerance: f64,
 }
@@ -60,22 +66,32 @@ impl<'a, const D: usize> Plan<'a, D> {
             Side::Ghosts => options.layers,
             Side::Fluid => options.fluid_layers,
         };
-        let step = spacing / FINENESS[D - 2];
-        let fine = Grid {
-            origin: Vector::from_fn(|k, _| {
+        let mut fine = lattice_grid(&mirrors, &options.anchor, spacing);
+        fine.step = spacing / FINENESS[D - 2];
+        if D == 2 {
+            // The contours' grid has corners on the mirror planes and at the ends of the region.
+            fine.origin = Vector::from_fn(|k, _| {
                 let free = options
                     .region
                     .map_or(options.anchor[k], |region| region.min[k]);
                 mirrors.plane(k).unwrap_or(free)
-            }),
-            step,
-        };
+            });
+        }
+        let step = fine.step;
         let depth = layers as f64 * spacing;
         let range = match side {
             Side::Ghosts => (-depth - step, step),
             Side::Fluid => (-step, depth + step),
         };
         let band = fine.band(shape, &bounds, range, spacing)?;
+        let block = if D == 2 { 1 } else { 2 };
+        let thin = thin_cells(
+            shape,
+            |cell| fine.centre(&cell.index),
+            &band,
+            block,
+            spacing,
+        );
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
         });
@@ -88,6 +104,7 @@ impl<'a, const D: usize> Plan<'a, D> {
             bounds,
             fine,
             band,
+            thin,
             tolerance: 1e-12 * spacing + 8.0 * f64::EPSILON * reach,
         })
     }
@@ -109,6 +126,11 @@ impl<'a, const D: usize> Plan<'a, D> {
         }
     }
 
+    /// Radius of the flow's kernel.
+    pub fn support(&self) -> f64 {
+        SUPPORT * SMOOTHING_RATIO * self.options.spacing
+    }
+
     /// Volume of one particle.
     pub fn particle_volume(&self) -> f64 {
         self.options.spacing.powi(D as i32)
@@ -117,6 +139,43 @@ impl<'a, const D: usize> Plan<'a, D> {
     /// Volume of each layer in the packed part of space.
     pub fn layer_volumes(&self) -> Vec<f64> {
         self.summed_volumes(|_| 1.0)
+    }
+
+    /// As [`Self::layer_volumes`], without what is too thin.
+    pub fn roomy_volumes(&self) -> Vec<f64> {
+        let mut volumes = vec![0.0; self.layers];
+        for (cell, _) in self.band.iter().zip(&self.thin).filter(|&(_, &thin)| !thin) {
+            for (layer, volume) in self.parts(cell) {
+                volumes[layer] += volume;
+            }
+        }
+        volumes
+    }
+
+    /// All cells of the band, and whether each is too thin for its layer.
+    pub fn cells(&self) -> impl IndexedParallelIterator<Item = (&Cell<D>, bool)> {
+        self.band.par_iter().zip(self.thin.par_iter().copied())
+    }
+
+    /// Cells of the layers that are too thin for them.
+    pub fn thin_cells(&self) -> Vec<Cell<D>> {
+        let cells = self.band.iter().zip(&self.thin);
+        cells
+            .filter(|&(cell, &thin)| thin && self.is_inside_layers(cell))
+            .map(|(cell, _)| *cell)
+            .collect()
+    }
+
+    /// True where some part is too thin for its layers.
+    pub fn has_thin_cells(&self) -> bool {
+        self.cells()
+            .any(|(cell, thin)| thin && self.is_inside_layers(cell))
+    }
+
+    /// True for cells with their centre in one of the layers.
+    pub fn is_inside_layers(&self, cell: &Cell<D>) -> bool {
+        let height = self.sign() * cell.distance;
+        height > 0.0 && height < self.layers as f64 * self.options.spacing
     }
 
     /// Volume of all layers inside the region, images included.

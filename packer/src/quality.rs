@@ -1,13 +1,13 @@
 //! Measures how good a packing is.
 
-use aero_geometry::kernel::{QuinticSpline, SMOOTHING_RATIO, SUPPORT};
-use aero_geometry::{Pencils, Vector};
+use aero_geometry::Vector;
+use aero_geometry::kernel::SMOOTHING_RATIO;
 use rayon::prelude::*;
 
 use crate::fluid::Fluid;
+use crate::mirror::Mirrors;
 use crate::plan::Plan;
-use crate::relax::sum_around;
-use crate::target::Target;
+use crate::sources::Sources;
 use crate::{Ghosts, PackReport};
 
 /// What is measured.
@@ -20,7 +20,7 @@ pub(crate) struct Quality<'a, const D: usize> {
 
 impl<const D: usize> Quality<'_, D> {
     /// The report on the ghosts alone, `kept` being those inside the region.
-    pub fn of_ghosts(&self, kept: &Ghosts<D>, target: &Target<D>) -> PackReport {
+    pub fn of_ghosts(&self, kept: &Ghosts<D>, target: &Sources<D>) -> PackReport {
         let plan = self.plan;
         let spacing = plan.options.spacing;
         let mut layer_counts = vec![0; plan.options.layers];
@@ -34,11 +34,9 @@ impl<const D: usize> Quality<'_, D> {
             .filter(|&(_, &layer)| layer == 0)
             .map(|(distance, _)| (distance + 0.5 * spacing).abs() / spacing)
             .fold(0.0, f64::max);
-        let sources: Vec<(Vector<D>, f64)> = particles(self.ghosts).collect();
-        let errors = self.at_wall(self.ghosts, &sources, |point| {
-            target
-                .at(&plan.mirrors.folded(*point), SMOOTHING_RATIO * spacing)
-                .0
+        let sources = self.sources(self.ghosts, []);
+        let errors = self.at_wall(self.ghosts, &sources, |point, smoothing| {
+            target.density(&plan.mirrors.folded(*point), smoothing)
         });
         let (density_std_percent, density_max_percent) = spread(&errors);
         PackReport {
@@ -49,7 +47,7 @@ impl<const D: usize> Quality<'_, D> {
             density_max_percent,
             shell_volume_error_percent: 100.0 * (packed - exact).abs() / exact,
             wall_offset_max,
-            min_gap: smallest_gap(&kept.position, spacing),
+            min_gap: smallest_gap(kept, spacing),
             ..PackReport::default()
         }
     }
@@ -57,40 +55,44 @@ impl<const D: usize> Quality<'_, D> {
     /// Replaces the density figures by those over both sides.
     pub fn of_both(&self, all_fluid: &Ghosts<D>, fluid: &Fluid<'_, D>, report: &mut PackReport) {
         let volume = fluid.plan.particle_volume();
-        let mut sources: Vec<(Vector<D>, f64)> =
-            particles(self.ghosts).chain(particles(all_fluid)).collect();
+        let mut lattice: Vec<(Vector<D>, f64)> = Vec::new();
         for &site in &fluid.lattice {
-            sources.push((site, volume));
+            lattice.push((site, volume));
             fluid
                 .plan
                 .mirrors
-                .images(&site, |_, image| sources.push((image, volume)));
+                .images(&site, |_, image| lattice.push((image, volume)));
         }
-        let mut errors = self.at_wall(self.ghosts, &sources, |_| 1.0);
-        errors.extend(self.at_wall(all_fluid, &sources, |_| 1.0));
+        let sources = self.sources(self.ghosts, particles(all_fluid).chain(lattice));
+        let mut errors = self.at_wall(self.ghosts, &sources, |_, _| 1.0);
+        errors.extend(self.at_wall(all_fluid, &sources, |_, _| 1.0));
         (report.density_std_percent, report.density_max_percent) = spread(&errors);
+    }
+
+    /// All of two sets of particles; images are among them already.
+    fn sources(
+        &self,
+        set: &Ghosts<D>,
+        more: impl IntoIterator<Item = (Vector<D>, f64)>,
+    ) -> Sources<D> {
+        let points = particles(set).chain(more);
+        Sources::new(&Mirrors::default(), points, self.plan.support())
     }
 
     /// Summed density less the `wanted` one at the wall particles of `set` inside the region.
     fn at_wall(
         &self,
         set: &Ghosts<D>,
-        sources: &[(Vector<D>, f64)],
-        wanted: impl Fn(&Vector<D>) -> f64 + Sync,
+        sources: &Sources<D>,
+        wanted: impl Fn(&Vector<D>, f64) -> f64 + Sync,
     ) -> Vec<f64> {
         let smoothing = SMOOTHING_RATIO * self.plan.options.spacing;
-        let reach = SUPPORT * smoothing;
-        let points: Vec<Vector<D>> = sources.iter().map(|source| source.0).collect();
-        let pencils = Pencils::new(&points, 0.5 * reach);
         (0..set.position.len())
             .into_par_iter()
             .filter(|&n| set.layer[n] == 0 && self.plan.keeps(&set.position[n]))
             .map(|n| {
-                let mut sum = 0.0;
-                sum_around(&pencils, &points, &set.position[n], reach, |m, _, r| {
-                    sum += sources[m].1 * QuinticSpline::<D>::value(r, smoothing);
-                });
-                sum - wanted(&set.position[n])
+                let point = &set.position[n];
+                sources.density(point, smoothing) - wanted(point, smoothing)
             })
             .collect()
     }
@@ -109,22 +111,12 @@ fn spread(errors: &[f64]) -> (f64, f64) {
     (100.0 * variance.sqrt(), 100.0 * largest)
 }
 
-/// Smallest distance between two points, in spacings; at most two.
-fn smallest_gap<const D: usize>(points: &[Vector<D>], spacing: f64) -> f64 {
+/// Smallest distance between two particles, in spacings; at most two.
+fn smallest_gap<const D: usize>(set: &Ghosts<D>, spacing: f64) -> f64 {
     let reach = 2.0 * spacing;
-    let pencils = Pencils::new(points, reach);
-    points
-        .par_iter()
-        .enumerate()
-        .map(|(n, point)| {
-            let mut smallest = reach;
-            sum_around(&pencils, points, point, reach, |m, _, r| {
-                if m != n {
-                    smallest = smallest.min(r);
-                }
-            });
-            smallest
-        })
+    let sources = Sources::new(&Mirrors::default(), particles(set), reach);
+    let gaps = set.position.par_iter();
+    gaps.map(|point| sources.nearest(point, reach))
         .reduce(|| reach, f64::min)
         / spacing
 }

@@ -9,13 +9,16 @@ use crate::cloud::{Cloud, Lock};
 use crate::level::project;
 use crate::mirror::Mirrors;
 use crate::plan::Plan;
-use crate::target::Target;
+use crate::sources::Sources;
 
 /// Longest displacement in one step, in spacings.
 const LONGEST_STEP: f64 = 0.15;
 
 /// Nearest that a particle off a mirror plane may come to it, in spacings.
 const PLANE_CLEARANCE: f64 = 0.35;
+
+/// Particles in thin parts keep this part of the wall layer's distance from the surface.
+const CLEARANCE: f64 = 0.3;
 
 /// Steps between corrections of the drift off a level.
 const STEPS_BETWEEN_PROJECTIONS: usize = 4;
@@ -40,7 +43,7 @@ pub(crate) fn relax<const D: usize>(
     plan: &Plan<'_, D>,
     cloud: &mut Cloud<D>,
     fixed: &[(Vector<D>, f64)],
-    target: Option<&Target<D>>,
+    target: Option<&Sources<D>>,
     run: Relaxation,
 ) {
     let (shape, mirrors) = (plan.shape, &plan.mirrors);
@@ -48,24 +51,18 @@ pub(crate) fn relax<const D: usize>(
     let sizes = (spacing, plan.tolerance);
     let smoothing = run.smoothing * spacing;
     let reach = SUPPORT * smoothing;
-    let mut pencils = Pencils::default();
     let mut wanted = vec![Vector::zeros(); cloud.len()];
     let mut normals = vec![Vector::zeros(); cloud.len()];
     for step in 0..run.steps {
-        let (all, volumes) = sources(mirrors, cloud, fixed, reach);
-        pencils.rebuild(&all, 0.5 * reach);
-        let order = pencils.order();
-        let sorted: Vec<(Vector<D>, f64)> = order
-            .par_iter()
-            .map(|&n| (all[n as usize], volumes[n as usize]))
-            .collect();
+        let everything = cloud.particles().chain(fixed.iter().copied());
+        let sources = Sources::new(mirrors, everything, reach);
         if let Some(target) = target
             && step % STEPS_BETWEEN_TARGETS == 0
         {
             wanted = cloud
                 .position
                 .par_iter()
-                .map(|point| target.at(point, smoothing).1)
+                .map(|point| target.gradient(point, smoothing))
                 .collect();
         }
         let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
@@ -79,19 +76,7 @@ pub(crate) fn relax<const D: usize>(
                 if cloud.lock[n] == Lock::Frozen {
                     return point;
                 }
-                let mut slope = -wanted[n];
-                let (low, high) = (point.add_scalar(-reach), point.add_scalar(reach));
-                pencils.for_each_run(&low, &high, |slots| {
-                    for (other, volume) in &sorted[slots] {
-                        let offset = point - other;
-                        let squared = offset.norm_squared();
-                        if squared < reach * reach {
-                            let r = squared.sqrt();
-                            slope +=
-                                volume * QuinticSpline::<D>::gradient_factor(r, smoothing) * offset;
-                        }
-                    }
-                });
+                let slope = sources.gradient(&point, smoothing) - wanted[n];
                 let mut push = -run.strength * spacing * spacing * slope;
                 push -= normals[n] * normals[n].dot(&push);
                 let moved = confined(mirrors, &point, &push, spacing);
@@ -101,6 +86,15 @@ pub(crate) fn relax<const D: usize>(
                             .filter(|on| (on - moved).norm() < spacing)
                             .unwrap_or(point)
                     }
+                    Lock::Thin if settle => {
+                        let nearest = CLEARANCE * plan.level(0);
+                        let distance = shape.signed_distance(&moved);
+                        if distance * nearest.signum() < nearest.abs() {
+                            onto_level(shape, mirrors, &moved, nearest, sizes).unwrap_or(point)
+                        } else {
+                            moved
+                        }
+                    }
                     _ => moved,
                 }
             })
@@ -109,29 +103,39 @@ pub(crate) fn relax<const D: usize>(
     }
 }
 
-/// Everything that pushes: the particles, what is fixed, and the images of both near the planes.
-fn sources<const D: usize>(
-    mirrors: &Mirrors,
-    cloud: &Cloud<D>,
+/// Relaxes the particles of thin parts alone, before all others: they start in rough places.
+pub(crate) fn relax_thin<const D: usize>(
+    plan: &Plan<'_, D>,
+    cloud: &mut Cloud<D>,
     fixed: &[(Vector<D>, f64)],
-    reach: f64,
-) -> (Vec<Vector<D>>, Vec<f64>) {
-    let own = cloud
-        .position
-        .iter()
-        .copied()
-        .zip(cloud.volume.iter().copied());
-    let mut points = Vec::with_capacity(2 * cloud.len() + fixed.len());
-    let mut volumes = Vec::with_capacity(2 * cloud.len() + fixed.len());
-    for (point, volume) in own.chain(fixed.iter().copied()) {
-        points.push(point);
-        volumes.push(volume);
-        mirrors.images_within(&point, reach, |_, image| {
-            points.push(image);
-            volumes.push(volume);
-        });
+    target: Option<&Sources<D>>,
+    run: Relaxation,
+) {
+    let (thin, rest): (Vec<usize>, Vec<usize>) =
+        (0..cloud.len()).partition(|&n| cloud.lock[n] == Lock::Thin);
+    if thin.is_empty() {
+        return;
     }
-    (points, volumes)
+    let mut part = Cloud::default();
+    for &n in &thin {
+        part.push(
+            cloud.position[n],
+            cloud.layer[n],
+            cloud.lock[n],
+            cloud.volume[n],
+        );
+    }
+    let reach = plan.support() + plan.options.spacing;
+    let near = Sources::new(&plan.mirrors, part.particles(), reach);
+    let others = rest.iter().map(|&n| (cloud.position[n], cloud.volume[n]));
+    let others: Vec<(Vector<D>, f64)> = others
+        .chain(fixed.iter().copied())
+        .filter(|(point, _)| near.nearest(point, reach) < reach)
+        .collect();
+    relax(plan, &mut part, &others, target, run);
+    for (&n, position) in thin.iter().zip(part.position) {
+        cloud.position[n] = position;
+    }
 }
 
 /// Normals of particles that move on a level; zero for the others.
@@ -140,7 +144,7 @@ fn normals_of_locked<const D: usize>(shape: &dyn Shape<D>, cloud: &Cloud<D>) -> 
         .into_par_iter()
         .map(|n| match cloud.lock[n] {
             Lock::Level(_) => shape.closest(&cloud.position[n]).normal,
-            Lock::Free | Lock::Frozen => Vector::zeros(),
+            _ => Vector::zeros(),
         })
         .collect()
 }
@@ -156,26 +160,15 @@ pub(crate) fn spread_on_sheet<const D: usize>(
 ) {
     let mut normals: Vec<Vector<D>> = points.par_iter().map(|p| shape.closest(p).normal).collect();
     let smoothing = run.smoothing * spacing;
-    let mut pencils = Pencils::default();
     for step in 0..run.steps {
-        let all = with_images(mirrors, points, SUPPORT * smoothing);
-        pencils.rebuild(&all, 0.5 * SUPPORT * smoothing);
+        let sheet = OnSheet::new(mirrors, points, SUPPORT * smoothing);
         let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
         let moved: Vec<(Vector<D>, Vector<D>)> = points
             .par_iter()
             .zip(&normals)
             .map(|(point, normal)| {
-                let mut push = Vector::zeros();
-                sum_around(
-                    &pencils,
-                    &all,
-                    point,
-                    SUPPORT * smoothing,
-                    |_, offset, r| {
-                        push -= QuinticSpline::<2>::gradient_factor(r, smoothing) * offset;
-                    },
-                );
-                push *= run.strength * spacing.powi(4);
+                let slope = sheet.sum(point, smoothing).1;
+                let mut push = -run.strength * spacing.powi(4) * slope;
                 push -= normal * normal.dot(&push);
                 let target = confined(mirrors, point, &push, spacing);
                 if !settle {
@@ -194,37 +187,44 @@ pub(crate) fn spread_on_sheet<const D: usize>(
     }
 }
 
-/// The points and those of their images that are within `reach` of a mirror plane.
-pub(crate) fn with_images<const D: usize>(
-    mirrors: &Mirrors,
-    points: &[Vector<D>],
-    reach: f64,
-) -> Vec<Vector<D>> {
-    let mut all = points.to_vec();
-    for point in points {
-        mirrors.images_within(point, reach, |_, image| all.push(image));
-    }
-    all
+/// Points of one sheet, whose density is per area.
+pub(crate) struct OnSheet<const D: usize> {
+    points: Vec<Vector<D>>,
+    pencils: Pencils<D>,
 }
 
-/// Calls `visit` with number, offset and distance of every point nearer than `reach`.
-pub(crate) fn sum_around<const D: usize>(
-    pencils: &Pencils<D>,
-    points: &[Vector<D>],
-    centre: &Vector<D>,
-    reach: f64,
-    mut visit: impl FnMut(usize, &Vector<D>, f64),
-) {
-    let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
-    pencils.for_each_run(&low, &high, |run| {
-        for &n in &pencils.order()[run] {
-            let offset = centre - points[n as usize];
-            let squared = offset.norm_squared();
-            if squared < reach * reach {
-                visit(n as usize, &offset, squared.sqrt());
-            }
+impl<const D: usize> OnSheet<D> {
+    /// The points and those of their images that are within `reach` of a mirror plane.
+    pub fn new(mirrors: &Mirrors, points: &[Vector<D>], reach: f64) -> Self {
+        let mut all = points.to_vec();
+        for point in points {
+            mirrors.images_within(point, reach, |_, image| all.push(image));
         }
-    });
+        let pencils = Pencils::new(&all, 0.5 * reach);
+        Self {
+            points: pencils.order().iter().map(|&n| all[n as usize]).collect(),
+            pencils,
+        }
+    }
+
+    /// Number of points per area, and its gradient, with the kernel of the plane.
+    pub fn sum(&self, centre: &Vector<D>, smoothing: f64) -> (f64, Vector<D>) {
+        let reach = SUPPORT * smoothing;
+        let mut density = 0.0;
+        let mut slope = Vector::zeros();
+        let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
+        self.pencils.for_each_run(&low, &high, |slots| {
+            for point in &self.points[slots] {
+                let offset = centre - point;
+                let r = offset.norm();
+                if r < reach {
+                    density += QuinticSpline::<2>::value(r, smoothing);
+                    slope += QuinticSpline::<2>::gradient_factor(r, smoothing) * offset;
+                }
+            }
+        });
+        (density, slope)
+    }
 }
 
 /// The nearest place on a level that respects the mirror planes.

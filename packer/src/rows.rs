@@ -31,12 +31,11 @@ pub(crate) struct RowPlan<const D: usize> {
 }
 
 impl<const D: usize> RowPlan<D> {
-    /// Arc lengths of the seeds on one contour. `stretch` is the spacing in `dx`; `carry` takes the
-    /// rounding of the count on to the next contour. An end on a mirror plane counts one half.
-    pub fn seeds(&self, contour: &Contour<D>, stretch: f64, carry: &mut f64) -> Vec<f64> {
-        let spacing = self.spacing * stretch;
+    /// Arc lengths of the seeds on one contour; `carry` takes the rounding of the count on to the next contour. An end on a mirror plane counts one half.
+    pub fn seeds(&self, contour: &Contour<D>, carry: &mut f64) -> Vec<f64> {
+        let spacing = self.spacing;
         let total = contour.length();
-        let pins = self.pins(contour, stretch);
+        let pins = self.pins(contour);
         let mut fill = Fill {
             spacing,
             carry,
@@ -87,12 +86,10 @@ impl<const D: usize> RowPlan<D> {
 
     /// Arc lengths that must hold a particle: lattice sites on straight parts along the lattice,
     /// and corners.
-    fn pins(&self, contour: &Contour<D>, stretch: f64) -> Vec<f64> {
+    fn pins(&self, contour: &Contour<D>) -> Vec<f64> {
         let mut pins: Vec<f64> = Vec::new();
-        if (stretch - 1.0).abs() < 1e-9 {
-            for n in 1..contour.points.len() {
-                self.sites_on(contour, n, &mut pins);
-            }
+        for n in 1..contour.points.len() {
+            self.sites_on(contour, n, &mut pins);
         }
         let total = contour.length();
         // A corner is kept where the rows between it and its neighbours come out even.

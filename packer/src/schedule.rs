@@ -2,6 +2,13 @@
 
 use crate::relax::Relaxation;
 
+/// Particles in thin parts, alone.
+pub(crate) const THIN_STEPS: Relaxation = Relaxation {
+    steps: 60,
+    smoothing: 1.0,
+    strength: 0.8,
+};
+
 /// Ghosts: a short smoothing length evens out single gaps, the flow's own one what is left.
 pub(crate) const GHOST_STEPS: [Relaxation; 2] = [
     Relaxation {

@@ -2,28 +2,30 @@
 
 use crate::PackError;
 use crate::cloud::{Cloud, Lock};
-use crate::contour::{Contour, Corners};
+use crate::contour::Corners;
 use crate::lattice::lattice_grid;
 use crate::level::project;
 use crate::plan::Plan;
 use crate::rows::RowPlan;
 use crate::sheets::Sheets;
+use crate::thin::fits;
 
-/// Volumes that agree with the contour's length to this part are taken to be equal.
-const SAME_VOLUME: f64 = 0.02;
-
-/// Particles of all layers in the packed part of space, each on the middle of its layer, and what
-/// rounding leaves of their number.
+/// Particles of all layers in the packed part of space, each on the middle of its layer, where
+/// that has room; and the volume that they leave.
 pub(crate) fn seed<const D: usize>(plan: &Plan<'_, D>) -> Result<(Cloud<D>, f64), PackError> {
-    if D == 2 {
-        Ok(in_the_plane(plan))
+    let cloud = if D == 2 {
+        in_the_plane(plan)
     } else {
-        in_space(plan)
-    }
+        in_space(plan)?
+    };
+    let shares = cloud.position.iter().map(|point| plan.mirrors.share(point));
+    let used = shares.sum::<f64>() * plan.particle_volume();
+    let left = plan.layer_volumes().iter().sum::<f64>() - used;
+    Ok((cloud, left))
 }
 
 /// Equidistant along the contours.
-fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> (Cloud<D>, f64) {
+fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
     let spacing = plan.options.spacing;
     let corners = Corners::new(
         plan.shape,
@@ -38,34 +40,29 @@ fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> (Cloud<D>, f64) {
     };
     let mut cloud = Cloud::default();
     let mut carry = 0.0;
-    for (layer, layer_volume) in plan.layer_volumes().into_iter().enumerate() {
+    for layer in 0..plan.layers {
         let level = plan.level(layer);
-        let contours = corners.trace(level);
-        let length: f64 = contours.iter().map(Contour::length).sum();
-        let ratio = length * spacing / layer_volume.max(1e-300);
-        let stretch = if (ratio - 1.0).abs() < SAME_VOLUME {
-            1.0
-        } else {
-            ratio
-        };
-        for contour in &contours {
-            for s in rows.seeds(contour, stretch, &mut carry) {
+        for contour in &corners.trace(level) {
+            for s in rows.seeds(contour, &mut carry) {
                 let guess = plan.mirrors.snapped(contour.point_at(s), 1e-9 * spacing);
                 let point = project(plan.shape, &guess, level, plan.tolerance).unwrap_or(guess);
-                cloud.push(
-                    point,
-                    layer as u32,
-                    Lock::Level(level),
-                    plan.particle_volume(),
-                );
+                let normal = plan.shape.closest(&point).normal;
+                if fits(plan.shape, (&point, level, &normal), layer, spacing) {
+                    cloud.push(
+                        point,
+                        layer as u32,
+                        Lock::Level(level),
+                        plan.particle_volume(),
+                    );
+                }
             }
         }
     }
-    (cloud, carry)
+    cloud
 }
 
 /// Lattice points projected onto the level surfaces.
-fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<(Cloud<D>, f64), PackError> {
+fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<Cloud<D>, PackError> {
     let spacing = plan.options.spacing;
     let volume = plan.particle_volume();
     let grid = lattice_grid(&plan.mirrors, &plan.options.anchor, spacing);
@@ -82,14 +79,14 @@ fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<(Cloud<D>, f64), PackE
     };
     let mut cloud = Cloud::default();
     let mut carry = 0.0;
-    for (layer, layer_volume) in plan.layer_volumes().into_iter().enumerate() {
+    for (layer, layer_volume) in plan.roomy_volumes().into_iter().enumerate() {
         let level = plan.level(layer);
         let wanted = layer_volume / volume + carry;
-        let points = sheets.seeds(level, wanted);
+        let points = sheets.seeds(layer, level, wanted);
         carry = wanted - points.iter().map(|p| plan.mirrors.share(p)).sum::<f64>();
         for point in points {
             cloud.push(point, layer as u32, Lock::Level(level), volume);
         }
     }
-    Ok((cloud, carry))
+    Ok(cloud)
 }

@@ -1,17 +1,15 @@
 //! Seeds on a level surface in space: lattice points projected onto it, with their number set right
 //! by removing the densest and filling the sparsest places.
 
-use aero_geometry::kernel::QuinticSpline;
-use aero_geometry::{Pencils, Shape, Vector};
+use aero_geometry::kernel::SUPPORT;
+use aero_geometry::{Shape, Vector};
 use rayon::prelude::*;
 
 use crate::grid::{Cell, Grid};
 use crate::level::project;
 use crate::mirror::Mirrors;
-use crate::relax::{Relaxation, spread_on_sheet, sum_around, with_images};
-
-/// Reach of the density estimate on a sheet, in spacings.
-const REACH: f64 = 3.0;
+use crate::relax::{OnSheet, Relaxation, spread_on_sheet};
+use crate::thin::fits;
 
 /// Evens out what projection and repair leave; a short smoothing length acts on single gaps.
 const SPREADING: Relaxation = Relaxation {
@@ -37,12 +35,17 @@ pub(crate) struct Sheets<'a, const D: usize> {
 impl<const D: usize> Sheets<'_, D> {
     /// Particles on the sheet `distance = level`, as many as `wanted` up to rounding; a particle on
     /// a mirror plane counts one half for each plane.
-    pub fn seeds(&self, level: f64, wanted: f64) -> Vec<Vector<D>> {
+    pub fn seeds(&self, layer: usize, level: f64, wanted: f64) -> Vec<Vector<D>> {
         let half = 0.5 * self.grid.step;
         let mut points: Vec<Vector<D>> = self
             .band
             .par_iter()
             .filter(|cell| cell.distance >= level - half && cell.distance < level + half)
+            .filter(|cell| {
+                let centre = self.grid.centre(&cell.index);
+                let seen = (&centre, cell.distance, &cell.normal);
+                fits(self.shape, seen, layer, self.grid.step)
+            })
             .filter_map(|cell| {
                 let centre = self
                     .mirrors
@@ -152,20 +155,13 @@ impl<const D: usize> Sheets<'_, D> {
     /// Points from the loneliest to the densest, each with the direction away from its neighbours.
     fn ranked(&self, points: &[Vector<D>]) -> Vec<(usize, Vector<D>)> {
         let step = self.grid.step;
-        let reach = REACH * step;
-        let all = with_images(self.mirrors, points, reach);
-        let pencils = Pencils::new(&all, 0.5 * reach);
+        let sheet = OnSheet::new(self.mirrors, points, SUPPORT * step);
         let mut ranked: Vec<(usize, f64, Vector<D>)> = points
             .par_iter()
             .enumerate()
             .map(|(n, point)| {
-                let mut density = 0.0;
-                let mut away = Vector::zeros();
-                sum_around(&pencils, &all, point, reach, |_, offset, r| {
-                    density += QuinticSpline::<2>::value(r, step);
-                    away -= QuinticSpline::<2>::gradient_factor(r, step) * offset;
-                });
-                (n, density, away)
+                let (density, slope) = sheet.sum(point, step);
+                (n, density, -slope)
             })
             .collect();
         ranked.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
