@@ -134,17 +134,6 @@ impl<'a, const D: usize> Plan<'a, D> {
         self.summed_volumes(|_| 1.0)
     }
 
-    /// As [`Self::layer_volumes`], without what is too thin.
-    pub fn roomy_volumes(&self) -> Vec<f64> {
-        let mut volumes = vec![0.0; self.layers];
-        for (cell, _) in self.band.iter().zip(&self.thin).filter(|&(_, &thin)| !thin) {
-            for (layer, volume) in self.parts(cell) {
-                volumes[layer] += volume;
-            }
-        }
-        volumes
-    }
-
     /// All cells of the band, and whether each is too thin for its layer.
     pub fn cells(&self) -> impl IndexedParallelIterator<Item = (&Cell<D>, bool)> {
         self.band.par_iter().zip(self.thin.par_iter().copied())

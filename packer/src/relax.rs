@@ -153,13 +153,14 @@ fn normals_of_locked<const D: usize>(shape: &dyn Shape<D>, cloud: &Cloud<D>) -> 
 
 /// Spreads points evenly on the sheet `distance = level`, each seeing the others of its sheet only.
 pub(crate) fn spread_on_sheet<const D: usize>(
-    shape: &dyn Shape<D>,
-    mirrors: &Mirrors,
+    plan: &Plan<'_, D>,
     points: &mut [Vector<D>],
     level: f64,
-    (spacing, tolerance): (f64, f64),
     run: Relaxation,
 ) {
+    let (shape, mirrors) = (plan.shape, &plan.mirrors);
+    let spacing = plan.options.spacing;
+    let sizes = (spacing, plan.tolerance);
     let mut normals: Vec<Vector<D>> = points.par_iter().map(|p| shape.closest(p).normal).collect();
     let smoothing = run.smoothing * spacing;
     for step in 0..run.steps {
@@ -176,7 +177,7 @@ pub(crate) fn spread_on_sheet<const D: usize>(
                 if !settle {
                     return (target, *normal);
                 }
-                match onto_level(shape, mirrors, &target, level, (spacing, tolerance)) {
+                match onto_level(shape, mirrors, &target, level, sizes) {
                     Some(on) if (on - target).norm() < spacing => (on, shape.closest(&on).normal),
                     _ => (*point, *normal),
                 }
@@ -207,6 +208,18 @@ impl<const D: usize> OnSheet<D> {
             points: pencils.order().iter().map(|&n| all[n as usize]).collect(),
             pencils,
         }
+    }
+
+    /// Distance to the nearest point, at most `reach`.
+    pub fn nearest(&self, centre: &Vector<D>, reach: f64) -> f64 {
+        let mut nearest = reach;
+        let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
+        self.pencils.for_each_run(&low, &high, |slots| {
+            for point in &self.points[slots] {
+                nearest = nearest.min((centre - point).norm());
+            }
+        });
+        nearest
     }
 
     /// Number of points per area, and its gradient, with the kernel of the plane.
