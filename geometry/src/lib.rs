@@ -7,14 +7,18 @@ pub mod bodies;
 mod bounds;
 mod error;
 pub mod kernel;
+mod mesh;
 pub mod outline;
 mod pencils;
 mod placement;
 mod revolution;
 mod shape;
+pub mod stl;
+mod tessellate;
 
 pub use bounds::Bounds;
 pub use error::GeometryError;
+pub use mesh::Mesh;
 pub use outline::Outline;
 pub use pencils::Pencils;
 pub use placement::{Placed, Placement};

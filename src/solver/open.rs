@@ -70,14 +70,22 @@ impl<const D: usize> Case<D> {
         zone
     }
 
-    /// True where a gas particle may start: not in a body nor nearer to it than half a spacing.
+    /// True where a gas particle may start: not behind a side that is not open, not in a body
+    /// nor nearer to it than half a spacing.
     pub fn is_free(&self, position: &Vector<D>) -> bool {
         // The lattice may touch the half spacing exactly; round-off must not decide.
         let least = 0.5 * self.spacing * (1.0 - 1e-6);
-        self.bodies.iter().all(|body| {
-            !body.shape.bounds().grown(self.spacing).contains(position)
-                || body.shape.signed_distance(position) >= least
-        })
+        let bounds = &self.domain.bounds;
+        let behind_closed_side = (0..D).any(|axis| {
+            let [lower, upper] = self.domain.sides[axis];
+            (position[axis] < bounds.min[axis] && !is_open(lower))
+                || (position[axis] > bounds.max[axis] && !is_open(upper))
+        });
+        !behind_closed_side
+            && self.bodies.iter().all(|body| {
+                !body.shape.bounds().grown(self.spacing).contains(position)
+                    || body.shape.signed_distance(position) >= least
+            })
     }
 
     /// A particle of the starting lattice in `state`.

@@ -50,3 +50,20 @@ fn a_uniform_stream_through_open_sides_stays_uniform_to_round_off() {
         assert!((particle.density / 1.4 - 1.0).abs() < 1e-11);
     }
 }
+
+#[test]
+fn a_stream_along_a_symmetry_plane_starts_and_stays_on_one_side_of_it() {
+    let mut case = cube::<2>(12, Side::FreeStream);
+    case.domain.sides = [
+        [Side::Inlet, Side::Outlet],
+        [Side::Symmetry, Side::FreeStream],
+    ];
+    case.free_stream.velocity = Vector::<2>::new(2.5, 0.0);
+    let mut simulation = start(case);
+    assert_eq!(simulation.fluid.len(), 12 * 12);
+    advance_to(&mut simulation, 2.0);
+    for particle in &simulation.fluid {
+        assert!(particle.position[1] > 0.0);
+        assert!((particle.density / 1.4 - 1.0).abs() < 1e-11);
+    }
+}

@@ -1,25 +1,20 @@
 //! Paper and pen: sizes in points (one point is one pixel of the finished picture), drawn finer
 //! inside and reduced, so that edges are smooth in a PNG and places exact in an SVG.
 
-use super::colour::{BLACK, Colour, WHITE, rgb};
+use super::colour::{Colour, WHITE, rgb};
+use super::dashes::dashes;
+use super::font::{Font, load_font};
 use super::{Format, PictureError, format_of};
 use plotters::backend::{BitMapBackend, DrawingBackend, SVGBackend};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{Circle, PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
-use plotters::style::{
-    Color as _, FontDesc, FontFamily, FontStyle, FontTransform, ShapeStyle, TextStyle,
-    register_font,
-};
+use plotters::style::{Color as _, FontTransform, ShapeStyle, TextStyle};
 use std::path::Path;
-use std::sync::OnceLock;
 
 /// Fine pixels per point.
-const FINE: u32 = 3;
-/// Name under which the built-in font (`DejaVu` Sans, Bitstream Vera licence) is known; as a generic
-/// family it also tells viewers of an SVG what to use.
-const FAMILY: FontFamily<'static> = FontFamily::SansSerif;
+pub(super) const FINE: u32 = 3;
 
 /// A picture that can draw itself on paper of its own choice of size.
 pub(super) trait Drawing {
@@ -99,21 +94,6 @@ fn draw_on<DB: DrawingBackend>(
     area.fill(&rgb(WHITE)).map_err(|e| e.to_string())?;
     drawing.draw(&Pen { area, format })?;
     area.present().map_err(|e| e.to_string())
-}
-
-/// Makes the built-in font known to the drawing library, once.
-fn load_font() -> Result<(), String> {
-    static LOADED: OnceLock<bool> = OnceLock::new();
-    let name = FAMILY.as_str();
-    let loaded = *LOADED.get_or_init(|| {
-        register_font(name, FontStyle::Normal, dejavu::sans::regular()).is_ok()
-            && register_font(name, FontStyle::Bold, dejavu::sans::bold()).is_ok()
-    });
-    if loaded {
-        Ok(())
-    } else {
-        Err("the built-in font does not load".to_owned())
-    }
 }
 
 /// Mean of every block of fine pixels.
@@ -227,46 +207,6 @@ impl<DB: DrawingBackend> Pen<'_, DB> {
     }
 }
 
-/// Size, weight and colour of a text.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Font {
-    pub(super) size: f64,
-    pub(super) bold: bool,
-    pub(super) colour: Colour,
-}
-
-impl Font {
-    /// Black text of ordinary weight.
-    pub(super) const fn plain(size: f64) -> Self {
-        Self {
-            size,
-            bold: false,
-            colour: BLACK,
-        }
-    }
-
-    /// Width of `text` in points.
-    pub(super) fn width(self, text: &str) -> f64 {
-        // Without the font there is no picture either, so the estimate is never used.
-        let estimate = 0.6 * self.size * text.chars().count() as f64;
-        if load_font().is_err() {
-            return estimate;
-        }
-        self.description()
-            .box_size(text)
-            .map_or(estimate, |(width, _)| f64::from(width) / f64::from(FINE))
-    }
-
-    fn description(self) -> FontDesc<'static> {
-        let style = if self.bold {
-            FontStyle::Bold
-        } else {
-            FontStyle::Normal
-        };
-        FontDesc::new(FAMILY, self.size * f64::from(FINE), style)
-    }
-}
-
 fn fine([x, y]: &[f64; 2]) -> (i32, i32) {
     let scale = |v: f64| (v * f64::from(FINE)).round() as i32;
     (scale(*x), scale(*y))
@@ -274,42 +214,6 @@ fn fine([x, y]: &[f64; 2]) -> (i32, i32) {
 
 fn fine_width(width: f64) -> u32 {
     (width * f64::from(FINE)).round().max(1.0) as u32
-}
-
-/// Cuts a line into dashes of length `on`, `off` apart.
-fn dashes(points: &[[f64; 2]], on: f64, off: f64) -> Vec<Vec<[f64; 2]>> {
-    // Distance along the line to every corner.
-    let mut along = vec![0.0];
-    for pair in points.windows(2) {
-        let step = (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]);
-        along.push(along[along.len() - 1] + step);
-    }
-    let total = along[along.len() - 1];
-    let at = |s: f64| {
-        let after = along.partition_point(|v| *v < s).clamp(1, points.len() - 1);
-        let share = (s - along[after - 1]) / (along[after] - along[after - 1]).max(1e-300);
-        std::array::from_fn(|a| {
-            let (from, to) = (points[after - 1][a], points[after][a]);
-            from + share.clamp(0.0, 1.0) * (to - from)
-        })
-    };
-    let count = if points.len() > 1 {
-        (total / (on + off)).ceil() as usize
-    } else {
-        0
-    };
-    (0..count)
-        .map(|k| {
-            let start = k as f64 * (on + off);
-            let end = (start + on).min(total);
-            let mut piece = vec![at(start)];
-            let inside =
-                along.partition_point(|v| *v <= start)..along.partition_point(|v| *v < end);
-            piece.extend_from_slice(&points[inside]);
-            piece.push(at(end));
-            piece
-        })
-        .collect()
 }
 
 #[cfg(test)]
@@ -365,17 +269,5 @@ mod tests {
         assert!(error.to_string().contains(".png or .svg"), "{error}");
         assert!(save(&Page("x"), &folder.path().join("absent/a.png")).is_err());
         assert!(save(&Page("x"), &folder.path().join("absent/a.svg")).is_err());
-    }
-
-    #[test]
-    fn dashes_cover_their_share_of_the_line() {
-        let pieces = dashes(&[[0.0, 0.0], [30.0, 40.0], [30.0, 90.0]], 6.0, 4.0);
-        let inked: f64 = pieces
-            .iter()
-            .flat_map(|p| p.windows(2))
-            .map(|w| (w[1][0] - w[0][0]).hypot(w[1][1] - w[0][1]))
-            .sum();
-        assert!((inked - 60.0).abs() < 1e-6, "{inked}");
-        assert_eq!(pieces.len(), 10);
     }
 }

@@ -7,7 +7,12 @@
 mod axes;
 mod canvas;
 mod colour;
+mod curve_page;
 pub mod curves;
+mod dashes;
+mod font;
+mod legend;
+mod particle_page;
 pub mod particles;
 pub mod speed;
 mod ticks;

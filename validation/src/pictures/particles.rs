@@ -1,10 +1,11 @@
 //! Particles coloured by a value, on equal axes, with a colour bar and lines of theory over them.
 
-use super::axes::{Axis, Entry, Frame, HEADING, MEDIUM, SMALL, draw_legend, legend_size, range_of};
-use super::canvas::{Anchor, Drawing, Font, Pen, Stroke, save};
-use super::colour::{BLACK, Colour, RED, WHITE, viridis};
-use super::{PictureError, ticks};
-use plotters::backend::DrawingBackend;
+use super::PictureError;
+use super::axes::{Axis, Frame, range_of};
+use super::canvas::save;
+use super::colour::{BLACK, Colour, RED};
+use super::legend::Entry;
+use super::particle_page::Page;
 use std::path::Path;
 
 /// A line over the particles, such as the theoretical shock.
@@ -193,7 +194,7 @@ impl<'a> ParticlePicture<'a> {
         })
     }
 
-    fn legend(&self) -> Vec<Entry> {
+    pub(super) fn legend(&self) -> Vec<Entry> {
         self.overlays
             .iter()
             .filter(|o| !o.label.is_empty())
@@ -214,136 +215,6 @@ fn central_range(mut values: Vec<f64>) -> Option<[f64; 2]> {
     let last = values.len().checked_sub(1)?;
     let at = |share: f64| values[(share * last as f64).round() as usize];
     range_of([at(0.005), at(0.995)].into_iter(), false, 0.0)
-}
-
-struct Page<'p, 'a> {
-    picture: &'p ParticlePicture<'a>,
-    shown: Vec<usize>,
-    colours: [f64; 2],
-    scale: f64,
-    frame: Frame,
-}
-
-impl Page<'_, '_> {
-    fn draw_bar<DB: DrawingBackend>(&self, pen: &Pen<'_, DB>) -> Result<(), String> {
-        let (left, right) = (self.frame.right + 24.0, self.frame.right + 46.0);
-        let (top, bottom) = (self.frame.top, self.frame.bottom);
-        let bands = 256;
-        for k in 0..bands {
-            let place = |share: f64| bottom - share * (bottom - top);
-            let (from, to) = (
-                f64::from(k) / f64::from(bands),
-                f64::from(k + 1) / f64::from(bands),
-            );
-            let colour = viridis(0.5 * (from + to));
-            pen.fill_box([left, place(to)], [right, place(from)], colour)?;
-        }
-        let edge = Stroke {
-            colour: BLACK,
-            width: 1.0,
-            dashed: false,
-        };
-        let corners = [
-            [left, top],
-            [right, top],
-            [right, bottom],
-            [left, bottom],
-            [left, top],
-        ];
-        pen.line(&corners, edge)?;
-        let number = Font::plain(SMALL);
-        let mut widest: f64 = 0.0;
-        for tick in self.bar_ticks() {
-            let share = (tick.value - self.colours[0]) / (self.colours[1] - self.colours[0]);
-            let y = bottom - share * (bottom - top);
-            pen.line(&[[right, y], [right + 5.0, y]], edge)?;
-            pen.text(&tick.label, [right + 10.0, y], number, Anchor::Left)?;
-            widest = widest.max(number.width(&tick.label));
-        }
-        let label = [right + widest + 28.0, 0.5 * (top + bottom)];
-        pen.text(
-            self.picture.value_label,
-            label,
-            Font::plain(MEDIUM),
-            Anchor::Upwards,
-        )
-    }
-
-    /// Whitens what discs at the edge have left outside the frame.
-    fn clear_outside<DB: DrawingBackend>(&self, pen: &Pen<'_, DB>) -> Result<(), String> {
-        let (l, r, t, b) = (
-            self.frame.left,
-            self.frame.right,
-            self.frame.top,
-            self.frame.bottom,
-        );
-        let wide = 60.0;
-        for (from, to) in [
-            ([l - wide, t - wide], [l, b + wide]),
-            ([r, t - wide], [r + wide, b + wide]),
-            ([l - wide, t - wide], [r + wide, t]),
-            ([l - wide, b], [r + wide, b + wide]),
-        ] {
-            pen.fill_box(from, to, WHITE)?;
-        }
-        Ok(())
-    }
-
-    fn bar_ticks(&self) -> Vec<ticks::Tick> {
-        let count = ((self.frame.bottom - self.frame.top) / 60.0).max(2.0) as usize;
-        ticks::linear(self.colours, count)
-    }
-}
-
-impl Drawing for Page<'_, '_> {
-    fn size(&self) -> [f64; 2] {
-        let number = Font::plain(SMALL);
-        let widest = self
-            .bar_ticks()
-            .iter()
-            .map(|t| number.width(&t.label))
-            .fold(0.0, f64::max);
-        let title = HEADING.width(self.picture.title) + 2.0 * self.frame.left;
-        let width = self.frame.right + 46.0 + widest + 48.0;
-        [width.max(title), self.frame.bottom + 64.0]
-    }
-
-    fn draw<DB: DrawingBackend>(&self, pen: &Pen<'_, DB>) -> Result<(), String> {
-        let [across, up] = self.picture.axes.map(|a| a.min(2));
-        for &k in &self.shown {
-            let p = self.picture.position[k];
-            let share =
-                (self.picture.value[k] - self.colours[0]) / (self.colours[1] - self.colours[0]);
-            let centre = self.frame.place([p[across], p[up]]);
-            // A bit more than the spacing, so that regular particles leave no gaps.
-            let radius = (0.6 * self.picture.diameter[k] * self.scale).clamp(0.7, 60.0);
-            pen.disc(centre, radius, viridis(share))?;
-        }
-        self.clear_outside(pen)?;
-        for overlay in &self.picture.overlays {
-            let stroke = Stroke {
-                colour: overlay.colour,
-                width: 2.4,
-                dashed: overlay.dashed,
-            };
-            self.frame.draw_line(pen, &overlay.points, stroke)?;
-        }
-        pen.text(
-            self.picture.title,
-            [self.frame.left, 28.0],
-            HEADING,
-            Anchor::Left,
-        )?;
-        self.frame.draw_axes(pen)?;
-        self.draw_bar(pen)?;
-        let mut x = self.frame.left;
-        for entry in self.picture.legend() {
-            let entry = [entry];
-            draw_legend(pen, &entry, [x, 46.0])?;
-            x += legend_size(&entry)[0] + 12.0;
-        }
-        Ok(())
-    }
 }
 
 #[cfg(test)]

@@ -2,9 +2,11 @@
 //! written beside the points, and peers' measured points among them.
 
 use super::PictureError;
-use super::axes::{Axis, Entry, Frame, HEADING, SMALL, draw_legend, legend_size, range_of};
-use super::canvas::{Anchor, Drawing, Font, Pen, Stroke, save};
+use super::axes::{Axis, Frame, HEADING, SMALL, range_of};
+use super::canvas::{Anchor, Drawing, Pen, Stroke, save};
 use super::colour::{Colour, GREY, palette};
+use super::font::Font;
+use super::legend::{Entry, draw_legend, legend_size};
 use crate::reference::{Table, TableError};
 use plotters::backend::DrawingBackend;
 use std::fmt::Write as _;

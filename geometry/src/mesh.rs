@@ -1,0 +1,152 @@
+//! Bodies made of triangles: repaired, oriented, and asked for distances.
+//!
+//! Loose triangles become a [`Mesh`] only when they enclose a solid; what was wrong and could be
+//! mended is listed in [`Mesh::repairs`].
+
+mod build;
+mod edges;
+mod orient;
+mod slivers;
+mod smooth;
+mod symmetry;
+mod tree;
+mod triangle;
+mod weld;
+mod winding;
+
+use edges::NONE;
+use smooth::{Smooth, normal};
+use tree::Tree;
+use triangle::{Feature, closest_on};
+use winding::Winding;
+
+use crate::{Bounds, Closest, Shape, Vector};
+
+/// A solid bounded by triangles. Several solids of one file are one body: their union.
+#[derive(Clone, Debug)]
+pub struct Mesh {
+    vertices: Vec<Vector<3>>,
+    /// In the order of the tree's leaves.
+    facets: Vec<[u32; 3]>,
+    across: Vec<[u32; 3]>,
+    /// Triangles that are no part of the surface: needles, and those inside of other solids.
+    hidden: Vec<bool>,
+    vertex_normals: Vec<Vector<3>>,
+    smooth: Smooth,
+    tree: Tree,
+    winding: Winding,
+    /// True where every triangle parts inside from outside, so that the nearest one tells the
+    /// side.
+    simple: bool,
+    bounds: Bounds<3>,
+    mirrors: Vec<(usize, f64)>,
+    names: Vec<String>,
+    repairs: Vec<String>,
+}
+
+impl Mesh {
+    /// Names of the solids, in the order of the file.
+    pub fn names(&self) -> &[String] {
+        &self.names
+    }
+
+    /// What was wrong with the triangles and what was done, in sentences without a subject.
+    pub fn repairs(&self) -> &[String] {
+        &self.repairs
+    }
+
+    /// Number of triangles.
+    pub fn facet_count(&self) -> usize {
+        self.facets.len()
+    }
+
+    /// Number of smooth patches, which [`Closest::face`] counts.
+    pub fn patch_count(&self) -> usize {
+        self.smooth.patch_count
+    }
+
+    /// Volume that the triangles enclose; what solids share counts more than once.
+    pub fn volume(&self) -> f64 {
+        let middle = 0.5 * (self.bounds.min + self.bounds.max);
+        let doubled = |f: u32| {
+            let [a, b, c] = self.corners(f).map(|v| v - middle);
+            a.dot(&b.cross(&c))
+        };
+        (0..self.facets.len() as u32).map(doubled).sum::<f64>() / 6.0
+    }
+
+    /// How many times the surface winds around `p`: above a half inside of the body.
+    pub fn winding_number(&self, p: &Vector<3>) -> f64 {
+        self.winding.number(&self.tree, p, |f| self.corners(f))
+    }
+
+    #[inline]
+    fn corners(&self, facet: u32) -> [Vector<3>; 3] {
+        self.facets[facet as usize].map(|v| self.vertices[v as usize])
+    }
+
+    /// The direction that tells the sides of a feature apart; not a unit vector.
+    fn outward(&self, facet: u32, corners: &[Vector<3>; 3], feature: Feature) -> Vector<3> {
+        match feature {
+            Feature::Face => normal(corners),
+            Feature::Edge(edge) => {
+                let other = self.across[facet as usize][edge];
+                if other == NONE {
+                    normal(corners)
+                } else {
+                    normal(corners) + normal(&self.corners(other))
+                }
+            }
+            Feature::Vertex(corner) => {
+                self.vertex_normals[self.facets[facet as usize][corner] as usize]
+            }
+        }
+    }
+}
+
+impl Shape<3> for Mesh {
+    fn bounds(&self) -> Bounds<3> {
+        self.bounds
+    }
+
+    fn closest(&self, p: &Vector<3>) -> Closest<3> {
+        let hidden = |f: u32| self.hidden[f as usize];
+        let nearest = self.tree.closest(p, |f| self.corners(f), hidden);
+        // A mesh without any visible triangle is never made.
+        let (facet, _) = nearest.unwrap_or((0, 0.0));
+        let corners = self.corners(facet);
+        let on = closest_on(&corners, p);
+        let outward = self.outward(facet, &corners, on.feature);
+        let offset = p - on.point;
+        let length = offset.norm();
+        let inside = if self.simple {
+            offset.dot(&outward) < 0.0
+        } else {
+            self.winding_number(p) > 0.5
+        };
+        let sign = if inside { -1.0 } else { 1.0 };
+        let creased = self.smooth.on_crease(facet, on.feature);
+        let size = self.bounds.size().max();
+        let normal = if creased && length > 1e-9 * size {
+            sign / length * offset
+        } else if creased {
+            outward.normalize()
+        } else {
+            self.smooth.normal_at(facet, &on)
+        };
+        Closest {
+            point: on.point,
+            distance: sign * length,
+            normal,
+            face: self.smooth.patches[facet as usize],
+        }
+    }
+
+    fn mirror_planes(&self) -> Vec<(usize, f64)> {
+        self.mirrors.clone()
+    }
+
+    fn measure(&self) -> Option<f64> {
+        self.simple.then(|| self.volume())
+    }
+}

@@ -1,0 +1,216 @@
+//! The way from a file, or from loose triangles, to a mesh.
+
+use std::path::Path;
+
+use rayon::prelude::*;
+
+use super::edges::{half_edges, neighbours, parts};
+use super::slivers::is_sliver;
+use super::smooth::{Smooth, normal, vertex_normals};
+use super::tree::Tree;
+use super::weld::{BackToBack, Indexed, drop_duplicates, weld};
+use super::winding::Winding;
+use super::{Mesh, orient, slivers, symmetry, weld as welding};
+use crate::Bounds;
+use crate::error::GeometryError;
+use crate::stl::{self, Facet, Soup, Unit};
+
+/// A mesh encloses no solid whose volume is below this part of its bounding cube.
+const NO_VOLUME: f64 = 1e-9;
+
+/// A surface of one part is tried at about so many places for whether it crosses itself.
+const PROBES: usize = 20_000;
+
+impl Mesh {
+    /// The body in an STL file whose numbers are in `unit`.
+    ///
+    /// # Errors
+    /// A file that cannot be read or is damaged; triangles that do not enclose a solid.
+    pub fn read(path: &Path, unit: Unit) -> Result<Self, GeometryError> {
+        let mut soup = stl::read(path)?;
+        for corner in soup.facets.iter_mut().flatten() {
+            *corner *= unit.metres();
+        }
+        Self::new(&soup).map_err(|source| GeometryError::In {
+            path: path.to_owned(),
+            source: Box::new(source),
+        })
+    }
+
+    /// The body that `facets` enclose.
+    ///
+    /// # Errors
+    /// Corners that are not finite; triangles that do not enclose a solid.
+    pub fn from_facets(facets: Vec<Facet>) -> Result<Self, GeometryError> {
+        Self::new(&Soup {
+            facets,
+            solids: Vec::new(),
+        })
+    }
+
+    /// The body that the solids of `soup` make together.
+    ///
+    /// # Errors
+    /// See [`Mesh::from_facets`].
+    pub fn new(soup: &Soup) -> Result<Self, GeometryError> {
+        let not_finite = |facet: &Facet| !facet.iter().flatten().all(|x| x.is_finite());
+        if let Some(index) = soup.facets.iter().position(not_finite) {
+            return Err(GeometryError::Surface(format!(
+                "triangle {} has a corner that is not finite",
+                index + 1
+            )));
+        }
+        let mut repairs = Vec::new();
+        let welded = weld(&soup.facets, &mut repairs);
+        let mut closed = close(welded, &mut repairs)?;
+        slivers::flip(&mut closed, &mut repairs);
+        let names = soup.solids.iter().map(|(name, _)| name.clone()).collect();
+        Self::assemble(&closed, names, repairs)
+    }
+
+    fn assemble(
+        surface: &Indexed,
+        names: Vec<String>,
+        repairs: Vec<String>,
+    ) -> Result<Self, GeometryError> {
+        let (tree, order) = Tree::new(&surface.vertices, &surface.facets);
+        let closed = reorder(surface, &order);
+        let Indexed {
+            vertices, facets, ..
+        } = &closed;
+        let corners = |f: u32| facets[f as usize].map(|v| vertices[v as usize]);
+        let winding = Winding::new(&tree, corners);
+        let across = neighbours(facets, &half_edges(facets));
+        let bounds: Bounds<3> = welding::bounds((0..facets.len() as u32).flat_map(corners));
+        let smooth = Smooth::new(vertices, facets, &across, bounds.size().max());
+        let hidden: Vec<bool> = facets.iter().map(|&f| is_sliver(&closed, f)).collect();
+        let mut mesh = Self {
+            simple: !hidden.contains(&true),
+            hidden,
+            vertex_normals: vertex_normals(vertices, facets),
+            vertices: closed.vertices,
+            facets: closed.facets,
+            across,
+            smooth,
+            tree,
+            winding,
+            bounds,
+            mirrors: Vec::new(),
+            names,
+            repairs,
+        };
+        mesh.hide_buried(closed.tolerance);
+        let solid = mesh.volume() > NO_VOLUME * mesh.bounds.size().max().powi(3);
+        if !solid || mesh.hidden.iter().all(|&hidden| hidden) {
+            return Err(GeometryError::Surface(
+                "encloses no volume; give a closed surface around a solid".into(),
+            ));
+        }
+        mesh.mirrors = symmetry::mirrors(&mesh, closed.tolerance);
+        Ok(mesh)
+    }
+
+    /// Hides the triangles that have the solid, or the outside, on both sides: those of solids
+    /// inside of others, and where the surface folds through itself.
+    fn hide_buried(&mut self, tolerance: f64) {
+        let step = 10.0 * tolerance;
+        let parting = |f: u32| {
+            let corners = self.corners(f);
+            let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
+            let offset = step * normal(&corners);
+            self.winding_number(&(middle + offset)) < 0.5
+                && self.winding_number(&(middle - offset)) >= 0.5
+        };
+        let count = self.facets.len();
+        let (_, part_count) = parts(&self.across);
+        let stride = if part_count > 1 {
+            1
+        } else {
+            count.div_ceil(PROBES)
+        };
+        let sound = |f: &usize| self.hidden[*f] || parting(*f as u32);
+        if (0..count)
+            .into_par_iter()
+            .step_by(stride)
+            .all(|f| sound(&f))
+        {
+            return;
+        }
+        let buried: Vec<bool> = (0..count).into_par_iter().map(|f| !sound(&f)).collect();
+        let number = buried.iter().filter(|&&b| b).count();
+        for (hidden, buried) in self.hidden.iter_mut().zip(buried) {
+            *hidden |= buried;
+        }
+        self.simple = false;
+        self.repairs.push(format!(
+            "ignored {number} triangles inside of the solid; overlapping parts are united"
+        ));
+    }
+}
+
+/// Sorts the triangles as the tree holds them, and the vertices as the triangles use them, so that
+/// what is near in space is near in memory.
+fn reorder(mesh: &Indexed, order: &[u32]) -> Indexed {
+    let mut number = vec![u32::MAX; mesh.vertices.len()];
+    let mut vertices = Vec::with_capacity(mesh.vertices.len());
+    let facets = order
+        .iter()
+        .map(|&facet| {
+            mesh.facets[facet as usize].map(|v| {
+                let new = &mut number[v as usize];
+                if *new == u32::MAX {
+                    *new = vertices.len() as u32;
+                    vertices.push(mesh.vertices[v as usize]);
+                }
+                *new
+            })
+        })
+        .collect();
+    Indexed {
+        vertices,
+        facets,
+        tolerance: mesh.tolerance,
+    }
+}
+
+/// Makes the triangles one closed, oriented surface.
+fn close(mut mesh: Indexed, repairs: &mut Vec<String>) -> Result<Indexed, GeometryError> {
+    let original = mesh.facets.clone();
+    let mut last = None;
+    for rule in [BackToBack::Cancel, BackToBack::KeepOne] {
+        mesh.facets.clone_from(&original);
+        let mut notes = Vec::new();
+        let dropped = drop_duplicates(&mut mesh.facets, rule);
+        if dropped > 0 {
+            notes.push(format!("dropped {dropped} triangles that came twice"));
+        }
+        let result = if mesh.facets.is_empty() {
+            Err(GeometryError::Surface(
+                "has no triangles with an area; give a closed surface around a solid".into(),
+            ))
+        } else {
+            orient::orient(&mut mesh, &mut notes).and_then(|()| refuse_open(&mesh))
+        };
+        match result {
+            Ok(()) => {
+                repairs.extend(notes);
+                return Ok(mesh);
+            }
+            Err(error) => last = Some(error),
+        }
+        if dropped == 0 {
+            break;
+        }
+    }
+    Err(last.unwrap_or_else(|| GeometryError::Surface("has no triangles".into())))
+}
+
+fn refuse_open(mesh: &Indexed) -> Result<(), GeometryError> {
+    let Some((count, p)) = orient::open_edges(mesh) else {
+        return Ok(());
+    };
+    Err(GeometryError::Surface(format!(
+        "is open at {count} edges, the first near ({:.6}, {:.6}, {:.6}); close it",
+        p.x, p.y, p.z
+    )))
+}

@@ -1,0 +1,40 @@
+//! Which coordinate planes a mesh is symmetric about.
+
+use rayon::prelude::*;
+
+use super::Mesh;
+use crate::{Shape, Vector};
+
+/// Mirrored vertices may be off the surface by this many welding tolerances.
+const SLACK: f64 = 2.0;
+
+/// The planes `(axis, position)`, through the middle of the bounding box, about which the mirror
+/// image of every vertex lies on the surface.
+pub(super) fn mirrors(mesh: &Mesh, tolerance: f64) -> Vec<(usize, f64)> {
+    let bounds = mesh.bounds();
+    let middle = 0.5 * (bounds.min + bounds.max);
+    let mut visible = vec![false; mesh.vertices.len()];
+    for (facet, _) in mesh.facets.iter().zip(&mesh.hidden).filter(|f| !f.1) {
+        for &vertex in facet {
+            visible[vertex as usize] = true;
+        }
+    }
+    (0..3)
+        .map(|axis| {
+            let near_zero = middle[axis].abs() <= tolerance;
+            (axis, if near_zero { 0.0 } else { middle[axis] })
+        })
+        .filter(|&(axis, position)| {
+            let on_surface = |p: &Vector<3>| {
+                let mut image = *p;
+                image[axis] = 2.0 * position - image[axis];
+                let gap = (mesh.closest(&image).point - image).norm();
+                gap <= SLACK * tolerance
+            };
+            let vertices = mesh.vertices.par_iter().zip(&visible);
+            vertices
+                .filter(|v| *v.1)
+                .all(|(vertex, _)| on_surface(vertex))
+        })
+        .collect()
+}

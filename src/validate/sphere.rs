@@ -1,0 +1,133 @@
+//! The sphere at Mach 3 in three dimensions against Billig's bow shock, and its tessellation against
+//! itself.
+
+use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_validation::exact::billig::{BowShock, Nose};
+use aero_validation::exact::normal::{normal_shock, pitot_pressure_ratio};
+use aero_validation::metrics::stand_off::{StagnationLine, stand_off};
+use aero_validation::pictures::particles::{ParticlePicture, Slab};
+use aero_validation::table::{Check, Subject};
+
+use super::outcome::{Outcome, Source, run};
+use super::{Context, Level, ValidateError};
+
+const ANALYTIC: Source = Source {
+    name: "sphere",
+    text: include_str!("../../cases/sphere.toml"),
+};
+const TESSELLATED: Source = Source {
+    name: "sphere-stl",
+    text: include_str!("../../cases/sphere-stl.toml"),
+};
+const MACH: f64 = 3.0;
+const GAMMA: f64 = 1.4;
+const SPACING: f64 = 0.125;
+
+/// Compares stand-off, stagnation pressure and the drag of the tessellated sphere.
+pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let mut checks = Vec::new();
+    let extrapolations: &[&str] = match context.level {
+        Level::Quick => &["wom"],
+        Level::Full => &["wom", "wm"],
+    };
+    for extrapolation in extrapolations {
+        let settings = [
+            format!("spacing={SPACING}"),
+            "end_time=3.0".into(),
+            format!("scheme.extrapolation={extrapolation}"),
+        ];
+        let exact = run(ANALYTIC, &settings, context)?;
+        checks.extend(flow(&exact, extrapolation, context)?);
+        let mesh = run(TESSELLATED, &settings, context)?;
+        let drag = |outcome: &Outcome| outcome.summary.bodies["sphere"].force_mean[0];
+        let quantity = format!("{extrapolation}: drag of the STL, per drag of the exact sphere");
+        let subject = Subject::new(ANALYTIC.name, &quantity, "the same body");
+        checks.push(subject.relative(drag(&mesh) / drag(&exact), 1.0, 2.0));
+    }
+    Ok(checks)
+}
+
+fn flow(
+    outcome: &Outcome,
+    extrapolation: &str,
+    context: &Context<'_>,
+) -> Result<Vec<Check>, ValidateError> {
+    let gas = &outcome.gas;
+    let line = StagnationLine {
+        nose: [-1.0, 0.0, 0.0],
+        upstream: [-1.0, 0.0, 0.0],
+        radius: 3.0 * SPACING,
+        spacing: SPACING,
+        ahead: 1.0,
+        behind: normal_shock(MACH, GAMMA)?.density_ratio,
+    };
+    let shock = stand_off(&gas.position, &gas.density, &line).map_err(|source| {
+        ValidateError::Metric {
+            case: ANALYTIC.name.into(),
+            source,
+        }
+    })?;
+    picture(outcome, extrapolation, context)?;
+
+    let billig = BowShock::new(Nose::Sphere, MACH)?;
+    let label = |quantity: &str| format!("dx R/8, {extrapolation}: {quantity}");
+    let stand_off = label("stand-off / R");
+    let pressure = label("stagnation pressure / free stream");
+    let leaked = label("particles in the wall");
+    Ok(vec![
+        Subject::new("sphere", &stand_off, "Billig (1967)").relative(
+            shock.distance,
+            billig.stand_off,
+            10.0,
+        ),
+        Subject::new("sphere", &pressure, "Rayleigh pitot (NACA 1135)").informs(
+            stagnation_pressure(outcome) * GAMMA,
+            pitot_pressure_ratio(MACH, GAMMA),
+        ),
+        Subject::new("sphere", &leaked, "no penetration")
+            .informs(outcome.summary.leaked as f64, 0.0),
+    ])
+}
+
+/// Mean wall pressure within 20 degrees of the nose, raised to the nose by the modified Newtonian
+/// law's own mean there, `(1 + cos^2 20 deg) / 2`.
+fn stagnation_pressure(outcome: &Outcome) -> f64 {
+    let edge = 20_f64.to_radians().cos();
+    let chosen: Vec<f64> = outcome
+        .surface
+        .position
+        .iter()
+        .zip(&outcome.surface.pressure)
+        .filter(|(foot, _)| -foot[0] > edge)
+        .map(|(_, pressure)| *pressure)
+        .collect();
+    let mean = chosen.iter().sum::<f64>() / chosen.len() as f64;
+    mean / (0.5 * (1.0 + edge * edge))
+}
+
+/// Density in the slab next to the symmetry plane.
+fn picture(
+    outcome: &Outcome,
+    extrapolation: &str,
+    context: &Context<'_>,
+) -> Result<(), ValidateError> {
+    let frame = &outcome.frame;
+    let diameter: Vec<f64> = frame
+        .smoothing_length
+        .iter()
+        .map(|h| h / SMOOTHING_RATIO)
+        .collect();
+    let mut picture = ParticlePicture::new(
+        "Sphere at Mach 3: density beside the symmetry plane",
+        &frame.position,
+        &diameter,
+        &frame.density,
+        "density / free stream",
+    );
+    picture.slab = Some(Slab {
+        axis: 2,
+        centre: 0.5 * SPACING,
+        half: 0.5 * SPACING,
+    });
+    Ok(picture.save(&context.out.join(format!("sphere-{extrapolation}.png")))?)
+}
