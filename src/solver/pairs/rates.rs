@@ -42,7 +42,7 @@ pub fn rates<const D: usize>(
                 (Equations::Paper, false) => arch.dispatch(FluidPass::<D, false, false>(pass)),
                 (Equations::Paper, true) => arch.dispatch(FluidPass::<D, false, true>(pass)),
                 (Equations::Conservative, false) => {
-                    arch.dispatch(FluidPass::<D, true, false>(pass))
+                    arch.dispatch(FluidPass::<D, true, false>(pass));
                 }
                 (Equations::Conservative, true) => arch.dispatch(FluidPass::<D, true, true>(pass)),
             }
