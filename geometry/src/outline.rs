@@ -7,6 +7,7 @@ mod assemble;
 mod check;
 mod copies;
 mod crossing;
+mod foot;
 mod joint;
 mod measure;
 pub(crate) mod piece;
@@ -15,11 +16,11 @@ mod symmetry;
 
 use std::ops::Range;
 
+use foot::{Foot, Place};
 pub use joint::Corner;
 pub(crate) use joint::Joint;
 use parry2d::partitioning::{Bvh, BvhNode};
 pub use piece::{Arc, Line, Piece};
-use piece::{Foot, Place};
 
 use crate::{Bounds, Closest, Shape, Vector};
 
@@ -111,44 +112,30 @@ impl Outline {
 
     /// Index and foot of the nearest piece; the lower index wins a tie where there are few.
     fn nearest(&self, p: &Vector<2>) -> (usize, Foot) {
-        let among = |candidates: &mut dyn Iterator<Item = usize>| {
-            let mut best: Option<(usize, Foot)> = None;
-            for index in candidates {
-                let foot = self.pieces[index].foot(p);
-                if best.is_none_or(|(_, b)| foot.distance_squared < b.distance_squared) {
-                    best = Some((index, foot));
-                }
+        let nearer = |best: (usize, Foot), index: usize| {
+            let foot = self.pieces[index].foot(p);
+            if foot.distance_squared < best.1.distance_squared {
+                (index, foot)
+            } else {
+                best
             }
-            best
         };
+        let first = (0, self.pieces[0].foot(p));
         let Some(search) = &self.search else {
-            let mut best = (0, self.pieces[0].foot(p));
-            for (index, piece) in self.pieces.iter().enumerate().skip(1) {
-                let foot = piece.foot(p);
-                if foot.distance_squared < best.1.distance_squared {
-                    best = (index, foot);
-                }
-            }
-            return best;
+            return (1..self.pieces.len()).fold(first, nearer);
         };
-        let start = among(&mut search.endless.iter().map(|&index| index as usize));
-        let limit = start.map_or(f64::MAX, |(_, foot)| foot.distance_squared);
+        let endless = search.endless.iter().map(|&index| index as usize);
+        let start = endless.fold(first, nearer);
         let point = parry2d::math::Vector::new(p.x, p.y);
         let found = search.tree.find_best(
-            limit,
+            start.1.distance_squared,
             |node: &BvhNode, _| {
-                let (low, high) = (node.mins() - point, point - node.maxs());
-                low.max(high)
-                    .max(parry2d::math::Vector::ZERO)
-                    .length_squared()
+                let outside = (node.mins() - point).max(point - node.maxs());
+                outside.max(parry2d::math::Vector::ZERO).length_squared()
             },
             |index, _| Some(self.pieces[index as usize].foot(p).distance_squared),
         );
-        match (found, start) {
-            (Some((index, _)), _) => (index as usize, self.pieces[index as usize].foot(p)),
-            (None, Some(start)) => start,
-            (None, None) => (0, self.pieces[0].foot(p)),
-        }
+        found.map_or(start, |(index, _)| nearer(start, index as usize))
     }
 }
 

@@ -125,7 +125,7 @@ pub struct Placed<S, const D: usize> {
 }
 
 impl<S: Shape<D>, const D: usize> Placed<S, D> {
-    /// `shape` after `placement`. An [`Outline`] is better placed itself ([`crate::Outline::placed`]):
+    /// `shape` after `placement`. An outline is better placed itself ([`crate::Outline::placed`]):
     /// it then stays an outline.
     pub fn new(shape: S, placement: Placement<D>) -> Self {
         Self { shape, placement }

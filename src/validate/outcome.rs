@@ -76,9 +76,6 @@ fn gas(frame: &Frame) -> Frame {
     let chosen: Vec<usize> = (0..frame.kind.len())
         .filter(|&i| frame.kind[i] == Kind::Fluid as u8)
         .collect();
-    fn pick<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
-        chosen.iter().map(|&i| values[i]).collect()
-    }
     Frame {
         time: frame.time,
         step: frame.step,
@@ -92,6 +89,10 @@ fn gas(frame: &Frame) -> Frame {
         kind: pick(&frame.kind, &chosen),
         id: pick(&frame.id, &chosen),
     }
+}
+
+fn pick<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
+    chosen.iter().map(|&i| values[i]).collect()
 }
 
 /// Records nothing.

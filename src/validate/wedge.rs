@@ -112,12 +112,7 @@ fn leak(context: &Context<'_>) -> Result<Check, ValidateError> {
     let mut settings = MILD.settings();
     settings.push("scheme.constant_ghost_volume=false".into());
     let outcome = run(SCENE, &settings, context)?;
-    picture(
-        &outcome,
-        &MILD.shock()?,
-        "wedge-without-constant-volume",
-        context,
-    )?;
+    picture(&outcome, &MILD, "wedge-without-constant-volume", context)?;
     let quantity = "M 2.5, ghost volumes not constant: particles in the wall";
     let source = "leaks (Villodi & Ramachandran 2024, fig. 2a)";
     Ok(Subject::new("wedge", quantity, source).informs(outcome.summary.leaked as f64, 0.0))
@@ -171,7 +166,7 @@ impl Variant {
             "wedge-M{}-{}-{}",
             self.mach, self.equations, self.extrapolation
         );
-        picture(outcome, &shock, &name, context)?;
+        picture(outcome, self, &name, context)?;
 
         let label = self.label();
         let row = |quantity: &str, measured: f64, reference: f64, allowed: Option<f64>| {
@@ -282,30 +277,32 @@ impl Measured {
     }
 }
 
-/// The density field with the theoretical shock.
+/// The density of the gas, the wall and the theoretical shock.
 fn picture(
     outcome: &Outcome,
-    shock: &ObliqueShock,
+    variant: &Variant,
     name: &str,
     context: &Context<'_>,
 ) -> Result<(), ValidateError> {
-    let frame = &outcome.frame;
-    let diameter: Vec<f64> = frame
+    let gas = &outcome.gas;
+    let diameter: Vec<f64> = gas
         .smoothing_length
         .iter()
         .map(|h| h / SMOOTHING_RATIO)
         .collect();
-    let title = format!("Density behind a compression corner ({name})");
+    let title = format!("Compression corner: {}", variant.label());
     let mut picture = ParticlePicture::new(
         &title,
-        &frame.position,
+        &gas.position,
         &diameter,
-        &frame.density,
+        &gas.density,
         "density / free stream",
     );
-    let line = vec![[0.0, 0.0], [3.0, 3.0 * shock.angle.tan()]];
-    picture
-        .overlays
-        .push(Overlay::theory("oblique shock theory", line));
+    let wall = 3.0 * variant.angle.to_radians().tan();
+    let shock = 3.0 * variant.shock()?.angle.tan();
+    picture.overlays = vec![
+        Overlay::outline(vec![[-1.0, 0.0], [0.0, 0.0], [3.0, wall]]),
+        Overlay::theory("shock, theory", vec![[0.0, 0.0], [3.0, shock]]),
+    ];
     Ok(picture.save(&context.out.join(format!("{name}.png")))?)
 }

@@ -18,43 +18,27 @@ pub enum Piece {
 /// A straight piece `origin + s * direction`, `s` in `from..=to`; either may be infinite.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Line {
-    origin: Vector<2>,
-    direction: Vector<2>,
-    from: f64,
-    to: f64,
-    start: Vector<2>,
-    end: Vector<2>,
+    pub(super) origin: Vector<2>,
+    pub(super) direction: Vector<2>,
+    pub(super) from: f64,
+    pub(super) to: f64,
+    pub(super) start: Vector<2>,
+    pub(super) end: Vector<2>,
 }
 
 /// An arc of a circle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Arc {
-    center: Vector<2>,
-    radius: f64,
-    start_angle: f64,
-    sweep: f64,
-    start: Vector<2>,
-    end: Vector<2>,
+    pub(super) center: Vector<2>,
+    pub(super) radius: f64,
+    pub(super) start_angle: f64,
+    pub(super) sweep: f64,
+    pub(super) start: Vector<2>,
+    pub(super) end: Vector<2>,
     /// Unit vector from the centre to the middle of the arc.
-    middle: Vector<2>,
+    pub(super) middle: Vector<2>,
     /// Cosine of half the sweep.
-    cos_half: f64,
-}
-
-/// Where on a piece its closest point lies.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
-    Start,
-    Within,
-    End,
-}
-
-/// The closest point of one piece.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Foot {
-    pub point: Vector<2>,
-    pub distance_squared: f64,
-    pub place: Place,
+    pub(super) cos_half: f64,
 }
 
 /// `v` turned a quarter to the right: from a tangent to the normal out of the solid.
@@ -244,54 +228,9 @@ impl Piece {
         }
         bounds
     }
-
-    /// The closest point of this piece to `p`.
-    #[inline]
-    pub(crate) fn foot(&self, p: &Vector<2>) -> Foot {
-        match self {
-            Self::Line(line) => line.foot(p),
-            Self::Arc(arc) => arc.foot(p),
-        }
-    }
-
-    /// Signed distance from `p` to the line or circle that carries the piece (negative on the
-    /// solid's side), and the unit normal at the foot of `p` there.
-    #[inline]
-    pub(crate) fn side(&self, p: &Vector<2>) -> (f64, Vector<2>) {
-        match self {
-            Self::Line(line) => {
-                let normal = right_of(&line.direction);
-                ((p - line.origin).dot(&normal), normal)
-            }
-            Self::Arc(arc) => {
-                let sign = arc.sweep.signum();
-                let d = p - arc.center;
-                let r = d.norm();
-                let radial = if r > 0.0 { d / r } else { arc.middle };
-                (sign * (r - arc.radius), sign * radial)
-            }
-        }
-    }
 }
 
 impl Line {
-    #[inline]
-    fn foot(&self, p: &Vector<2>) -> Foot {
-        let s = (p - self.origin).dot(&self.direction);
-        let (point, place) = if s <= self.from {
-            (self.start, Place::Start)
-        } else if s >= self.to {
-            (self.end, Place::End)
-        } else {
-            (self.origin + s * self.direction, Place::Within)
-        };
-        Foot {
-            point,
-            distance_squared: (p - point).norm_squared(),
-            place,
-        }
-    }
-
     /// Point on the line at parameter zero.
     pub fn origin(&self) -> Vector<2> {
         self.origin
@@ -304,37 +243,6 @@ impl Line {
 }
 
 impl Arc {
-    #[inline]
-    fn foot(&self, p: &Vector<2>) -> Foot {
-        let d = p - self.center;
-        let r = d.norm();
-        if d.dot(&self.middle) >= r * self.cos_half {
-            let radial = if r > 0.0 { d / r } else { self.middle };
-            return Foot {
-                point: self.center + self.radius * radial,
-                distance_squared: (r - self.radius) * (r - self.radius),
-                place: Place::Within,
-            };
-        }
-        let (to_start, to_end) = (
-            (p - self.start).norm_squared(),
-            (p - self.end).norm_squared(),
-        );
-        if to_start <= to_end {
-            Foot {
-                point: self.start,
-                distance_squared: to_start,
-                place: Place::Start,
-            }
-        } else {
-            Foot {
-                point: self.end,
-                distance_squared: to_end,
-                place: Place::End,
-            }
-        }
-    }
-
     fn angle(&self, s: f64) -> f64 {
         self.start_angle + self.sweep.signum() * s / self.radius
     }

@@ -74,7 +74,7 @@ pub fn reactions<const D: usize>(
                 records,
                 first,
                 rates,
-            }))
+            }));
         });
 }
 

@@ -32,7 +32,7 @@ pub fn densities<const D: usize>(
                 near,
                 lattice,
                 densities,
-            })
+            });
         });
 }
 
