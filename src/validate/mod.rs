@@ -5,6 +5,7 @@
 
 mod outcome;
 mod sod;
+mod sphere;
 mod wedge;
 
 use std::path::Path;
@@ -85,7 +86,11 @@ pub enum ValidateError {
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 2] = [("wedge", wedge::compare), ("sod", sod::compare)];
+const CASES: [(&str, Comparison); 3] = [
+    ("wedge", wedge::compare),
+    ("sod", sod::compare),
+    ("sphere", sphere::compare),
+];
 
 /// Runs the named cases, all of them where none is named, and returns their rows.
 ///
