@@ -3,6 +3,7 @@
 //! One file per case. A case runs its scene of `cases/` in several variants and returns rows of the
 //! table; exact solutions and metrics are not here.
 
+mod cylinder;
 mod outcome;
 mod sod;
 mod wedge;
@@ -85,7 +86,11 @@ pub enum ValidateError {
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 2] = [("wedge", wedge::compare), ("sod", sod::compare)];
+const CASES: [(&str, Comparison); 3] = [
+    ("wedge", wedge::compare),
+    ("sod", sod::compare),
+    ("cylinder", cylinder::compare),
+];
 
 /// Runs the named cases, all of them where none is named, and returns their rows.
 ///
