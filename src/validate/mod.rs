@@ -3,9 +3,11 @@
 //! One file per case. A case runs its scene of `cases/` in several variants and returns rows of the
 //! table; exact solutions and metrics are not here.
 
+mod biconvex;
 mod cylinder;
 mod outcome;
 mod sod;
+mod step;
 mod wedge;
 
 use std::path::Path;
@@ -86,10 +88,12 @@ pub enum ValidateError {
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 3] = [
+const CASES: [(&str, Comparison); 5] = [
     ("wedge", wedge::compare),
     ("sod", sod::compare),
     ("cylinder", cylinder::compare),
+    ("step", step::compare),
+    ("biconvex", biconvex::compare),
 ];
 
 /// Runs the named cases, all of them where none is named, and returns their rows.
