@@ -154,3 +154,78 @@ fn the_same_scene_gives_the_same_bytes_on_one_thread_and_on_two() {
     });
     assert!(frames[0] == frames[1]);
 }
+
+#[test]
+fn a_run_that_fails_leaves_its_last_good_frame_and_says_where_and_why() {
+    let place = Workplace::new();
+    // Two jets that meet at Mach 25, at twice the usual time step.
+    let settings = [
+        "scheme.equations=paper",
+        "scheme.cfl=1",
+        "initial.riemann.left.velocity=[30.0, 0.0]",
+        "initial.riemann.right.velocity=[-30.0, 0.0]",
+        "end_time=0.2",
+    ];
+    let arguments: Vec<&str> = settings.iter().flat_map(|&s| ["--set", s]).collect();
+    let answer = place.run(BOX, &arguments);
+    assert_eq!(answer.status, 1, "{}", answer.err);
+    for word in [
+        "error: the run stopped",
+        "particle",
+        "step",
+        "time",
+        "scheme.cfl",
+    ] {
+        assert!(
+            answer.err.contains(word),
+            "`{word}` is missing in: {}",
+            answer.err
+        );
+    }
+    let summary = place.json("results/summary.json");
+    let reason = summary["stop_reason"].as_str().unwrap();
+    assert!(answer.err.contains(reason), "{reason}");
+    assert!(summary["end_time"].as_f64().unwrap() < 0.2);
+    let text = std::fs::read_to_string(place.path("results/run.pvd")).unwrap();
+    let last = format!("frame-{:06}.vtp", text.matches("<DataSet").count() - 1);
+    assert!(text.contains(&last));
+    let (points, _) = read_vtp(&place.path(&format!("results/{last}")));
+    assert!(points > 200);
+}
+
+#[test]
+fn a_body_has_its_surface_and_its_loads_on_record() {
+    let place = Workplace::new();
+    let body = r#"
+[free_stream]
+mach = 0.5
+density = 1.0
+pressure = 1.0
+
+[[body]]
+name = "post"
+shape = { circle = { radius = 0.1 } }
+place = { translate = [0.5, 0.25] }
+"#;
+    let scene = BOX
+        .replace("\"wall\"", "\"free-stream\"")
+        .replace("[initial.riemann]", "[other]");
+    let start = scene.find("[other]").unwrap();
+    let end = scene.find("[output]").unwrap();
+    let scene = format!("{}{body}{}", &scene[..start], &scene[end..]);
+    place.run(&scene, &[]).succeeds();
+    let (points, arrays) = read_vtp(&place.path("results/surface-000002.vtp"));
+    assert!(points > 8);
+    let names: Vec<&str> = arrays.iter().map(|(name, _)| name.as_str()).collect();
+    assert_eq!(
+        names,
+        ["normal", "pressure", "pressure_coefficient", "body"]
+    );
+    let post = &place.json("results/summary.json")["bodies"]["post"];
+    assert_eq!(post["reference_area"], 0.2);
+    for key in ["force", "moment", "cd", "cl", "cm", "cd_mean", "cl_mean"] {
+        assert!(!post[key].is_null(), "`{key}` is missing");
+    }
+    let history = std::fs::read_to_string(place.path("results/history.csv")).unwrap();
+    assert!(history.starts_with("step,time,dt,post.fx,post.fy,post.fz,post.mx,"));
+}

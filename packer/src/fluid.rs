@@ -11,7 +11,7 @@ use crate::lattice::{Flawless, lattice_grid, lattice_planes};
 use crate::mirror::Mirrors;
 use crate::plan::{Plan, Side};
 use crate::relax::{relax, relax_thin};
-use crate::schedule::{FLUID_STEPS, THIN_STEPS};
+use crate::schedule::{THIN_STEPS, fluid_steps};
 use crate::seeds::seed;
 use crate::sources::Sources;
 use crate::thin::fill_thin;
@@ -103,7 +103,9 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
     if thin {
         let placed = cloud.particles().chain(fixed.iter().copied());
         let placed = Sources::new(&plan.mirrors, placed, support);
-        fill_thin(&plan, &mut cloud, left, &placed, |_, _| 1.0);
+        fill_thin(&plan, &mut cloud, left, &placed, |points, _| {
+            vec![1.0; points.len()]
+        });
     }
     for n in 0..cloud.len() {
         let near_region = options
@@ -116,7 +118,7 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
         }
     }
     relax_thin(&plan, &mut cloud, &fixed, None, THIN_STEPS);
-    for run in FLUID_STEPS {
+    for run in fluid_steps::<D>() {
         relax(&plan, &mut cloud, &fixed, None, run);
     }
     Ok(Fluid {

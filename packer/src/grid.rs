@@ -53,11 +53,13 @@ impl<const D: usize> Grid<D> {
         (low, high): (f64, f64),
         spacing: f64,
     ) -> Result<Vec<Cell<D>>, PackError> {
-        let first: [i64; D] =
-            std::array::from_fn(|k| cell_number(bounds.min[k] - self.origin[k], self.step));
+        let first: [i64; D] = std::array::from_fn(|k| {
+            2 * cell_number(bounds.min[k] - self.origin[k], 2.0 * self.step)
+        });
         let end: [i64; D] = std::array::from_fn(|k| {
             -cell_number(self.origin[k] - bounds.max[k], self.step).min(-first[k] - 1)
         });
+        // An even first cell makes the halvings agree with blocks of two.
         let longest = (0..D).map(|k| end[k] - first[k]).max().unwrap_or(1);
         let mut size = u64::try_from(longest).unwrap_or(1).next_power_of_two() as i64;
         let mut blocks = vec![first];
@@ -110,6 +112,15 @@ impl<const D: usize> Grid<D> {
             on_ridge,
         }
     }
+}
+
+/// Runs of cells that share a block of `size` cells per axis.
+pub(crate) fn blocks<const D: usize>(
+    band: &[Cell<D>],
+    size: i64,
+) -> impl Iterator<Item = &[Cell<D>]> {
+    let parent = move |cell: &Cell<D>| cell.index.map(|i| i.div_euclid(size));
+    band.chunk_by(move |a, b| parent(a) == parent(b))
 }
 
 /// Number of the cell that a length reaches, forgiving round-off at cell faces.

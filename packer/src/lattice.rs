@@ -168,7 +168,10 @@ fn site<const D: usize>(grid: &Grid<D>, point: &Vector<D>) -> Option<[i64; D]> {
 }
 
 /// Sites up to `reach` steps away along each axis, the site itself included.
-fn around<const D: usize>(place: [i64; D], reach: i64) -> impl Iterator<Item = [i64; D]> {
+pub(crate) fn around<const D: usize>(
+    place: [i64; D],
+    reach: i64,
+) -> impl Iterator<Item = [i64; D]> {
     let wide = 2 * reach + 1;
     (0..wide.pow(D as u32)).map(move |code| {
         std::array::from_fn(|k| place[k] + code / wide.pow(k as u32) % wide - reach)

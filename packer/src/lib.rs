@@ -6,6 +6,7 @@ mod error;
 mod fluid;
 mod ghosts;
 mod grid;
+mod lanes;
 mod lattice;
 mod level;
 mod mirror;

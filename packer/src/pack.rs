@@ -12,7 +12,7 @@ use crate::mirror::{Mirrors, flip};
 use crate::plan::{Plan, Side};
 use crate::quality::Quality;
 use crate::relax::{relax, relax_thin};
-use crate::schedule::{GHOST_STEPS, THIN_STEPS};
+use crate::schedule::{THIN_STEPS, ghost_steps};
 use crate::seeds::seed;
 use crate::sources::Sources;
 use crate::target::ideal_layers;
@@ -30,8 +30,8 @@ pub fn pack<const D: usize>(
     let (mut cloud, left) = seed(&plan)?;
     let target = ideal_layers(&plan);
     let placed = Sources::new(&plan.mirrors, cloud.particles(), plan.support());
-    fill_thin(&plan, &mut cloud, left, &placed, |point, smoothing| {
-        target.density(point, smoothing)
+    fill_thin(&plan, &mut cloud, left, &placed, |points, smoothing| {
+        target.densities(points, smoothing)
     });
     relax_ghosts(&plan, &mut cloud, &target);
     let everywhere = with_surface(&plan, &cloud);
@@ -69,7 +69,7 @@ fn relax_ghosts<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>, target
     }
     freeze_on_lattice(plan, cloud);
     relax_thin(plan, cloud, &[], Some(target), THIN_STEPS);
-    for run in GHOST_STEPS {
+    for run in ghost_steps::<D>() {
         relax(plan, cloud, &[], Some(target), run);
     }
 }

@@ -4,7 +4,7 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Bounds, Shape, Vector};
 use rayon::prelude::*;
 
-use crate::grid::{Cell, Grid};
+use crate::grid::{Cell, Grid, blocks};
 use crate::lattice::lattice_grid;
 use crate::mirror::Mirrors;
 use crate::thin::thin_cells;
@@ -84,14 +84,7 @@ impl<'a, const D: usize> Plan<'a, D> {
             Side::Fluid => (-step, depth + step),
         };
         let band = fine.band(shape, &bounds, range, spacing)?;
-        let block = if D == 2 { 1 } else { 2 };
-        let thin = thin_cells(
-            shape,
-            |cell| fine.centre(&cell.index),
-            &band,
-            block,
-            spacing,
-        );
+        let thin = thin_cells(shape, &fine, &band, block_size::<D>(), spacing);
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
         });
@@ -141,20 +134,20 @@ impl<'a, const D: usize> Plan<'a, D> {
         self.summed_volumes(|_| 1.0)
     }
 
-    /// As [`Self::layer_volumes`], without what is too thin.
-    pub fn roomy_volumes(&self) -> Vec<f64> {
-        let mut volumes = vec![0.0; self.layers];
-        for (cell, _) in self.band.iter().zip(&self.thin).filter(|&(_, &thin)| !thin) {
-            for (layer, volume) in self.parts(cell) {
-                volumes[layer] += volume;
-            }
-        }
-        volumes
-    }
-
     /// All cells of the band, and whether each is too thin for its layer.
     pub fn cells(&self) -> impl IndexedParallelIterator<Item = (&Cell<D>, bool)> {
         self.band.par_iter().zip(self.thin.par_iter().copied())
+    }
+
+    /// The band in blocks of neighbouring cells, about a spacing wide in space and single cells in
+    /// the plane, and which cells are too thin.
+    pub fn blocks(&self) -> impl Iterator<Item = (&[Cell<D>], &[bool])> {
+        let mut start = 0;
+        blocks(&self.band, block_size::<D>()).map(move |cells| {
+            let first = start;
+            start += cells.len();
+            (cells, &self.thin[first..start])
+        })
     }
 
     /// Cells of the layers that are too thin for them.
@@ -257,4 +250,9 @@ fn packed_box<const D: usize>(
         return Err(PackError::Empty);
     }
     Ok(bounds)
+}
+
+/// Cells per axis of a block.
+fn block_size<const D: usize>() -> i64 {
+    if D == 2 { 1 } else { 2 }
 }

@@ -2,7 +2,6 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
-use rayon::prelude::*;
 
 use crate::fluid::Fluid;
 use crate::mirror::Mirrors;
@@ -35,8 +34,9 @@ impl<const D: usize> Quality<'_, D> {
             .map(|(distance, _)| (distance + 0.5 * spacing).abs() / spacing)
             .fold(0.0, f64::max);
         let sources = self.sources(self.ghosts, []);
-        let errors = self.at_wall(self.ghosts, &sources, |point, smoothing| {
-            target.density(&plan.mirrors.folded(*point), smoothing)
+        let errors = self.at_wall(self.ghosts, &sources, |points, smoothing| {
+            let folded: Vec<Vector<D>> = points.iter().map(|p| plan.mirrors.folded(*p)).collect();
+            target.densities(&folded, smoothing)
         });
         let (density_std_percent, density_max_percent) = spread(&errors);
         PackReport {
@@ -64,8 +64,8 @@ impl<const D: usize> Quality<'_, D> {
                 .images(&site, |_, image| lattice.push((image, volume)));
         }
         let sources = self.sources(self.ghosts, particles(all_fluid).chain(lattice));
-        let mut errors = self.at_wall(self.ghosts, &sources, |_, _| 1.0);
-        errors.extend(self.at_wall(all_fluid, &sources, |_, _| 1.0));
+        let mut errors = self.at_wall(self.ghosts, &sources, |points, _| vec![1.0; points.len()]);
+        errors.extend(self.at_wall(all_fluid, &sources, |points, _| vec![1.0; points.len()]));
         (report.density_std_percent, report.density_max_percent) = spread(&errors);
     }
 
@@ -84,16 +84,17 @@ impl<const D: usize> Quality<'_, D> {
         &self,
         set: &Ghosts<D>,
         sources: &Sources<D>,
-        wanted: impl Fn(&Vector<D>, f64) -> f64 + Sync,
+        wanted: impl Fn(&[Vector<D>], f64) -> Vec<f64>,
     ) -> Vec<f64> {
         let smoothing = SMOOTHING_RATIO * self.plan.options.spacing;
-        (0..set.position.len())
-            .into_par_iter()
+        let wall: Vec<Vector<D>> = (0..set.position.len())
             .filter(|&n| set.layer[n] == 0 && self.plan.keeps(&set.position[n]))
-            .map(|n| {
-                let point = &set.position[n];
-                sources.density(point, smoothing) - wanted(point, smoothing)
-            })
+            .map(|n| set.position[n])
+            .collect();
+        let sums = sources.densities(&wall, smoothing);
+        sums.iter()
+            .zip(wanted(&wall, smoothing))
+            .map(|(sum, wanted)| sum - wanted)
             .collect()
     }
 }
@@ -115,8 +116,6 @@ fn spread(errors: &[f64]) -> (f64, f64) {
 fn smallest_gap<const D: usize>(set: &Ghosts<D>, spacing: f64) -> f64 {
     let reach = 2.0 * spacing;
     let sources = Sources::new(&Mirrors::default(), particles(set), reach);
-    let gaps = set.position.par_iter();
-    gaps.map(|point| sources.nearest(point, reach))
-        .reduce(|| reach, f64::min)
-        / spacing
+    let gaps = sources.nearest(&set.position, reach);
+    gaps.into_iter().fold(reach, f64::min) / spacing
 }

@@ -23,8 +23,8 @@ const CLEARANCE: f64 = 0.3;
 /// Steps between corrections of the drift off a level.
 const STEPS_BETWEEN_PROJECTIONS: usize = 4;
 
-/// Steps between new evaluations of the wanted gradient, which is smooth.
-const STEPS_BETWEEN_TARGETS: usize = 1;
+/// Steps between new evaluations of the wanted gradient, which is smooth, in the plane and in space.
+const STEPS_BETWEEN_TARGETS: [usize; 2] = [1, 5];
 
 /// One run of relaxation.
 #[derive(Clone, Copy, Debug)]
@@ -57,14 +57,11 @@ pub(crate) fn relax<const D: usize>(
         let everything = cloud.particles().chain(fixed.iter().copied());
         let sources = Sources::new(mirrors, everything, reach);
         if let Some(target) = target
-            && step % STEPS_BETWEEN_TARGETS == 0
+            && step % STEPS_BETWEEN_TARGETS[D - 2] == 0
         {
-            wanted = cloud
-                .position
-                .par_iter()
-                .map(|point| target.gradient(point, smoothing))
-                .collect();
+            wanted = target.gradients(&cloud.position, smoothing);
         }
+        let slopes = sources.gradients(&cloud.position, smoothing);
         let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
         if step % STEPS_BETWEEN_PROJECTIONS == 0 {
             normals = normals_of_locked(shape, cloud);
@@ -76,7 +73,7 @@ pub(crate) fn relax<const D: usize>(
                 if cloud.lock[n] == Lock::Frozen {
                     return point;
                 }
-                let slope = sources.gradient(&point, smoothing) - wanted[n];
+                let slope = slopes[n] - wanted[n];
                 let mut push = -run.strength * spacing * spacing * slope;
                 push -= normals[n] * normals[n].dot(&push);
                 let moved = confined(mirrors, &point, &push, spacing);
@@ -128,9 +125,14 @@ pub(crate) fn relax_thin<const D: usize>(
     let reach = plan.support() + plan.options.spacing;
     let near = Sources::new(&plan.mirrors, part.particles(), reach);
     let others = rest.iter().map(|&n| (cloud.position[n], cloud.volume[n]));
+    let others: Vec<(Vector<D>, f64)> = others.chain(fixed.iter().copied()).collect();
+    let places: Vec<Vector<D>> = others.iter().map(|other| other.0).collect();
+    let gaps = near.nearest(&places, reach);
     let others: Vec<(Vector<D>, f64)> = others
-        .chain(fixed.iter().copied())
-        .filter(|(point, _)| near.nearest(point, reach) < reach)
+        .into_iter()
+        .zip(gaps)
+        .filter(|&(_, gap)| gap < reach)
+        .map(|(other, _)| other)
         .collect();
     relax(plan, &mut part, &others, target, run);
     for (&n, position) in thin.iter().zip(part.position) {
@@ -151,13 +153,14 @@ fn normals_of_locked<const D: usize>(shape: &dyn Shape<D>, cloud: &Cloud<D>) -> 
 
 /// Spreads points evenly on the sheet `distance = level`, each seeing the others of its sheet only.
 pub(crate) fn spread_on_sheet<const D: usize>(
-    shape: &dyn Shape<D>,
-    mirrors: &Mirrors,
+    plan: &Plan<'_, D>,
     points: &mut [Vector<D>],
     level: f64,
-    (spacing, tolerance): (f64, f64),
     run: Relaxation,
 ) {
+    let (shape, mirrors) = (plan.shape, &plan.mirrors);
+    let spacing = plan.options.spacing;
+    let sizes = (spacing, plan.tolerance);
     let mut normals: Vec<Vector<D>> = points.par_iter().map(|p| shape.closest(p).normal).collect();
     let smoothing = run.smoothing * spacing;
     for step in 0..run.steps {
@@ -174,7 +177,7 @@ pub(crate) fn spread_on_sheet<const D: usize>(
                 if !settle {
                     return (target, *normal);
                 }
-                match onto_level(shape, mirrors, &target, level, (spacing, tolerance)) {
+                match onto_level(shape, mirrors, &target, level, sizes) {
                     Some(on) if (on - target).norm() < spacing => (on, shape.closest(&on).normal),
                     _ => (*point, *normal),
                 }
@@ -205,6 +208,18 @@ impl<const D: usize> OnSheet<D> {
             points: pencils.order().iter().map(|&n| all[n as usize]).collect(),
             pencils,
         }
+    }
+
+    /// Distance to the nearest point, at most `reach`.
+    pub fn nearest(&self, centre: &Vector<D>, reach: f64) -> f64 {
+        let mut nearest = reach;
+        let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
+        self.pencils.for_each_run(&low, &high, |slots| {
+            for point in &self.points[slots] {
+                nearest = nearest.min((centre - point).norm());
+            }
+        });
+        nearest
     }
 
     /// Number of points per area, and its gradient, with the kernel of the plane.

@@ -7,7 +7,7 @@ use crate::lattice::lattice_grid;
 use crate::level::project;
 use crate::plan::Plan;
 use crate::rows::RowPlan;
-use crate::sheets::Sheets;
+use crate::sheets::{BlockVolumes, Sheets};
 use crate::thin::fits;
 
 /// Particles of all layers in the packed part of space, each on the middle of its layer, where
@@ -64,28 +64,22 @@ fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
 /// Lattice points projected onto the level surfaces.
 fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<Cloud<D>, PackError> {
     let spacing = plan.options.spacing;
-    let volume = plan.particle_volume();
     let grid = lattice_grid(&plan.mirrors, &plan.options.anchor, spacing);
     let ends = [plan.level(0), plan.level(plan.layers - 1)];
     let half = 0.5 * spacing;
     let range = (ends[0].min(ends[1]) - half, ends[0].max(ends[1]) + half);
     let band = grid.band(plan.shape, &plan.bounds, range, spacing)?;
     let sheets = Sheets {
-        shape: plan.shape,
-        mirrors: &plan.mirrors,
+        plan,
         grid,
         band: &band,
-        tolerance: plan.tolerance,
     };
     let mut cloud = Cloud::default();
     let mut carry = 0.0;
-    for (layer, layer_volume) in plan.roomy_volumes().into_iter().enumerate() {
-        let level = plan.level(layer);
-        let wanted = layer_volume / volume + carry;
-        let points = sheets.seeds(layer, level, wanted);
-        carry = wanted - points.iter().map(|p| plan.mirrors.share(p)).sum::<f64>();
-        for point in points {
-            cloud.push(point, layer as u32, Lock::Level(level), volume);
+    for (layer, wanted) in BlockVolumes::of_layers(plan).iter().enumerate() {
+        for point in sheets.seeds(layer, wanted, &mut carry) {
+            let lock = Lock::Level(plan.level(layer));
+            cloud.push(point, layer as u32, lock, plan.particle_volume());
         }
     }
     Ok(cloud)

@@ -1,13 +1,16 @@
 //! Seeds on a level surface in space: lattice points projected onto it, with their number set right
 //! by removing the densest and filling the sparsest places.
 
+use std::collections::{HashMap, HashSet};
+
+use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
-use aero_geometry::{Shape, Vector};
 use rayon::prelude::*;
 
 use crate::grid::{Cell, Grid};
+use crate::lattice::around;
 use crate::level::project;
-use crate::mirror::Mirrors;
+use crate::plan::Plan;
 use crate::relax::{OnSheet, Relaxation, spread_on_sheet};
 use crate::thin::fits;
 
@@ -18,153 +21,225 @@ const SPREADING: Relaxation = Relaxation {
     strength: 0.8,
 };
 
-/// The lattice that seeds come from, and the body.
+/// Width of the blocks whose counts are set right one by one, in spacings.
+const BLOCK: i64 = 8;
+
+/// Rounds of repairs before the rest is left to relaxation.
+const MOST_REPAIRS: usize = 20;
+
+/// The lattice that seeds come from.
 pub(crate) struct Sheets<'a, const D: usize> {
-    /// The body.
-    pub shape: &'a dyn Shape<D>,
-    /// Its mirror planes.
-    pub mirrors: &'a Mirrors,
+    /// Frame of the packing.
+    pub plan: &'a Plan<'a, D>,
     /// Lattice of cells of one spacing.
     pub grid: Grid<D>,
-    /// The cells near the surface.
+    /// Its cells near the surface.
     pub band: &'a [Cell<D>],
-    /// How exactly a point has to meet its level.
-    pub tolerance: f64,
 }
 
 impl<const D: usize> Sheets<'_, D> {
-    /// Particles on the sheet `distance = level`, as many as `wanted` up to rounding; a particle on
-    /// a mirror plane counts one half for each plane.
-    pub fn seeds(&self, layer: usize, level: f64, wanted: f64) -> Vec<Vector<D>> {
+    /// Particles on the middle of `layer`, as many in each block of space as its volume there holds,
+    /// up to rounding, which is carried from block to block.
+    pub fn seeds(&self, layer: usize, wanted: &BlockVolumes<D>, carry: &mut f64) -> Vec<Vector<D>> {
+        let level = self.plan.level(layer);
         let half = 0.5 * self.grid.step;
-        let mut points: Vec<Vector<D>> = self
+        let mut points: Vec<Seed<D>> = self
             .band
             .par_iter()
             .filter(|cell| cell.distance >= level - half && cell.distance < level + half)
             .filter(|cell| {
                 let centre = self.grid.centre(&cell.index);
                 let seen = (&centre, cell.distance, &cell.normal);
-                fits(self.shape, seen, layer, self.grid.step)
+                fits(self.plan.shape, seen, layer, self.grid.step)
             })
             .filter_map(|cell| {
-                let centre = self
-                    .mirrors
-                    .snapped(self.grid.centre(&cell.index), 1e-6 * self.grid.step);
-                let point = project(self.shape, &centre, level, self.tolerance)?;
-                ((point - centre).norm() < 1.01 * self.grid.step)
-                    .then(|| self.keep_on_planes(point, &centre))
+                let centre = self.grid.centre(&cell.index);
+                let centre = self.plan.mirrors.snapped(centre, 1e-6 * self.grid.step);
+                let place = project(self.plan.shape, &centre, level, self.plan.tolerance)?;
+                ((place - centre).norm() < 1.01 * self.grid.step).then(|| Seed {
+                    place: self.keep_on_planes(place, &centre),
+                    block: block_of(&cell.index, 1),
+                })
             })
             .collect();
-        for _ in 0..40 {
-            let surplus = points.iter().map(|p| self.mirrors.share(p)).sum::<f64>() - wanted;
-            if surplus.abs() <= 0.5 {
-                break;
-            }
-            if surplus > 0.0 {
-                self.thin_out(&mut points, surplus);
-            } else if !self.fill_up(&mut points, -surplus, level) {
+        let start = *carry;
+        for _ in 0..MOST_REPAIRS {
+            *carry = start;
+            if !self.repair(&mut points, level, wanted, carry) {
                 break;
             }
         }
-        let sizes = (self.grid.step, self.tolerance);
-        spread_on_sheet(
-            self.shape,
-            self.mirrors,
-            &mut points,
-            level,
-            sizes,
-            SPREADING,
-        );
-        points
+        let mut places: Vec<Vector<D>> = points.into_iter().map(|seed| seed.place).collect();
+        spread_on_sheet(self.plan, &mut places, level, SPREADING);
+        places
     }
 
-    /// Keeps a projected point on the planes on which it started, and on its side of the others.
-    fn keep_on_planes(&self, mut point: Vector<D>, start: &Vector<D>) -> Vector<D> {
-        for &(axis, position) in self.mirrors.planes() {
-            if start[axis] == position || point[axis] < position {
-                point[axis] = position;
-            }
+    /// One round of removing and adding seeds; true where something is left to do. Neighbours are
+    /// not touched in the same round, for what was known of them is out of date.
+    fn repair(
+        &self,
+        points: &mut Vec<Seed<D>>,
+        level: f64,
+        wanted: &BlockVolumes<D>,
+        carry: &mut f64,
+    ) -> bool {
+        let places: Vec<Vector<D>> = points.iter().map(|seed| seed.place).collect();
+        let sheet = OnSheet::new(&self.plan.mirrors, &places, SUPPORT * self.grid.step);
+        let mut crowds: HashMap<[i64; D], Vec<(f64, usize, Vector<D>)>> = HashMap::new();
+        let sums: Vec<(f64, Vector<D>)> = places
+            .par_iter()
+            .map(|place| sheet.sum(place, self.grid.step))
+            .collect();
+        for (n, (density, slope)) in sums.into_iter().enumerate() {
+            let crowd = crowds.entry(points[n].block).or_default();
+            crowd.push((density, n, -slope));
         }
-        point
-    }
-
-    /// Removes up to `surplus` of the densest points, no two of them neighbours.
-    fn thin_out(&self, points: &mut Vec<Vector<D>>, surplus: f64) {
-        let ranked = self.ranked(points);
-        let mut left = surplus;
-        let mut removed: Vec<Vector<D>> = Vec::new();
+        let mut touched = Touched::new(self.grid.step);
         let mut gone = vec![false; points.len()];
-        for &(n, _) in ranked.iter().rev() {
-            let weight = self.mirrors.share(&points[n]);
-            if left < weight - 0.5 || left <= 0.5 || removed.len() > points.len() / 8 {
-                break;
+        let mut added = Vec::new();
+        let mut unfinished = false;
+        for (block, volume) in wanted.in_order() {
+            let mut crowd = crowds.remove(block).unwrap_or_default();
+            crowd.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            let share = |n: usize| self.plan.mirrors.share(&places[n]);
+            let mut have: f64 = crowd.iter().map(|&(_, n, _)| share(n)).sum();
+            let goal = volume + *carry;
+            for &(_, n, _) in crowd.iter().rev() {
+                if have - goal <= 0.5 * share(n) {
+                    break;
+                }
+                if touched.claim(&places[n]) {
+                    gone[n] = true;
+                    have -= share(n);
+                }
             }
-            if self.clear_of(&removed, &points[n]) {
-                gone[n] = true;
-                removed.push(points[n]);
-                left -= weight;
+            for &(_, n, away) in &crowd {
+                if goal - have <= 0.5 {
+                    break;
+                }
+                if let Some(place) = self.beside(&places[n], &away, level, &sheet)
+                    && touched.claim(&place)
+                {
+                    added.push(Seed {
+                        place,
+                        block: *block,
+                    });
+                    have += 1.0;
+                }
             }
+            unfinished |= !crowd.is_empty() && (have - goal).abs() > 0.5;
+            *carry = goal - have;
         }
         let mut n = 0;
         points.retain(|_| {
             n += 1;
             !gone[n - 1]
         });
+        points.extend(added);
+        unfinished
     }
 
-    /// Adds up to `missing` points beside the loneliest ones; false where none could be added.
-    fn fill_up(&self, points: &mut Vec<Vector<D>>, missing: f64, level: f64) -> bool {
-        let ranked = self.ranked(points);
-        let mut left = missing;
-        let mut added: Vec<Vector<D>> = Vec::new();
-        for &(n, away) in &ranked {
-            if left <= 0.5 || added.len() > points.len() / 8 {
-                break;
-            }
-            let away = if away.norm() > 1e-9 {
-                away.normalize()
-            } else {
-                Vector::from_fn(|k, _| if k == 0 { 1.0 } else { 0.0 })
-            };
-            let guess = points[n] + 0.7 * self.grid.step * away;
-            let Some(point) = project(self.shape, &guess, level, self.tolerance) else {
-                continue;
-            };
-            let above = self
-                .mirrors
-                .planes()
-                .iter()
-                .all(|&(axis, p)| point[axis] > p);
-            let free = points
-                .iter()
-                .all(|p| (p - point).norm() > 0.4 * self.grid.step);
-            if above && free && self.clear_of(&added, &point) {
-                added.push(point);
-                left -= 1.0;
+    /// A free place on the sheet beside a lonely seed, away from its neighbours.
+    fn beside(
+        &self,
+        place: &Vector<D>,
+        away: &Vector<D>,
+        level: f64,
+        sheet: &OnSheet<D>,
+    ) -> Option<Vector<D>> {
+        let step = self.grid.step;
+        let away = if away.norm() > 1e-9 {
+            away.normalize()
+        } else {
+            Vector::from_fn(|k, _| if k == 0 { 1.0 } else { 0.0 })
+        };
+        let guess = place + 0.7 * step * away;
+        let place = project(self.plan.shape, &guess, level, self.plan.tolerance)?;
+        let planes = self.plan.mirrors.planes();
+        let above = planes.iter().all(|&(axis, p)| place[axis] > p);
+        (above && sheet.nearest(&place, step) > 0.4 * step).then_some(place)
+    }
+
+    /// Keeps a projected point on the planes on which it started, and on its side of the others.
+    fn keep_on_planes(&self, mut point: Vector<D>, start: &Vector<D>) -> Vector<D> {
+        for &(axis, position) in self.plan.mirrors.planes() {
+            if start[axis] == position || point[axis] < position {
+                point[axis] = position;
             }
         }
-        points.extend(&added);
-        !added.is_empty()
+        point
     }
+}
 
-    fn clear_of(&self, others: &[Vector<D>], point: &Vector<D>) -> bool {
-        let reach = 2.0 * self.grid.step;
-        others.iter().all(|other| (other - point).norm() > reach)
-    }
+/// A seed and the block of space that it counts for.
+struct Seed<const D: usize> {
+    place: Vector<D>,
+    block: [i64; D],
+}
 
-    /// Points from the loneliest to the densest, each with the direction away from its neighbours.
-    fn ranked(&self, points: &[Vector<D>]) -> Vec<(usize, Vector<D>)> {
-        let step = self.grid.step;
-        let sheet = OnSheet::new(self.mirrors, points, SUPPORT * step);
-        let mut ranked: Vec<(usize, f64, Vector<D>)> = points
-            .par_iter()
-            .enumerate()
-            .map(|(n, point)| {
-                let (density, slope) = sheet.sum(point, step);
-                (n, density, -slope)
+/// The block of a cell of which `fineness` make a spacing.
+fn block_of<const D: usize>(index: &[i64; D], fineness: i64) -> [i64; D] {
+    index.map(|i| i.div_euclid(BLOCK * fineness))
+}
+
+/// How many particles of one layer each block of space holds.
+pub(crate) struct BlockVolumes<const D: usize> {
+    order: Vec<[i64; D]>,
+    volume: HashMap<[i64; D], f64>,
+}
+
+impl<const D: usize> BlockVolumes<D> {
+    /// Sums the roomy cells of `plan`, whose grid has two cells per spacing, for every layer.
+    pub fn of_layers(plan: &Plan<'_, D>) -> Vec<Self> {
+        let mut layers: Vec<Self> = (0..plan.layers)
+            .map(|_| Self {
+                order: Vec::new(),
+                volume: HashMap::new(),
             })
             .collect();
-        ranked.sort_by(|a, b| a.1.total_cmp(&b.1).then(a.0.cmp(&b.0)));
-        ranked.into_iter().map(|(n, _, away)| (n, away)).collect()
+        for (cells, thin) in plan.blocks() {
+            for (cell, _) in cells.iter().zip(thin).filter(|&(_, &thin)| !thin) {
+                let block = block_of(&cell.index, 2);
+                for (layer, volume) in plan.parts(cell) {
+                    let blocks = &mut layers[layer];
+                    let sum = blocks.volume.entry(block).or_insert_with(|| {
+                        blocks.order.push(block);
+                        0.0
+                    });
+                    *sum += volume / plan.particle_volume();
+                }
+            }
+        }
+        layers
+    }
+
+    /// All blocks, neighbours mostly one after the other.
+    fn in_order(&self) -> impl Iterator<Item = (&[i64; D], f64)> {
+        self.order.iter().map(|block| (block, self.volume[block]))
+    }
+}
+
+/// Places that a round of repairs has changed.
+struct Touched<const D: usize> {
+    width: f64,
+    cells: HashSet<[i64; D]>,
+}
+
+impl<const D: usize> Touched<D> {
+    fn new(width: f64) -> Self {
+        Self {
+            width,
+            cells: HashSet::new(),
+        }
+    }
+
+    /// Marks a place, unless one beside it is marked.
+    fn claim(&mut self, place: &Vector<D>) -> bool {
+        let cell: [i64; D] = std::array::from_fn(|k| (place[k] / self.width).floor() as i64);
+        if around(cell, 1).any(|other| self.cells.contains(&other)) {
+            return false;
+        }
+        self.cells.insert(cell);
+        true
     }
 }

@@ -1,8 +1,13 @@
 //! Points with volumes, sorted for summing kernels over them.
 
-use aero_geometry::kernel::{QuinticSpline, SUPPORT};
-use aero_geometry::{Pencils, Vector};
+use std::ops::Range;
 
+use aero_geometry::kernel::SUPPORT;
+use aero_geometry::{Pencils, Vector};
+use pulp::Arch;
+use rayon::prelude::*;
+
+use crate::lanes::{CLUSTER, Factor, KernelSum, Lanes};
 use crate::mirror::Mirrors;
 
 /// What contributes to a summed density: points and their volumes, with their images.
@@ -39,50 +44,124 @@ impl<const D: usize> Sources<D> {
         Self { sorted, pencils }
     }
 
-    /// `Σ V W` at a point.
-    pub fn density(&self, point: &Vector<D>, smoothing: f64) -> f64 {
-        let mut sum = 0.0;
-        self.around(point, SUPPORT * smoothing, |volume, _, r| {
-            sum += volume * QuinticSpline::<D>::value(r, smoothing);
-        });
-        sum
+    /// `Σ V W` at each point.
+    pub fn densities(&self, points: &[Vector<D>], smoothing: f64) -> Vec<f64> {
+        self.near_each(points, SUPPORT * smoothing, |cluster, runs| {
+            self.summed(cluster, runs, smoothing, Factor::Value).0
+        })
     }
 
-    /// `Σ V ∇W` at a point.
-    pub fn gradient(&self, point: &Vector<D>, smoothing: f64) -> Vector<D> {
-        let mut sum = Vector::zeros();
-        self.around(point, SUPPORT * smoothing, |volume, offset, r| {
-            sum += volume * QuinticSpline::<D>::gradient_factor(r, smoothing) * offset;
-        });
-        sum
+    /// `Σ V ∇W` at each point.
+    pub fn gradients(&self, points: &[Vector<D>], smoothing: f64) -> Vec<Vector<D>> {
+        self.near_each(points, SUPPORT * smoothing, |cluster, runs| {
+            let (_, moment) = self.summed(cluster, runs, smoothing, Factor::Slope);
+            std::array::from_fn(|l| Vector::from_fn(|k, _| moment[k][l]))
+        })
     }
 
-    /// Distance to the nearest other point, at most `reach`.
-    pub fn nearest(&self, point: &Vector<D>, reach: f64) -> f64 {
-        let mut nearest = reach;
-        let mut itself = 0;
-        self.around(point, reach, |_, _, r| {
-            if r > 0.0 {
-                nearest = nearest.min(r);
-            } else {
-                itself += 1;
-            }
-        });
-        if itself > 1 { 0.0 } else { nearest }
-    }
-
-    /// Calls `visit` with volume, offset and distance of every point nearer than `reach`.
-    #[inline]
-    fn around(&self, point: &Vector<D>, reach: f64, mut visit: impl FnMut(f64, &Vector<D>, f64)) {
-        let (low, high) = (point.add_scalar(-reach), point.add_scalar(reach));
-        self.pencils.for_each_run(&low, &high, |slots| {
-            for (position, volume) in &self.sorted[slots] {
-                let offset = point - position;
-                let squared = offset.norm_squared();
-                if squared < reach * reach {
-                    visit(*volume, &offset, squared.sqrt());
+    /// Distance from each point to the nearest other one, at most `reach`; a source at the very
+    /// place of a point is the point itself.
+    pub fn nearest(&self, points: &[Vector<D>], reach: f64) -> Vec<f64> {
+        self.near_each(points, reach, |cluster, runs| {
+            cluster.map(|point| {
+                let mut nearest = reach;
+                let mut same = 0;
+                for (source, _) in runs.iter().flat_map(|run| &self.sorted[run.clone()]) {
+                    let r = (point - source).norm();
+                    if r > 0.0 {
+                        nearest = nearest.min(r);
+                    } else {
+                        same += 1;
+                    }
                 }
+                if same > 1 { 0.0 } else { nearest }
+            })
+        })
+    }
+
+    fn summed(
+        &self,
+        cluster: &[Vector<D>; CLUSTER],
+        runs: &[Range<usize>],
+        smoothing: f64,
+        factor: Factor,
+    ) -> (Lanes, [Lanes; D]) {
+        Arch::new().dispatch(KernelSum {
+            sorted: &self.sorted,
+            runs,
+            position: std::array::from_fn(|k| cluster.map(|point| point[k])),
+            smoothing,
+            factor,
+        })
+    }
+
+    /// Evaluates `answers` for clusters of points and runs of sources that hold all nearer than
+    /// `reach`. Neighbours in the sorted order share a search; a cluster that is not full repeats
+    /// its last point.
+    fn near_each<T: Send>(
+        &self,
+        points: &[Vector<D>],
+        reach: f64,
+        answers: impl Fn(&[Vector<D>; CLUSTER], &[Range<usize>]) -> [T; CLUSTER] + Sync,
+    ) -> Vec<T> {
+        let order = Pencils::new(points, 0.5 * reach);
+        let mut all: Vec<(u32, T)> = order
+            .order()
+            .par_chunks(CLUSTER)
+            .map_init(Vec::new, |runs, numbers| {
+                let last = numbers.len() - 1;
+                let cluster: [Vector<D>; CLUSTER] =
+                    std::array::from_fn(|l| points[numbers[l.min(last)] as usize]);
+                let low = cluster.iter().fold(cluster[0], |low, point| low.inf(point));
+                let high = cluster
+                    .iter()
+                    .fold(cluster[0], |high, point| high.sup(point));
+                runs.clear();
+                self.pencils.for_each_run(
+                    &low.add_scalar(-reach),
+                    &high.add_scalar(reach),
+                    |slots| runs.push(slots),
+                );
+                let answers = answers(&cluster, runs);
+                numbers.iter().copied().zip(answers).collect::<Vec<_>>()
+            })
+            .flatten_iter()
+            .collect();
+        all.sort_unstable_by_key(|&(n, _)| n);
+        all.into_iter().map(|(_, answer)| answer).collect()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use aero_geometry::kernel::QuinticSpline;
+
+    use super::*;
+
+    #[test]
+    fn sums_in_lanes_equal_sums_term_by_term() {
+        let mut seed = 5_u64;
+        let mut next = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let points: Vec<Vector<3>> = (0..300).map(|_| Vector::from_fn(|_, _| next())).collect();
+        let volumes: Vec<f64> = (0..300).map(|_| next()).collect();
+        let pairs = points.iter().copied().zip(volumes.iter().copied());
+        let h = 0.1;
+        let sources = Sources::new(&Mirrors::default(), pairs, SUPPORT * h);
+        let densities = sources.densities(&points, h);
+        let gradients = sources.gradients(&points, h);
+        for (n, point) in points.iter().enumerate() {
+            let mut density = 0.0;
+            let mut gradient = Vector::<3>::zeros();
+            for (other, volume) in points.iter().zip(&volumes) {
+                let offset = point - other;
+                density += volume * QuinticSpline::<3>::value(offset.norm(), h);
+                gradient += volume * QuinticSpline::<3>::gradient_factor(offset.norm(), h) * offset;
             }
-        });
+            assert!((densities[n] - density).abs() < 1e-12 * density.abs());
+            assert!((gradients[n] - gradient).norm() < 1e-10 * density / h);
+        }
     }
 }

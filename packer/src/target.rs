@@ -10,6 +10,7 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use rayon::prelude::*;
 
+use crate::grid::Cell;
 use crate::level::project;
 use crate::plan::Plan;
 use crate::sources::Sources;
@@ -19,27 +20,45 @@ use crate::sources::Sources;
 const FARTHEST: f64 = 1.0;
 
 /// Cuts the layers of `plan` into small pieces and moves each to the middle of its layer; what is
-/// too thin for its layer stays in place.
+/// too thin for its layer stays in place. In space, the pieces of a block are then joined.
 pub(crate) fn ideal_layers<const D: usize>(plan: &Plan<'_, D>) -> Sources<D> {
     let spacing = plan.options.spacing;
-    let pieces: Vec<(Vector<D>, f64)> = plan
-        .cells()
-        .flat_map_iter(|(cell, thin)| {
-            let centre = plan.fine.centre(&cell.index);
-            plan.parts(cell)
-                .map(|(layer, volume)| {
-                    if thin {
-                        return (centre, volume);
+    let blocks: Vec<(&[Cell<D>], &[bool])> = plan.blocks().collect();
+    let pieces: Vec<(Vector<D>, f64)> = blocks
+        .par_iter()
+        .flat_map_iter(|(cells, thin)| {
+            let mut joined: Vec<(usize, Vector<D>, f64)> = Vec::new();
+            for (cell, &thin) in cells.iter().zip(*thin) {
+                for (layer, volume) in plan.parts(cell) {
+                    let place = if thin {
+                        plan.fine.centre(&cell.index)
+                    } else {
+                        on_middle(plan, cell, layer)
+                    };
+                    match joined.iter_mut().find(|piece| piece.0 == layer) {
+                        Some(piece) => {
+                            piece.1 += volume * place;
+                            piece.2 += volume;
+                        }
+                        None => joined.push((layer, volume * place, volume)),
                     }
-                    let level = plan.level(layer);
-                    let guess = centre - (cell.distance - level) * cell.normal;
-                    let place = project(plan.shape, &guess, level, 1e-3 * spacing)
-                        .filter(|p| (p - centre).norm() < FARTHEST * spacing)
-                        .unwrap_or(centre);
-                    (place, volume)
-                })
-                .collect::<Vec<_>>()
+                }
+            }
+            joined
+                .into_iter()
+                .map(|(_, moment, volume)| (moment / volume, volume))
         })
         .collect();
     Sources::new(&plan.mirrors, pieces, SUPPORT * SMOOTHING_RATIO * spacing)
+}
+
+/// The centre of a cell moved to the middle of a layer, if that is near.
+fn on_middle<const D: usize>(plan: &Plan<'_, D>, cell: &Cell<D>, layer: usize) -> Vector<D> {
+    let spacing = plan.options.spacing;
+    let centre = plan.fine.centre(&cell.index);
+    let level = plan.level(layer);
+    let guess = centre - (cell.distance - level) * cell.normal;
+    project(plan.shape, &guess, level, 1e-3 * spacing)
+        .filter(|p| (p - centre).norm() < FARTHEST * spacing)
+        .unwrap_or(centre)
 }

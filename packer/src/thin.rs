@@ -11,7 +11,7 @@ use aero_geometry::{Pencils, Shape, Vector};
 use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
-use crate::grid::Cell;
+use crate::grid::{Cell, Grid, blocks};
 use crate::plan::Plan;
 use crate::sources::Sources;
 
@@ -79,55 +79,52 @@ fn thickness<const D: usize>(
     enough
 }
 
-/// For every cell of a band whether its layer lacks room. Cells that share a `block` (per axis this
-/// many cells) are tested once.
+/// For every cell of a band whether its layer lacks room. Cells that share a block of `size` cells
+/// per axis are tested once.
 pub(crate) fn thin_cells<const D: usize>(
     shape: &dyn Shape<D>,
-    centre: impl Fn(&Cell<D>) -> Vector<D> + Sync,
+    grid: &Grid<D>,
     band: &[Cell<D>],
-    block: i64,
+    size: i64,
     spacing: f64,
 ) -> Vec<bool> {
-    let parent = |cell: &Cell<D>| cell.index.map(|i| i.div_euclid(block));
-    let blocks: Vec<&[Cell<D>]> = band.chunk_by(|a, b| parent(a) == parent(b)).collect();
+    let blocks: Vec<&[Cell<D>]> = blocks(band, size).collect();
     blocks
         .par_iter()
         .flat_map_iter(|cells| {
             let cell = &cells[0];
+            let seen = (&grid.centre(&cell.index), cell.distance, &cell.normal);
             let layer = (cell.distance.abs() / spacing).floor() as usize;
-            let thin = !fits(
-                shape,
-                (&centre(cell), cell.distance, &cell.normal),
-                layer,
-                spacing,
-            );
+            let thin = !fits(shape, seen, layer, spacing);
             cells.iter().map(move |_| thin)
         })
         .collect()
 }
 
-/// Adds particles in the thin parts until `volume` is used up. `wanted(point, smoothing)` is the
-/// density aimed at, `placed` what contributes to it already.
+/// Adds particles in the thin parts until `volume` is used up. `wanted(points, smoothing)` is
+/// the density aimed at, `placed` what contributes to it already.
 pub(crate) fn fill_thin<const D: usize>(
     plan: &Plan<'_, D>,
     cloud: &mut Cloud<D>,
     volume: f64,
     placed: &Sources<D>,
-    wanted: impl Fn(&Vector<D>, f64) -> f64 + Sync,
+    wanted: impl Fn(&[Vector<D>], f64) -> Vec<f64>,
 ) {
     if volume < 0.5 * plan.particle_volume() {
         return;
     }
     let mut front = Front::new(plan);
-    front.missing = front
-        .places
-        .par_iter()
-        .map(|place| {
-            let smoothing = SMOOTHING * plan.options.spacing;
-            if placed.nearest(&place.point, smoothing) < APART * plan.options.spacing {
+    let spacing = plan.options.spacing;
+    let points: Vec<Vector<D>> = front.places.iter().map(|place| place.point).collect();
+    let gaps = placed.nearest(&points, SMOOTHING * spacing);
+    let present = placed.densities(&points, SMOOTHING * spacing);
+    let wanted = wanted(&points, SMOOTHING * spacing);
+    front.missing = (0..points.len())
+        .map(|n| {
+            if gaps[n] < APART * spacing {
                 f64::NEG_INFINITY
             } else {
-                wanted(&place.point, smoothing) - placed.density(&place.point, smoothing)
+                wanted[n] - present[n]
             }
         })
         .collect();

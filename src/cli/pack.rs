@@ -4,8 +4,8 @@ use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
 use aero::pack::{PackFile, Packed, pack_mesh, pack_scene};
-use aero::scene::file::Unit;
 use aero::scene::number::Positive;
+use aero::scene::shapes::Unit;
 use aero::scene::{PackWishes, Scene};
 use clap::{Args, ValueEnum};
 

@@ -74,10 +74,10 @@ fn run_case<const D: usize>(
             Ok(())
         }
         Err(error @ RunError::SetUp(_)) => Err(CommandError::wrong(error)),
-        Err(RunError::Stopped { failure, summary }) => {
+        Err(RunError::Stopped { reason, summary }) => {
             print!("{}", lines(&summary, out));
             Err(CommandError::failed(format!(
-                "the run stopped: {failure}; its last frame and summary are in `{}`",
+                "the run stopped: {reason}; its last frame and summary are in `{}`",
                 out.display()
             )))
         }

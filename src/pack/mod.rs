@@ -11,8 +11,7 @@ use std::path::{Path, PathBuf};
 use aero_packer::{Ghosts, PackOptions, Packing};
 
 use crate::output::{self, OutputError};
-use crate::scene::file::{StlEntry, Unit};
-use crate::scene::shapes::ShapeEntry;
+use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
 use crate::scene::{PackWishes, Scene, SceneError};
 
 /// Packed bodies and the name that their files carry.

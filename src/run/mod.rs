@@ -12,8 +12,15 @@ use std::path::Path;
 
 use crate::case::Case;
 use crate::output::{self, OutputError, Summary};
-use crate::solver::{Failure, Simulation};
+use crate::solver::Simulation;
 use tally::Tally;
+
+/// A step this short, as a part of the whole run, makes no headway: a thousand million would be
+/// needed.
+const TINY_STEP: f64 = 1e-9;
+
+/// So many tiny steps in a row are no passing trouble.
+const PATIENCE: u32 = 1000;
 
 /// How far a run is.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -34,11 +41,11 @@ pub enum RunError {
     /// The case cannot be set up.
     #[error("{0}")]
     SetUp(String),
-    /// The gas went wrong; the summary tells how far it came.
-    #[error("{failure}")]
+    /// The run cannot go on; the summary tells how far it came.
+    #[error("{reason}")]
     Stopped {
         /// Where and why.
-        failure: Failure,
+        reason: String,
         /// The run up to there.
         summary: Box<Summary>,
     },
@@ -88,29 +95,61 @@ pub fn simulate<const D: usize>(
 
     let mut frames = 1;
     let mut framed_step = 0;
+    let mut tiny_steps = 0;
     while simulation.time() < end {
         let due = frame_time(frames, interval, end);
-        match simulation.step(due) {
-            Ok(dt) => {
-                tally.add(&simulation, dt);
-                recorder.step(&simulation, dt)?;
-            }
+        let dt = match simulation.step(due) {
+            Ok(dt) => dt,
             Err(failure) => {
-                if simulation.steps() > framed_step {
-                    recorder.frame(&simulation)?;
-                }
-                let summary = Box::new(tally.summary(&simulation, &failure.to_string()));
-                return Err(RunError::Stopped { failure, summary });
+                let framed = simulation.steps() == framed_step;
+                return Err(stop(
+                    &simulation,
+                    recorder,
+                    &tally,
+                    framed,
+                    failure.to_string(),
+                ));
             }
-        }
-        if simulation.time() >= due {
+        };
+        tally.add(&simulation, dt);
+        recorder.step(&simulation, dt)?;
+        let framed = simulation.time() >= due;
+        if framed {
             recorder.frame(&simulation)?;
             framed_step = simulation.steps();
             frames += 1;
         }
+        tiny_steps = if dt < TINY_STEP * end {
+            tiny_steps + 1
+        } else {
+            0
+        };
+        if tiny_steps > PATIENCE {
+            let reason = format!(
+                "the time step collapsed to {dt:.1e} (step {}, time {}); the end is out of reach",
+                simulation.steps(),
+                simulation.time()
+            );
+            return Err(stop(&simulation, recorder, &tally, framed, reason));
+        }
     }
     let summary = tally.summary(&simulation, "end time reached");
     Ok((simulation, summary))
+}
+
+/// Ends a run early, after the frame of where it stands unless that was written already.
+fn stop<const D: usize>(
+    simulation: &Simulation<D>,
+    recorder: &mut dyn Recorder<D>,
+    tally: &Tally,
+    framed: bool,
+    reason: String,
+) -> RunError {
+    if !framed && let Err(error) = recorder.frame(simulation) {
+        return error.into();
+    }
+    let summary = Box::new(tally.summary(simulation, &reason));
+    RunError::Stopped { reason, summary }
 }
 
 /// Time of frame `number`; the last one is at the end, and no frame comes so shortly before it

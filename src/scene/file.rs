@@ -1,8 +1,6 @@
 //! The scene file, key by key. Ranges of single numbers are checked here, by their types; whether
 //! the values make sense together is decided where the case is built.
 
-use std::path::PathBuf;
-
 use serde::Deserialize;
 
 use super::number::{
@@ -258,37 +256,4 @@ pub struct OutputEntry {
     pub interval: Option<Positive>,
     /// Steps between rows of the history; 1 unless given.
     pub history_every: Option<Count>,
-}
-
-/// Length unit of an STL file.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
-#[serde(rename_all = "kebab-case")]
-pub enum Unit {
-    /// Metres.
-    M,
-    /// Millimetres.
-    Mm,
-    /// Inches.
-    In,
-}
-
-impl Unit {
-    /// Metres in one unit.
-    pub fn metres(self) -> f64 {
-        match self {
-            Self::M => 1.0,
-            Self::Mm => 1e-3,
-            Self::In => 0.0254,
-        }
-    }
-}
-
-/// An STL file.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct StlEntry {
-    /// The file; a relative path starts at the scene's folder.
-    pub file: PathBuf,
-    /// Its unit of length; metres unless given.
-    pub unit: Option<Unit>,
 }

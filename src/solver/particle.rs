@@ -103,8 +103,6 @@ pub struct Ghost<const D: usize> {
     pub density: f64,
     /// Smoothing length.
     pub smoothing_length: f64,
-    /// Smoothing length of the body's own packing.
-    pub nominal_h: f64,
 }
 
 impl<const D: usize> Ghost<D> {

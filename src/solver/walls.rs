@@ -55,7 +55,6 @@ impl<const D: usize> Walls<D> {
                 let mut ghost = blank(case, position, body.ghosts.normal[g], depth);
                 ghost.volume = body.ghosts.volume[g];
                 ghost.reference_mass = ghost.density * ghost.volume;
-                ghost.nominal_h = SMOOTHING_RATIO * body.report.spacing;
                 ghost.body = number as u32;
                 ghost.layer = body.ghosts.layer[g];
                 let reached = body.shape.signed_distance(&ghost.mirror());
@@ -301,7 +300,6 @@ fn blank<const D: usize>(
         energy: gas.pressure / ((case.gamma - 1.0) * gas.density),
         density: gas.density,
         smoothing_length: h,
-        nominal_h: h,
     }
 }
 

@@ -7,6 +7,7 @@ mod biconvex;
 mod cylinder;
 mod outcome;
 mod sod;
+mod sphere;
 mod step;
 mod wedge;
 
@@ -88,12 +89,13 @@ pub enum ValidateError {
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 5] = [
+const CASES: [(&str, Comparison); 6] = [
     ("wedge", wedge::compare),
     ("sod", sod::compare),
     ("cylinder", cylinder::compare),
     ("step", step::compare),
     ("biconvex", biconvex::compare),
+    ("sphere", sphere::compare),
 ];
 
 /// Runs the named cases, all of them where none is named, and returns their rows.

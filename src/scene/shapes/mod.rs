@@ -1,5 +1,6 @@
 //! Shapes as a scene names them, and the surfaces that they mean, in place.
 
+mod mesh;
 mod plane;
 mod space;
 
@@ -11,10 +12,11 @@ use aero_geometry::{Placed, Placement, Shape};
 use aero_packer::{PackOptions, Packing, pack};
 use serde::Deserialize;
 
-use super::file::{PlaceEntry, StlEntry};
+use super::file::PlaceEntry;
 use super::flow::vector;
 use super::spin::Rotation;
 
+pub use mesh::{StlEntry, Tessellated, Unit};
 pub use plane::{
     Biconvex, BluntWedge, Circle, Corner, Duct, ForwardStep, HalfSpace, Polygon, PolygonFile,
     Rectangle,
@@ -61,6 +63,8 @@ pub enum ShapeEntry {
     Cuboid(Block),
     /// Space: a mesh from a file.
     Stl(StlEntry),
+    /// Space: an exact body turned into a mesh, which then goes the way of one from a file.
+    Tessellated(Tessellated),
 }
 
 /// A surface in place, and what was done to its mesh.
@@ -110,7 +114,7 @@ impl ShapeEntry {
         let made = if D == 2 {
             self.in_plane(place, folder)?.and_then(Made::cast)
         } else {
-            self.in_space(place)?.and_then(Made::cast)
+            self.in_space(place, folder)?.and_then(Made::cast)
         };
         made.ok_or_else(|| {
             let other = if D == 2 { 3 } else { 2 };
@@ -143,7 +147,11 @@ impl ShapeEntry {
     }
 
     /// The surface of a shape in space; none for a plane shape.
-    fn in_space(&self, place: Option<&PlaceEntry>) -> Result<Option<Made<3>>, String> {
+    fn in_space(
+        &self,
+        place: Option<&PlaceEntry>,
+        folder: &Path,
+    ) -> Result<Option<Made<3>>, String> {
         let round = match self {
             Self::Sphere(entry) => entry.body(),
             Self::Cone(entry) => entry.body(),
@@ -157,6 +165,8 @@ impl ShapeEntry {
                     place_in_space(place)?,
                 ))));
             }
+            Self::Stl(entry) => return mesh::made(entry.mesh(folder), place).map(Some),
+            Self::Tessellated(entry) => return mesh::made(entry.mesh(), place).map(Some),
             _ => return Ok(None),
         };
         let round = round.map_err(|error| error.to_string())?;

@@ -11,7 +11,11 @@ use super::{Pair, Target, unlane, zeros};
 
 /// Below this determinant, relative to that of a ball of the same trace, the neighbours lie too
 /// nearly in a plane for the matrix to mean anything.
-const SINGULAR: f64 = 1e-3;
+const SINGULAR: f64 = 0.1;
+
+/// The mean moment of a full neighbourhood is one, at a free edge a half. Below this a particle has
+/// hardly any neighbours, and the inverse would multiply their noise.
+const SPARSE: f64 = 0.4;
 
 /// Renormalisation matrix `L_i = [sum_j V_j (r_j - r_i) (x) grad_i W_ij]^-1` over gas and ghosts
 /// [Villodi & Ramachandran 2024, eq. 7; Randles & Libersky 1996], and the density gradient
@@ -99,11 +103,11 @@ impl<const D: usize> WithSimd for Pass<'_, D> {
     }
 }
 
-/// Inverse of a symmetric moment matrix, the identity where it is nearly singular.
+/// Inverse of a symmetric moment matrix, the identity where neighbours are few or nearly in a plane.
 fn inverse<const D: usize>(matrix: &Matrix<D>) -> Matrix<D> {
     let mean = matrix.trace() / D as f64;
     let (determinant, adjugate) = adjugate(matrix);
-    if mean > 0.0 && determinant > SINGULAR * mean.powi(D as i32) {
+    if mean > SPARSE && determinant > SINGULAR * mean.powi(D as i32) {
         adjugate / determinant
     } else {
         Matrix::identity()
@@ -147,6 +151,14 @@ mod tests {
         assert!((two * inverse(&two) - Matrix::<2>::identity()).norm() < 1e-14);
         let three = Matrix::<3>::new(1.1, 0.2, -0.1, 0.2, 0.9, 0.3, -0.1, 0.3, 1.2);
         assert!((three * inverse(&three) - Matrix::<3>::identity()).norm() < 1e-14);
+    }
+
+    #[test]
+    fn a_sparse_neighbourhood_falls_back_to_the_identity() {
+        assert_eq!(
+            inverse(&(Matrix::<3>::identity() * 0.05)),
+            Matrix::<3>::identity()
+        );
     }
 
     #[test]

@@ -1,0 +1,132 @@
+//! Kernel sums for a few points at once, one per lane of the processor's vectors. The width is
+//! chosen at run time; every point's sum has the same terms in the same order whatever it is.
+
+use std::ops::Range;
+
+use aero_geometry::Vector;
+use aero_geometry::kernel::{QuinticSpline, SUPPORT};
+use pulp::{Simd, WithSimd};
+
+/// Points that are worked on together: the lanes of the widest vectors.
+pub(crate) const CLUSTER: usize = 8;
+
+/// One number for each point of a cluster.
+pub(crate) type Lanes = [f64; CLUSTER];
+
+/// Which factor of the kernel is summed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Factor {
+    /// `W`.
+    Value,
+    /// `(dW/dr) / r`.
+    Slope,
+}
+
+/// `Σ V f` and `Σ V f (r_i - r_j)` over the sources in `runs`.
+pub(crate) struct KernelSum<'a, const D: usize> {
+    /// Sources: positions and volumes.
+    pub sorted: &'a [(Vector<D>, f64)],
+    /// Runs of them that hold all within the support of any point.
+    pub runs: &'a [Range<usize>],
+    /// The points' coordinates, per axis.
+    pub position: [Lanes; D],
+    /// Smoothing length.
+    pub smoothing: f64,
+    /// The factor `f`.
+    pub factor: Factor,
+}
+
+impl<const D: usize> WithSimd for KernelSum<'_, D> {
+    type Output = (Lanes, [Lanes; D]);
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Self::Output {
+        let mut sum = [0.0; CLUSTER];
+        let mut moment = [[0.0; CLUSTER]; D];
+        let reach = SUPPORT * self.smoothing;
+        for group in 0..CLUSTER / S::F64_LANES {
+            let point: [S::f64s; D] =
+                std::array::from_fn(|k| S::as_simd_f64s(&self.position[k]).0[group]);
+            let mut total = simd.splat_f64s(0.0);
+            let mut moments = [simd.splat_f64s(0.0); D];
+            for run in self.runs {
+                for (source, volume) in &self.sorted[run.clone()] {
+                    let mut squared = simd.splat_f64s(0.0);
+                    let mut offset = [squared; D];
+                    for k in 0..D {
+                        offset[k] = simd.sub_f64s(point[k], simd.splat_f64s(source[k]));
+                        squared = simd.add_f64s(squared, simd.mul_f64s(offset[k], offset[k]));
+                    }
+                    if simd.reduce_min_f64s(squared) >= reach * reach {
+                        continue;
+                    }
+                    let r = simd.sqrt_f64s(squared);
+                    let weight = match self.factor {
+                        Factor::Value => value(simd, r, self.smoothing),
+                        Factor::Slope => slope(simd, r, self.smoothing),
+                    };
+                    let weight = simd.mul_f64s(weight, simd.splat_f64s(*volume));
+                    total = simd.add_f64s(total, weight);
+                    for k in 0..D {
+                        moments[k] = simd.add_f64s(moments[k], simd.mul_f64s(weight, offset[k]));
+                    }
+                }
+            }
+            let scale = match self.factor {
+                Factor::Value => 1.0 / self.smoothing.powi(D as i32),
+                Factor::Slope => -5.0 / self.smoothing.powi(D as i32 + 1),
+            };
+            let scale = simd.splat_f64s(scale * QuinticSpline::<D>::NORMALISATION);
+            S::as_mut_simd_f64s(&mut sum).0[group] = simd.mul_f64s(total, scale);
+            for k in 0..D {
+                S::as_mut_simd_f64s(&mut moment[k]).0[group] = simd.mul_f64s(moments[k], scale);
+            }
+        }
+        (sum, moment)
+    }
+}
+
+/// `(end - q)`, or zero where that is negative. No closures here: what is not inlined is not
+/// compiled for the wide vectors.
+#[inline(always)]
+fn bracket<S: Simd>(simd: S, end: f64, q: S::f64s) -> S::f64s {
+    simd.max_f64s(simd.sub_f64s(simd.splat_f64s(end), q), simd.splat_f64s(0.0))
+}
+
+#[inline(always)]
+fn fourth<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
+    let square = simd.mul_f64s(x, x);
+    simd.mul_f64s(square, square)
+}
+
+/// `a - 6 b + 15 c`.
+#[inline(always)]
+fn spline<S: Simd>(simd: S, a: S::f64s, b: S::f64s, c: S::f64s) -> S::f64s {
+    let b = simd.mul_f64s(simd.splat_f64s(6.0), b);
+    let c = simd.mul_f64s(simd.splat_f64s(15.0), c);
+    simd.add_f64s(simd.sub_f64s(a, b), c)
+}
+
+/// `(3-q)^5 - 6 (2-q)^5 + 15 (1-q)^5`, each bracket only where positive.
+#[inline(always)]
+fn value<S: Simd>(simd: S, r: S::f64s, smoothing: f64) -> S::f64s {
+    let q = simd.mul_f64s(r, simd.splat_f64s(1.0 / smoothing));
+    let a = bracket(simd, 3.0, q);
+    let b = bracket(simd, 2.0, q);
+    let c = bracket(simd, 1.0, q);
+    let a = simd.mul_f64s(fourth(simd, a), a);
+    let b = simd.mul_f64s(fourth(simd, b), b);
+    let c = simd.mul_f64s(fourth(simd, c), c);
+    spline(simd, a, b, c)
+}
+
+/// `((3-q)^4 - 6 (2-q)^4 + 15 (1-q)^4) / r`, each bracket only where positive.
+#[inline(always)]
+fn slope<S: Simd>(simd: S, r: S::f64s, smoothing: f64) -> S::f64s {
+    let q = simd.mul_f64s(r, simd.splat_f64s(1.0 / smoothing));
+    let a = fourth(simd, bracket(simd, 3.0, q));
+    let b = fourth(simd, bracket(simd, 2.0, q));
+    let c = fourth(simd, bracket(simd, 1.0, q));
+    let sum = spline(simd, a, b, c);
+    simd.div_f64s(sum, simd.max_f64s(r, simd.splat_f64s(1e-12 * smoothing)))
+}

@@ -1,0 +1,54 @@
+//! Every scene in `cases/` takes a few steps, coarser and shorter than it is meant to be.
+
+mod support;
+
+use support::Workplace;
+
+/// Each scene with what makes it small.
+const SMALL: [(&str, &[&str]); 5] = [
+    ("sod", &["end_time=0.005"]),
+    ("sod-1d", &["end_time=0.01"]),
+    ("sphere", &["end_time=0.2", "spacing=0.25"]),
+    (
+        "sphere-stl",
+        &[
+            "end_time=0.2",
+            "spacing=0.25",
+            "body.sphere.shape.tessellated.around=48",
+        ],
+    ),
+    ("wedge", &["end_time=0.1", "spacing=0.125"]),
+];
+
+fn folder() -> std::path::PathBuf {
+    std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("cases")
+}
+
+#[test]
+fn every_scene_takes_a_few_steps() {
+    for (name, settings) in SMALL {
+        let place = Workplace::new();
+        let scene = folder().join(format!("{name}.toml"));
+        let mut arguments = vec!["run".to_owned(), scene.display().to_string()];
+        for setting in settings.iter().chain(&["output.frames=1"]) {
+            arguments.extend(["--set".to_owned(), (*setting).to_owned()]);
+        }
+        place.aero(&arguments).succeeds();
+        let summary = place.json(&format!("out/{name}/summary.json"));
+        assert_eq!(summary["case"], name);
+        assert_eq!(summary["stop_reason"], "end time reached");
+        assert!(summary["steps"].as_u64().unwrap() >= 3, "{name}");
+    }
+}
+
+#[test]
+fn no_scene_is_left_out_of_these_tests() {
+    let mut names: Vec<String> = std::fs::read_dir(folder())
+        .unwrap()
+        .map(|entry| entry.unwrap().path())
+        .filter(|path| path.extension().is_some_and(|ending| ending == "toml"))
+        .map(|path| path.file_stem().unwrap().to_string_lossy().into_owned())
+        .collect();
+    names.sort();
+    assert_eq!(names, SMALL.map(|(name, _)| name));
+}
