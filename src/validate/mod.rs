@@ -3,9 +3,12 @@
 //! One file per case. A case runs its scene of `cases/` in several variants and returns rows of the
 //! table; exact solutions and metrics are not here.
 
+mod biconvex;
+mod cylinder;
 mod outcome;
 mod sod;
 mod sphere;
+mod step;
 mod wedge;
 
 use std::path::Path;
@@ -86,9 +89,12 @@ pub enum ValidateError {
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 3] = [
+const CASES: [(&str, Comparison); 6] = [
     ("wedge", wedge::compare),
     ("sod", sod::compare),
+    ("cylinder", cylinder::compare),
+    ("step", step::compare),
+    ("biconvex", biconvex::compare),
     ("sphere", sphere::compare),
 ];
 
