@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use crate::case::{Case, Equations, Side};
 use crate::frame::Totals;
 
+mod curvature;
 mod images;
 mod initial;
 mod lanes;
