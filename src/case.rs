@@ -104,6 +104,8 @@ pub struct Scheme {
     pub shield: bool,
     /// Ghost volumes stay constant; false only to show what happens otherwise.
     pub constant_ghost_volume: bool,
+    /// The artificial viscosity leaves flow alone that varies linearly; conservative scheme only.
+    pub limited_viscosity: bool,
     /// Courant number `C_CFL` of equation (33).
     pub cfl: f64,
 }

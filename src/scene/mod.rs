@@ -213,6 +213,7 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         extrapolation: entry.extrapolation.map_or(Extrapolation::Wom, Into::into),
         shield: entry.shield.unwrap_or(false),
         constant_ghost_volume: entry.constant_ghost_volume.unwrap_or(true),
+        limited_viscosity: entry.limited_viscosity.unwrap_or(true),
         cfl: entry.cfl.map_or(CFL, Courant::get),
     }
 }

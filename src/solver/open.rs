@@ -100,6 +100,7 @@ impl<const D: usize> Case<D> {
             smoothing_length: SMOOTHING_RATIO * self.spacing,
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,
+            strain: Matrix::zeros(),
             id,
         }
     }
