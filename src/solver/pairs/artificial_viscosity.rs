@@ -29,26 +29,36 @@ pub fn unresolved<S: Simd>(simd: S, approach: Lane<S>, own: Lane<S>, other: Lane
     approach.min(zero) + -smooth
 }
 
-/// `Pi_ij = alpha c_ij mu - beta mu^2` with `mu = h_ij u_ij.r_ij / r_ij^2` of an approaching pair,
-/// zero of a parting one; never positive, so that it repels [Villodi & Ramachandran 2024, eq. 13;
-/// Monaghan 1992]. `SOFT` adds `0.01 h_ij^2` to `r_ij^2`. `approach` is `u_ij.r_ij`, `sound` is `c_ij`.
+/// `mu = h_ij u_ij.r_ij / (r_ij^2 + 0.01 h_ij^2)` of an approaching pair, zero of a parting one [Monaghan 1992, eq.
+/// 4.2]: minus the speed at which the pair closes.
 #[inline(always)]
-pub fn viscous_pressure<S: Simd, const D: usize, const SOFT: bool>(
+pub fn closing_speed<S: Simd, const D: usize>(
     simd: S,
     pair: &Pair<S, D>,
     approach: Lane<S>,
-    sound: Lane<S>,
 ) -> Lane<S> {
-    let approaching = approach.min(Lane::splat(simd, 0.0));
-    let mut mu = pair.h * approaching * pair.inverse_distance_squared;
-    if SOFT {
-        // 1 / (r^2 + s h^2) = 1/r^2 / (1 + s h^2 / r^2).
-        let softening = Lane::splat(simd, SOFTENING) * pair.h * pair.h;
-        let one = Lane::splat(simd, 1.0);
-        mu = mu
-            * softening
-                .mul_add(pair.inverse_distance_squared, one)
-                .recip();
-    }
-    mu * (Lane::splat(simd, ALPHA) * sound - Lane::splat(simd, BETA) * mu)
+    // 1 / (r^2 + s h^2) = 1/r^2 / (1 + s h^2 / r^2).
+    let softening = Lane::splat(simd, SOFTENING) * pair.h * pair.h;
+    let one = Lane::splat(simd, 1.0);
+    bare_closing_speed(simd, pair, approach)
+        * softening
+            .mul_add(pair.inverse_distance_squared, one)
+            .recip()
+}
+
+/// The same without softening [Villodi & Ramachandran 2024, eq. 13].
+#[inline(always)]
+pub fn bare_closing_speed<S: Simd, const D: usize>(
+    simd: S,
+    pair: &Pair<S, D>,
+    approach: Lane<S>,
+) -> Lane<S> {
+    pair.h * approach.min(Lane::splat(simd, 0.0)) * pair.inverse_distance_squared
+}
+
+/// `Pi_ij = alpha c_ij mu - beta mu^2`; never positive, so that it repels [Villodi & Ramachandran 2024,
+/// eq. 13; Monaghan 1992]. `sound` is `c_ij`.
+#[inline(always)]
+pub fn viscous_pressure<S: Simd>(simd: S, closing: Lane<S>, sound: Lane<S>) -> Lane<S> {
+    closing * (Lane::splat(simd, ALPHA) * sound - Lane::splat(simd, BETA) * closing)
 }

@@ -10,8 +10,10 @@ use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
 use super::super::particle::Rates;
 use super::super::records::{GHOSTS, Matrix, Near, Records, State};
-use super::artificial_conduction::heat_flow;
-use super::artificial_viscosity::{unresolved, viscous_pressure};
+use super::artificial_conduction::{exchange_speed, heat_flow};
+use super::artificial_viscosity::{
+    bare_closing_speed, closing_speed, unresolved, viscous_pressure,
+};
 use super::density_diffusion::diffusion;
 use super::{LaneVector, Pair, Target, dot, unlane, zeros};
 
@@ -170,7 +172,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             std::array::from_fn(|k| Lane::splat(simd, near.velocity[k]) - i.velocity[k]);
         let approach = -dot(&jump, &pair.separation);
         let sound = i.half_sound + Lane::splat(simd, state.half_sound);
-        let steep = if CONSERVATIVE {
+        let closing = if CONSERVATIVE {
             let (mut own, mut other) = (Lane::splat(simd, 0.0), Lane::splat(simd, 0.0));
             for a in 0..D {
                 for b in a..D {
@@ -180,13 +182,11 @@ impl<S: Simd, const D: usize> Sums<S, D> {
                     other = Lane::splat(simd, state.strain[(a, b)]).mul_add(product, other);
                 }
             }
-            unresolved(simd, approach, own, other)
+            closing_speed(simd, &pair, unresolved(simd, approach, own, other))
         } else {
-            approach
+            bare_closing_speed(simd, &pair, approach)
         };
-        let viscous = pairwise
-            * viscous_pressure::<S, D, CONSERVATIVE>(simd, &pair, steep, sound)
-            * pair.gradient_factor;
+        let viscous = pairwise * viscous_pressure(simd, closing, sound) * pair.gradient_factor;
         let energy = Lane::splat(simd, state.energy) - i.energy;
 
         let density = i.target.half_density + i.target.half_density;
@@ -211,9 +211,13 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             }
         }
         if GAS {
-            let weight = if CONSERVATIVE { pairwise } else { volume };
+            let (weight, speed) = if CONSERVATIVE {
+                (pairwise, exchange_speed(simd, closing, sound))
+            } else {
+                (volume, sound)
+            };
             self.conduction =
-                heat_flow(simd, &pair, energy, sound).mul_add(weight, self.conduction);
+                heat_flow(simd, &pair, energy, speed).mul_add(weight, self.conduction);
             let slopes: LaneVector<S, D> = std::array::from_fn(|k| {
                 i.half_gradient[k] + Lane::splat(simd, state.half_gradient[k])
             });
