@@ -159,6 +159,14 @@ impl<'a, const D: usize> Plan<'a, D> {
             .collect()
     }
 
+    /// Cells of the layers that have room for them.
+    pub fn roomy_cells(&self) -> impl Iterator<Item = &Cell<D>> {
+        let cells = self.band.iter().zip(&self.thin);
+        cells
+            .filter(|&(cell, &thin)| !thin && self.is_inside_layers(cell))
+            .map(|(cell, _)| cell)
+    }
+
     /// True where some part is too thin for its layers.
     pub fn has_thin_cells(&self) -> bool {
         self.cells()
@@ -188,6 +196,24 @@ impl<'a, const D: usize> Plan<'a, D> {
         self.options
             .region
             .is_none_or(|region| region.contains(point))
+    }
+
+    /// How many particles inside the region a particle stands for: itself and its images, each
+    /// with the part of its cell that is inside.
+    pub fn part_in_region(&self, point: &Vector<D>) -> f64 {
+        let part = |point: &Vector<D>| {
+            self.options.region.map_or(1.0, |region| {
+                (0..D)
+                    .map(|k| {
+                        let room = (point[k] - region.min[k]).min(region.max[k] - point[k]);
+                        (room / self.options.spacing + 0.5).clamp(0.0, 1.0)
+                    })
+                    .product()
+            })
+        };
+        let mut sum = part(point);
+        self.mirrors.images(point, |_, image| sum += part(&image));
+        sum
     }
 
     /// True for points inside the packed box or an image of it.

@@ -1,13 +1,14 @@
 //! Velocity-free relaxation: particles move down the gradient of the summed density, by bounded
 //! steps, with a fixed number of them. No time step, hence the same result everywhere.
 
-use aero_geometry::kernel::{QuinticSpline, SUPPORT};
-use aero_geometry::{Pencils, Shape, Vector};
+use aero_geometry::kernel::SUPPORT;
+use aero_geometry::{Shape, Vector};
 use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
 use crate::level::project;
 use crate::mirror::Mirrors;
+use crate::on_sheet::OnSheet;
 use crate::plan::Plan;
 use crate::sources::Sources;
 
@@ -16,6 +17,13 @@ const LONGEST_STEP: f64 = 0.15;
 
 /// Nearest that a particle off a mirror plane may come to it, in spacings.
 const PLANE_CLEARANCE: f64 = 0.35;
+
+/// Below this distance, in spacings, two particles are pushed apart: the kernel's gradient vanishes
+/// at its centre and would let a pair stay together.
+const CROWDED: f64 = 0.7;
+
+/// Displacement, in spacings, of a particle that sits on another one.
+const REPULSION: f64 = 0.2;
 
 /// Particles in thin parts keep this part of the wall layer's distance from the surface.
 const CLEARANCE: f64 = 0.3;
@@ -62,6 +70,7 @@ pub(crate) fn relax<const D: usize>(
             wanted = target.gradients(&cloud.position, smoothing);
         }
         let slopes = sources.gradients(&cloud.position, smoothing);
+        let crowding = sources.crowding(&cloud.position, CROWDED * spacing);
         let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
         if step % STEPS_BETWEEN_PROJECTIONS == 0 {
             normals = normals_of_locked(shape, cloud);
@@ -75,8 +84,9 @@ pub(crate) fn relax<const D: usize>(
                 }
                 let slope = slopes[n] - wanted[n];
                 let mut push = -run.strength * spacing * spacing * slope;
+                push += REPULSION * spacing / plan.particle_volume() * crowding[n];
                 push -= normals[n] * normals[n].dot(&push);
-                let moved = confined(mirrors, &point, &push, spacing);
+                let moved = displaced(mirrors, &point, &push, spacing);
                 match cloud.lock[n] {
                     Lock::Level(level) if settle => {
                         onto_level(shape, mirrors, &moved, level, sizes)
@@ -127,7 +137,7 @@ pub(crate) fn relax_thin<const D: usize>(
     let others = rest.iter().map(|&n| (cloud.position[n], cloud.volume[n]));
     let others: Vec<(Vector<D>, f64)> = others.chain(fixed.iter().copied()).collect();
     let places: Vec<Vector<D>> = others.iter().map(|other| other.0).collect();
-    let gaps = near.nearest(&places, reach);
+    let gaps = near.nearest(&places, reach, false);
     let others: Vec<(Vector<D>, f64)> = others
         .into_iter()
         .zip(gaps)
@@ -151,10 +161,12 @@ fn normals_of_locked<const D: usize>(shape: &dyn Shape<D>, cloud: &Cloud<D>) -> 
         .collect()
 }
 
-/// Spreads points evenly on the sheet `distance = level`, each seeing the others of its sheet only.
+/// Spreads points evenly on the sheet `distance = level`, each seeing the others of its sheet only;
+/// those that are `fixed` stay.
 pub(crate) fn spread_on_sheet<const D: usize>(
     plan: &Plan<'_, D>,
     points: &mut [Vector<D>],
+    fixed: &[bool],
     level: f64,
     run: Relaxation,
 ) {
@@ -169,11 +181,17 @@ pub(crate) fn spread_on_sheet<const D: usize>(
         let moved: Vec<(Vector<D>, Vector<D>)> = points
             .par_iter()
             .zip(&normals)
-            .map(|(point, normal)| {
+            .zip(fixed)
+            .enumerate()
+            .map(|(n, ((point, normal), fixed))| {
+                if *fixed {
+                    return (*point, *normal);
+                }
                 let slope = sheet.sum(point, smoothing).1;
                 let mut push = -run.strength * spacing.powi(4) * slope;
+                push += REPULSION * spacing * sheet.crowding(n, point, CROWDED * spacing);
                 push -= normal * normal.dot(&push);
-                let target = confined(mirrors, point, &push, spacing);
+                let target = displaced(mirrors, point, &push, spacing);
                 if !settle {
                     return (target, *normal);
                 }
@@ -190,58 +208,6 @@ pub(crate) fn spread_on_sheet<const D: usize>(
     }
 }
 
-/// Points of one sheet, whose density is per area.
-pub(crate) struct OnSheet<const D: usize> {
-    points: Vec<Vector<D>>,
-    pencils: Pencils<D>,
-}
-
-impl<const D: usize> OnSheet<D> {
-    /// The points and those of their images that are within `reach` of a mirror plane.
-    pub fn new(mirrors: &Mirrors, points: &[Vector<D>], reach: f64) -> Self {
-        let mut all = points.to_vec();
-        for point in points {
-            mirrors.images_within(point, reach, |_, image| all.push(image));
-        }
-        let pencils = Pencils::new(&all, 0.5 * reach);
-        Self {
-            points: pencils.order().iter().map(|&n| all[n as usize]).collect(),
-            pencils,
-        }
-    }
-
-    /// Distance to the nearest point, at most `reach`.
-    pub fn nearest(&self, centre: &Vector<D>, reach: f64) -> f64 {
-        let mut nearest = reach;
-        let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
-        self.pencils.for_each_run(&low, &high, |slots| {
-            for point in &self.points[slots] {
-                nearest = nearest.min((centre - point).norm());
-            }
-        });
-        nearest
-    }
-
-    /// Number of points per area, and its gradient, with the kernel of the plane.
-    pub fn sum(&self, centre: &Vector<D>, smoothing: f64) -> (f64, Vector<D>) {
-        let reach = SUPPORT * smoothing;
-        let mut density = 0.0;
-        let mut slope = Vector::zeros();
-        let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
-        self.pencils.for_each_run(&low, &high, |slots| {
-            for point in &self.points[slots] {
-                let offset = centre - point;
-                let r = offset.norm();
-                if r < reach {
-                    density += QuinticSpline::<2>::value(r, smoothing);
-                    slope += QuinticSpline::<2>::gradient_factor(r, smoothing) * offset;
-                }
-            }
-        });
-        (density, slope)
-    }
-}
-
 /// The nearest place on a level that respects the mirror planes.
 fn onto_level<const D: usize>(
     shape: &dyn Shape<D>,
@@ -254,7 +220,7 @@ fn onto_level<const D: usize>(
     // Where the level meets a plane at an angle the two conditions are met in turns.
     for _ in 0..20 {
         let on = project(shape, &position, level, tolerance)?;
-        position = confined(mirrors, point, &(on - point), spacing);
+        position = clear_of_planes(mirrors, point, on, spacing);
         if (position - on).norm() <= tolerance {
             return Some(on);
         }
@@ -262,9 +228,8 @@ fn onto_level<const D: usize>(
     Some(position)
 }
 
-/// `point` displaced by at most the longest step, staying on the mirror planes on which it lies and
-/// clear of the others.
-fn confined<const D: usize>(
+/// `point` displaced by at most the longest step.
+fn displaced<const D: usize>(
     mirrors: &Mirrors,
     point: &Vector<D>,
     push: &Vector<D>,
@@ -272,19 +237,29 @@ fn confined<const D: usize>(
 ) -> Vector<D> {
     let length = push.norm();
     let longest = LONGEST_STEP * spacing;
-    let mut moved = point
-        + push
-            * if length > longest {
-                longest / length
-            } else {
-                1.0
-            };
+    let part = if length > longest {
+        longest / length
+    } else {
+        1.0
+    };
+    clear_of_planes(mirrors, point, point + part * push, spacing)
+}
+
+/// Where a particle that was at `start` ends: on the mirror planes on which it lay, and clear of the
+/// others.
+fn clear_of_planes<const D: usize>(
+    mirrors: &Mirrors,
+    start: &Vector<D>,
+    mut end: Vector<D>,
+    spacing: f64,
+) -> Vector<D> {
     for &(axis, position) in mirrors.planes() {
-        moved[axis] = if point[axis] == position {
+        end[axis] = if start[axis] == position {
             position
         } else {
-            moved[axis].max(position + (PLANE_CLEARANCE * spacing).min(point[axis] - position))
+            let nearest = (PLANE_CLEARANCE * spacing).min(start[axis] - position);
+            end[axis].max(position + nearest)
         };
     }
-    moved
+    end
 }

@@ -10,8 +10,9 @@ use rayon::prelude::*;
 use crate::grid::{Cell, Grid};
 use crate::lattice::around;
 use crate::level::project;
+use crate::on_sheet::OnSheet;
 use crate::plan::Plan;
-use crate::relax::{OnSheet, Relaxation, spread_on_sheet};
+use crate::relax::{Relaxation, spread_on_sheet};
 use crate::thin::fits;
 
 /// Evens out what projection and repair leave; a short smoothing length acts on single gaps.
@@ -43,6 +44,7 @@ impl<const D: usize> Sheets<'_, D> {
     pub fn seeds(&self, layer: usize, wanted: &BlockVolumes<D>, carry: &mut f64) -> Vec<Vector<D>> {
         let level = self.plan.level(layer);
         let half = 0.5 * self.grid.step;
+        let perfect = self.perfect(level);
         let mut points: Vec<Seed<D>> = self
             .band
             .par_iter()
@@ -59,6 +61,7 @@ impl<const D: usize> Sheets<'_, D> {
                 ((place - centre).norm() < 1.01 * self.grid.step).then(|| Seed {
                     place: self.keep_on_planes(place, &centre),
                     block: block_of(&cell.index, 1),
+                    fixed: perfect.contains(&cell.index),
                 })
             })
             .collect();
@@ -69,9 +72,31 @@ impl<const D: usize> Sheets<'_, D> {
                 break;
             }
         }
+        let fixed: Vec<bool> = points.iter().map(|seed| seed.fixed).collect();
         let mut places: Vec<Vector<D>> = points.into_iter().map(|seed| seed.place).collect();
-        spread_on_sheet(self.plan, &mut places, level, SPREADING);
+        spread_on_sheet(self.plan, &mut places, &fixed, level, SPREADING);
         places
+    }
+
+    /// Lattice cells on the middle of their layer whose neighbours in the body are so too: there the
+    /// lattice itself is the best packing.
+    fn perfect(&self, level: f64) -> HashSet<[i64; D]> {
+        let exact = |cell: &Cell<D>| {
+            let layer = cell.distance.abs() / self.grid.step - 0.5;
+            (layer - layer.round()).abs() < 1e-9
+        };
+        let flaws: HashSet<[i64; D]> = self
+            .band
+            .iter()
+            .filter(|cell| cell.distance * level > 0.0 && !exact(cell))
+            .map(|cell| cell.index)
+            .collect();
+        self.band
+            .par_iter()
+            .filter(|cell| (cell.distance - level).abs() < 1e-9 * self.grid.step)
+            .filter(|cell| around(cell.index, 1).all(|other| !flaws.contains(&other)))
+            .map(|cell| cell.index)
+            .collect()
     }
 
     /// One round of removing and adding seeds; true where something is left to do. Neighbours are
@@ -103,12 +128,15 @@ impl<const D: usize> Sheets<'_, D> {
             crowd.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let share = |n: usize| self.plan.mirrors.share(&places[n]);
             let mut have: f64 = crowd.iter().map(|&(_, n, _)| share(n)).sum();
+            if !crowd.is_empty() && crowd.iter().all(|&(_, n, _)| points[n].fixed) {
+                continue;
+            }
             let goal = volume + *carry;
             for &(_, n, _) in crowd.iter().rev() {
                 if have - goal <= 0.5 * share(n) {
                     break;
                 }
-                if touched.claim(&places[n]) {
+                if !points[n].fixed && touched.claim(&places[n]) {
                     gone[n] = true;
                     have -= share(n);
                 }
@@ -123,6 +151,7 @@ impl<const D: usize> Sheets<'_, D> {
                     added.push(Seed {
                         place,
                         block: *block,
+                        fixed: false,
                     });
                     have += 1.0;
                 }
@@ -175,6 +204,8 @@ impl<const D: usize> Sheets<'_, D> {
 struct Seed<const D: usize> {
     place: Vector<D>,
     block: [i64; D],
+    /// True where the lattice itself is the best packing.
+    fixed: bool,
 }
 
 /// The block of a cell of which `fineness` make a spacing.

@@ -10,6 +10,7 @@ use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::{Pencils, Shape, Vector};
 use rayon::prelude::*;
 
+use crate::PackError;
 use crate::cloud::{Cloud, Lock};
 use crate::grid::{Cell, Grid, blocks};
 use crate::plan::Plan;
@@ -101,6 +102,59 @@ pub(crate) fn thin_cells<const D: usize>(
         .collect()
 }
 
+/// Thickness, in spacings, below which a part cannot be represented.
+const THINNEST: f64 = 0.3;
+
+/// The least of the local thicknesses.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Thinnest {
+    /// In spacings.
+    thickness: f64,
+    at: Vec<f64>,
+}
+
+impl Thinnest {
+    /// What to tell the user.
+    pub fn warning(&self) -> String {
+        format!(
+            "the body is only {:.2} spacings thick near {:?}: gas may pass through; choose a \
+             smaller spacing",
+            self.thickness, self.at
+        )
+    }
+}
+
+/// Refuses bodies that are too thin everywhere, and returns the thinnest place if that is too thin.
+pub(crate) fn least_thickness<const D: usize>(
+    plan: &Plan<'_, D>,
+) -> Result<Option<Thinnest>, PackError> {
+    let cells = plan.thin_cells();
+    let spacing = plan.options.spacing;
+    let sizes = local_thickness(plan, &cells);
+    let Some(least) = (0..cells.len()).min_by(|&a, &b| sizes[a].total_cmp(&sizes[b])) else {
+        return Ok(None);
+    };
+    let found = Thinnest {
+        thickness: sizes[least] / spacing,
+        at: plan
+            .fine
+            .centre(&cells[least].index)
+            .iter()
+            .copied()
+            .collect(),
+    };
+    let thick_somewhere =
+        plan.roomy_cells().next().is_some() || sizes.iter().any(|&size| size >= THINNEST * spacing);
+    if thick_somewhere {
+        return Ok((found.thickness < THINNEST).then_some(found));
+    }
+    Err(PackError::Thin {
+        thickness: found.thickness,
+        at: found.at,
+        spacing,
+    })
+}
+
 /// Adds particles in the thin parts until `volume` is used up. `wanted(points, smoothing)` is
 /// the density aimed at, `placed` what contributes to it already.
 pub(crate) fn fill_thin<const D: usize>(
@@ -116,7 +170,7 @@ pub(crate) fn fill_thin<const D: usize>(
     let mut front = Front::new(plan);
     let spacing = plan.options.spacing;
     let points: Vec<Vector<D>> = front.places.iter().map(|place| place.point).collect();
-    let gaps = placed.nearest(&points, SMOOTHING * spacing);
+    let gaps = placed.nearest(&points, SMOOTHING * spacing, false);
     let present = placed.densities(&points, SMOOTHING * spacing);
     let wanted = wanted(&points, SMOOTHING * spacing);
     front.missing = (0..points.len())
