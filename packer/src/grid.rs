@@ -63,18 +63,19 @@ impl<const D: usize> Grid<D> {
         let longest = (0..D).map(|k| end[k] - first[k]).max().unwrap_or(1);
         let mut size = u64::try_from(longest).unwrap_or(1).next_power_of_two() as i64;
         let mut blocks = vec![first];
-        while size > 1 {
+        let reach = |size: i64| 0.5 * size as f64 * self.step * (D as f64).sqrt() + 1e-9 * spacing;
+        let near = |distance: f64, reach: f64| distance > low - reach && distance < high + reach;
+        while size > 2 {
             size /= 2;
-            let reach = 0.5 * size as f64 * self.step * (D as f64).sqrt() + 1e-9 * spacing;
             blocks = blocks
                 .par_iter()
                 .flat_map_iter(|block| children(block, size, &end))
                 .filter(|block| {
+                    let half = 0.5 * size as f64;
                     let centre = Vector::from_fn(|k, _| {
-                        self.origin[k] + (block[k] as f64 + 0.5 * size as f64) * self.step
+                        self.origin[k] + (block[k] as f64 + half) * self.step
                     });
-                    let distance = shape.signed_distance(&centre);
-                    distance > low - reach && distance < high + reach
+                    near(shape.signed_distance(&centre), reach(size))
                 })
                 .collect();
             let width = size as f64 * self.step / spacing;
@@ -90,26 +91,30 @@ impl<const D: usize> Grid<D> {
         }
         Ok(blocks
             .par_iter()
-            .map(|index| self.cell(shape, index, spacing))
+            .flat_map_iter(|block| {
+                children(block, 1, &end).take(if size == 1 { 1 } else { 1 << D })
+            })
+            .map(|index| {
+                let closest = shape.closest(&self.centre(&index));
+                Cell {
+                    index,
+                    distance: closest.distance,
+                    normal: closest.normal,
+                    on_ridge: false,
+                }
+            })
+            .filter(|cell| near(cell.distance, reach(1)))
             .collect())
     }
 
-    /// The cell at `index`.
-    fn cell(&self, shape: &dyn Shape<D>, index: &[i64; D], spacing: f64) -> Cell<D> {
-        let centre = self.centre(index);
-        let closest = shape.closest(&centre);
-        let face = (closest.distance / spacing).round() * spacing;
-        let reach = 0.5 * self.step * closest.normal.abs().sum();
-        let away = reach.copysign(closest.distance);
-        let on_ridge = face != 0.0 && (face - closest.distance).abs() < reach && {
-            let end = shape.signed_distance(&(centre + away * closest.normal));
-            (end - closest.distance - away).abs() > RIDGE * self.step
-        };
-        Cell {
-            index: *index,
-            distance: closest.distance,
-            normal: closest.normal,
-            on_ridge,
+    /// True where a cell straddles the face between two layers and a ridge of the distance.
+    pub fn on_ridge(&self, shape: &dyn Shape<D>, cell: &Cell<D>, spacing: f64) -> bool {
+        let face = (cell.distance / spacing).round() * spacing;
+        let reach = 0.5 * self.step * cell.normal.abs().sum();
+        let away = reach.copysign(cell.distance);
+        face != 0.0 && (face - cell.distance).abs() < reach && {
+            let end = self.centre(&cell.index) + away * cell.normal;
+            (shape.signed_distance(&end) - cell.distance - away).abs() > RIDGE * self.step
         }
     }
 }

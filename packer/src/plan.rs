@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use crate::grid::{Cell, Grid, blocks};
 use crate::lattice::lattice_grid;
 use crate::mirror::Mirrors;
-use crate::thin::thin_cells;
+use crate::thin::{Room, rooms};
 use crate::{PackError, PackOptions};
 
 /// Spacings by which the packing reaches beyond the region, so that its cut ends do not show.
@@ -44,8 +44,8 @@ pub(crate) struct Plan<'a, const D: usize> {
     pub fine: Grid<D>,
     /// Cells of the fine grid in and beside the layers.
     pub band: Vec<Cell<D>>,
-    /// For each of them whether it is too thin there for its layer.
-    thin: Vec<bool>,
+    /// How much room its layer has in each of them.
+    rooms: Vec<Room>,
     /// How exactly a point has to meet its level.
     pub tolerance: f64,
 }
@@ -83,8 +83,12 @@ impl<'a, const D: usize> Plan<'a, D> {
             Side::Ghosts => (-depth - step, step),
             Side::Fluid => (-step, depth + step),
         };
-        let band = fine.band(shape, &bounds, range, spacing)?;
-        let thin = thin_cells(shape, &fine, &band, block_size::<D>(), spacing);
+        let mut band = fine.band(shape, &bounds, range, spacing)?;
+        let rooms = rooms(shape, &fine, &band, block_size::<D>(), spacing);
+        band.par_iter_mut()
+            .zip(&rooms)
+            .filter(|&(_, &room)| room != Room::Clear)
+            .for_each(|(cell, _)| cell.on_ridge = fine.on_ridge(shape, cell, spacing));
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
         });
@@ -97,7 +101,7 @@ impl<'a, const D: usize> Plan<'a, D> {
             bounds,
             fine,
             band,
-            thin,
+            rooms,
             tolerance: 1e-12 * spacing + 8.0 * f64::EPSILON * reach,
         })
     }
@@ -134,43 +138,43 @@ impl<'a, const D: usize> Plan<'a, D> {
         self.summed_volumes(|_| 1.0)
     }
 
-    /// All cells of the band, and whether each is too thin for its layer.
-    pub fn cells(&self) -> impl IndexedParallelIterator<Item = (&Cell<D>, bool)> {
-        self.band.par_iter().zip(self.thin.par_iter().copied())
+    /// All cells of the band, and how much room each has.
+    pub fn cells(&self) -> impl IndexedParallelIterator<Item = (&Cell<D>, Room)> {
+        self.band.par_iter().zip(self.rooms.par_iter().copied())
     }
 
-    /// The band in blocks of neighbouring cells, about a spacing wide in space and single cells in
-    /// the plane, and which cells are too thin.
-    pub fn blocks(&self) -> impl Iterator<Item = (&[Cell<D>], &[bool])> {
+    /// The band in blocks of neighbouring cells, a lattice cell each in space and single cells in
+    /// the plane, and how much room each has.
+    pub fn blocks(&self) -> impl Iterator<Item = (&[Cell<D>], Room)> {
         let mut start = 0;
         blocks(&self.band, block_size::<D>()).map(move |cells| {
             let first = start;
             start += cells.len();
-            (cells, &self.thin[first..start])
+            (cells, self.rooms[first])
         })
     }
 
     /// Cells of the layers that are too thin for them.
     pub fn thin_cells(&self) -> Vec<Cell<D>> {
-        let cells = self.band.iter().zip(&self.thin);
+        let cells = self.band.iter().zip(&self.rooms);
         cells
-            .filter(|&(cell, &thin)| thin && self.is_inside_layers(cell))
+            .filter(|&(cell, &room)| room == Room::Thin && self.is_inside_layers(cell))
             .map(|(cell, _)| *cell)
             .collect()
     }
 
     /// Cells of the layers that have room for them.
     pub fn roomy_cells(&self) -> impl Iterator<Item = &Cell<D>> {
-        let cells = self.band.iter().zip(&self.thin);
+        let cells = self.band.iter().zip(&self.rooms);
         cells
-            .filter(|&(cell, &thin)| !thin && self.is_inside_layers(cell))
+            .filter(|&(cell, &room)| room != Room::Thin && self.is_inside_layers(cell))
             .map(|(cell, _)| cell)
     }
 
     /// True where some part is too thin for its layers.
     pub fn has_thin_cells(&self) -> bool {
         self.cells()
-            .any(|(cell, thin)| thin && self.is_inside_layers(cell))
+            .any(|(cell, room)| room == Room::Thin && self.is_inside_layers(cell))
     }
 
     /// True for cells with their centre in one of the layers.

@@ -31,6 +31,9 @@ const CLEARANCE: f64 = 0.3;
 /// Steps between corrections of the drift off a level.
 const STEPS_BETWEEN_PROJECTIONS: usize = 4;
 
+/// Drift off a level, in spacings, that one step along the gradient makes up for.
+const SMALL_DRIFT: f64 = 0.05;
+
 /// Steps between new evaluations of the wanted gradient, which is smooth, in the plane and in space.
 const STEPS_BETWEEN_TARGETS: [usize; 2] = [1, 5];
 
@@ -60,7 +63,7 @@ pub(crate) fn relax<const D: usize>(
     let smoothing = run.smoothing * spacing;
     let reach = SUPPORT * smoothing;
     let mut wanted = vec![Vector::zeros(); cloud.len()];
-    let mut normals = vec![Vector::zeros(); cloud.len()];
+    let mut normals = normals_of_locked(shape, cloud);
     for step in 0..run.steps {
         let everything = cloud.particles().chain(fixed.iter().copied());
         let sources = Sources::new(mirrors, everything, reach);
@@ -71,16 +74,13 @@ pub(crate) fn relax<const D: usize>(
         }
         let slopes = sources.gradients(&cloud.position, smoothing);
         let crowding = sources.crowding(&cloud.position, CROWDED * spacing);
-        let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
-        if step % STEPS_BETWEEN_PROJECTIONS == 0 {
-            normals = normals_of_locked(shape, cloud);
-        }
-        let moved: Vec<Vector<D>> = (0..cloud.len())
+        let settle = Settle::at(step, run.steps);
+        let moved: Vec<(Vector<D>, Vector<D>)> = (0..cloud.len())
             .into_par_iter()
             .map(|n| {
                 let point = cloud.position[n];
                 if cloud.lock[n] == Lock::Frozen {
-                    return point;
+                    return (point, normals[n]);
                 }
                 let slope = slopes[n] - wanted[n];
                 let mut push = -run.strength * spacing * spacing * slope;
@@ -88,25 +88,79 @@ pub(crate) fn relax<const D: usize>(
                 push -= normals[n] * normals[n].dot(&push);
                 let moved = displaced(mirrors, &point, &push, spacing);
                 match cloud.lock[n] {
-                    Lock::Level(level) if settle => {
-                        onto_level(shape, mirrors, &moved, level, sizes)
-                            .filter(|on| (on - moved).norm() < spacing)
-                            .unwrap_or(point)
+                    Lock::Level(level) => {
+                        let last = (&point, &normals[n]);
+                        settle.onto(plan, &moved, last, level)
                     }
-                    Lock::Thin if settle => {
+                    Lock::Thin if settle != Settle::Not => {
                         let nearest = CLEARANCE * plan.level(0);
                         let distance = shape.signed_distance(&moved);
-                        if distance * nearest.signum() < nearest.abs() {
+                        let inside = if distance * nearest.signum() < nearest.abs() {
                             onto_level(shape, mirrors, &moved, nearest, sizes).unwrap_or(point)
                         } else {
                             moved
-                        }
+                        };
+                        (inside, normals[n])
                     }
-                    _ => moved,
+                    _ => (moved, normals[n]),
                 }
             })
             .collect();
-        cloud.position = moved;
+        (cloud.position, normals) = moved.into_iter().unzip();
+    }
+}
+
+/// Whether particles are brought back onto their level after a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Settle {
+    Not,
+    Nearly,
+    Exactly,
+}
+
+impl Settle {
+    fn at(step: usize, steps: usize) -> Self {
+        if step + 1 == steps {
+            Self::Exactly
+        } else if (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 {
+            Self::Nearly
+        } else {
+            Self::Not
+        }
+    }
+
+    /// Place and normal of a particle on a level that has moved to `moved`; `last` are those of
+    /// before the step.
+    fn onto<const D: usize>(
+        self,
+        plan: &Plan<'_, D>,
+        moved: &Vector<D>,
+        (point, normal): (&Vector<D>, &Vector<D>),
+        level: f64,
+    ) -> (Vector<D>, Vector<D>) {
+        let spacing = plan.options.spacing;
+        if self == Self::Not {
+            return (*moved, *normal);
+        }
+        if self == Self::Nearly {
+            // One search is enough for a small drift over a smooth surface.
+            let closest = plan.shape.closest(moved);
+            let drift = closest.distance - level;
+            if drift.abs() < SMALL_DRIFT * spacing {
+                let on = moved - drift * closest.normal;
+                let on = clear_of_planes(&plan.mirrors, moved, on, spacing);
+                return (on, closest.normal);
+            }
+        }
+        onto_level(
+            plan.shape,
+            &plan.mirrors,
+            moved,
+            level,
+            (spacing, plan.tolerance),
+        )
+        .filter(|on| (on - moved).norm() < spacing)
+        .map_or((*point, *normal), |on| (on, plan.shape.closest(&on).normal))
     }
 }
 
@@ -172,12 +226,11 @@ pub(crate) fn spread_on_sheet<const D: usize>(
 ) {
     let (shape, mirrors) = (plan.shape, &plan.mirrors);
     let spacing = plan.options.spacing;
-    let sizes = (spacing, plan.tolerance);
     let mut normals: Vec<Vector<D>> = points.par_iter().map(|p| shape.closest(p).normal).collect();
     let smoothing = run.smoothing * spacing;
     for step in 0..run.steps {
         let sheet = OnSheet::new(mirrors, points, SUPPORT * smoothing);
-        let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
+        let settle = Settle::at(step, run.steps);
         let moved: Vec<(Vector<D>, Vector<D>)> = points
             .par_iter()
             .zip(&normals)
@@ -192,13 +245,7 @@ pub(crate) fn spread_on_sheet<const D: usize>(
                 push += REPULSION * spacing * sheet.crowding(n, point, CROWDED * spacing);
                 push -= normal * normal.dot(&push);
                 let target = displaced(mirrors, point, &push, spacing);
-                if !settle {
-                    return (target, *normal);
-                }
-                match onto_level(shape, mirrors, &target, level, sizes) {
-                    Some(on) if (on - target).norm() < spacing => (on, shape.closest(&on).normal),
-                    _ => (*point, *normal),
-                }
+                settle.onto(plan, &target, (point, normal), level)
             })
             .collect();
         for (n, (point, normal)) in moved.into_iter().enumerate() {

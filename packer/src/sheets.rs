@@ -13,7 +13,7 @@ use crate::level::project;
 use crate::on_sheet::OnSheet;
 use crate::plan::Plan;
 use crate::relax::{Relaxation, spread_on_sheet};
-use crate::thin::fits;
+use crate::thin::Room;
 
 /// Evens out what projection and repair leave; a short smoothing length acts on single gaps.
 const SPREADING: Relaxation = Relaxation {
@@ -45,15 +45,18 @@ impl<const D: usize> Sheets<'_, D> {
         let level = self.plan.level(layer);
         let half = 0.5 * self.grid.step;
         let perfect = self.perfect(level);
+        // In space the plan's blocks are the cells of this grid.
+        let thin: HashSet<[i64; D]> = self
+            .plan
+            .blocks()
+            .filter(|&(_, room)| room == Room::Thin)
+            .map(|(cells, _)| cells[0].index.map(|i| i.div_euclid(2)))
+            .collect();
         let mut points: Vec<Seed<D>> = self
             .band
             .par_iter()
             .filter(|cell| cell.distance >= level - half && cell.distance < level + half)
-            .filter(|cell| {
-                let centre = self.grid.centre(&cell.index);
-                let seen = (&centre, cell.distance, &cell.normal);
-                fits(self.plan.shape, seen, layer, self.grid.step)
-            })
+            .filter(|cell| !thin.contains(&cell.index))
             .filter_map(|cell| {
                 let centre = self.grid.centre(&cell.index);
                 let centre = self.plan.mirrors.snapped(centre, 1e-6 * self.grid.step);
@@ -228,8 +231,11 @@ impl<const D: usize> BlockVolumes<D> {
                 volume: HashMap::new(),
             })
             .collect();
-        for (cells, thin) in plan.blocks() {
-            for (cell, _) in cells.iter().zip(thin).filter(|&(_, &thin)| !thin) {
+        for (cells, room) in plan.blocks() {
+            if room == Room::Thin {
+                continue;
+            }
+            for cell in cells {
                 let block = block_of(&cell.index, 2);
                 for (layer, volume) in plan.parts(cell) {
                     let blocks = &mut layers[layer];

@@ -19,6 +19,9 @@ use crate::sources::Sources;
 /// A layer fits where the body is at least this much of twice its depth thick.
 const FITS: f64 = 0.95;
 
+/// A distance that differs by this much, in spacings, from the one expected tells of a ridge.
+const RIDGE: f64 = 0.01;
+
 /// Steps of the ray that measures thickness; a ray along a wall takes many and has room.
 const RAY_STEPS: usize = 60;
 
@@ -80,24 +83,48 @@ fn thickness<const D: usize>(
     enough
 }
 
-/// For every cell of a band whether its layer lacks room. Cells that share a block of `size` cells
+/// How much room a layer has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Room {
+    /// The layer lies below a smooth part of the surface.
+    Clear,
+    /// A ridge of the distance runs through it, as below a corner.
+    Ridge,
+    /// Too little.
+    Thin,
+}
+
+/// For every cell of a band how much room its layer has. Cells that share a block of `size` cells
 /// per axis are tested once.
-pub(crate) fn thin_cells<const D: usize>(
+pub(crate) fn rooms<const D: usize>(
     shape: &dyn Shape<D>,
     grid: &Grid<D>,
     band: &[Cell<D>],
     size: i64,
     spacing: f64,
-) -> Vec<bool> {
+) -> Vec<Room> {
     let blocks: Vec<&[Cell<D>]> = blocks(band, size).collect();
     blocks
         .par_iter()
         .flat_map_iter(|cells| {
             let cell = &cells[0];
-            let seen = (&grid.centre(&cell.index), cell.distance, &cell.normal);
-            let layer = (cell.distance.abs() / spacing).floor() as usize;
-            let thin = !fits(shape, seen, layer, spacing);
-            cells.iter().map(move |_| thin)
+            let centre = grid.centre(&cell.index);
+            let deepest = cells.iter().fold(0.0, |d: f64, c| d.max(c.distance.abs()));
+            let end = ((deepest / spacing).floor() + 1.0) * spacing + grid.step;
+            let end = end.copysign(cell.distance);
+            let beyond = shape.signed_distance(&(centre + (end - cell.distance) * cell.normal));
+            let room = if (beyond - end).abs() < RIDGE * spacing {
+                Room::Clear
+            } else {
+                let layer = (cell.distance.abs() / spacing).floor() as usize;
+                let seen = (&centre, cell.distance, &cell.normal);
+                if fits(shape, seen, layer, spacing) {
+                    Room::Ridge
+                } else {
+                    Room::Thin
+                }
+            };
+            cells.iter().map(move |_| room)
         })
         .collect()
 }
