@@ -40,7 +40,7 @@ pub fn pack<const D: usize>(
     options.check()?;
     let plan = Plan::new(shape, options, Mirrors::of(shape), Side::Ghosts, 2.0)?;
     let thinnest = least_thickness(&plan)?;
-    let (mut cloud, left) = seed(&plan)?;
+    let (mut cloud, left) = seed(&plan);
     let target = ideal_layers(&plan);
     let placed = Sources::new(&plan.mirrors, cloud.particles(), plan.support());
     fill_thin(&plan, &mut cloud, left, &placed, |points, smoothing| {

@@ -129,10 +129,18 @@ impl<const D: usize> Quality<'_, D> {
         let level = plan.level(0);
         let places: Vec<Vector<D>> = plan
             .roomy_cells()
-            .filter(|cell| (cell.distance - level).abs() < 0.5 * plan.fine.step)
-            .map(|cell| {
-                let centre = plan.fine.centre(&cell.index);
-                centre - (cell.distance - level) * cell.normal
+            .filter(|cell| (cell.distance - level).abs() < 0.5 * cell.step)
+            .flat_map(|cell| {
+                // A few places around the centre, brought onto the level's plane.
+                (0..1_usize << D).map(move |n| {
+                    let quarter = 0.25 * cell.step;
+                    let off =
+                        Vector::<D>::from_fn(
+                            |k, _| if n >> k & 1 == 1 { quarter } else { -quarter },
+                        );
+                    let distance = cell.distance + off.dot(&cell.normal);
+                    cell.centre + off - (distance - level) * cell.normal
+                })
             })
             .filter(|place| plan.keeps(place))
             .collect();

@@ -6,10 +6,10 @@ use aero_geometry::{Shape, Vector};
 use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
-use crate::level::project;
 use crate::mirror::Mirrors;
 use crate::on_sheet::OnSheet;
 use crate::plan::Plan;
+use crate::sheets::Seed;
 use crate::sources::Sources;
 
 /// Longest displacement in one step, in spacings.
@@ -33,6 +33,9 @@ const STEPS_BETWEEN_PROJECTIONS: usize = 4;
 
 /// Drift off a level, in spacings, that one step along the gradient makes up for.
 const SMALL_DRIFT: f64 = 0.05;
+
+/// Newton's method gives up after this many steps: there is no such place.
+const MOST_NEWTON_STEPS: usize = 30;
 
 /// Steps between new evaluations of the wanted gradient, which is smooth, in the plane and in space.
 const STEPS_BETWEEN_TARGETS: [usize; 2] = [1, 5];
@@ -111,7 +114,7 @@ pub(crate) fn relax<const D: usize>(
 }
 
 /// Whether particles are brought back onto their level after a step.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 enum Settle {
     Not,
     Nearly,
@@ -215,64 +218,68 @@ fn normals_of_locked<const D: usize>(shape: &dyn Shape<D>, cloud: &Cloud<D>) -> 
         .collect()
 }
 
-/// Spreads points evenly on the sheet `distance = level`, each seeing the others of its sheet only;
+/// Spreads seeds evenly on the sheet `distance = level`, each seeing the others of its sheet only;
 /// those that are `fixed` stay.
 pub(crate) fn spread_on_sheet<const D: usize>(
     plan: &Plan<'_, D>,
-    points: &mut [Vector<D>],
-    fixed: &[bool],
+    seeds: &mut [Seed<D>],
     level: f64,
     run: Relaxation,
 ) {
-    let (shape, mirrors) = (plan.shape, &plan.mirrors);
     let spacing = plan.options.spacing;
-    let mut normals: Vec<Vector<D>> = points.par_iter().map(|p| shape.closest(p).normal).collect();
     let smoothing = run.smoothing * spacing;
     for step in 0..run.steps {
-        let sheet = OnSheet::new(mirrors, points, SUPPORT * smoothing);
-        let settle = Settle::at(step, run.steps);
-        let moved: Vec<(Vector<D>, Vector<D>)> = points
-            .par_iter()
-            .zip(&normals)
-            .zip(fixed)
-            .enumerate()
-            .map(|(n, ((point, normal), fixed))| {
-                if *fixed {
-                    return (*point, *normal);
-                }
-                let slope = sheet.sum(point, smoothing).1;
-                let mut push = -run.strength * spacing.powi(4) * slope;
-                push += REPULSION * spacing * sheet.crowding(n, point, CROWDED * spacing);
-                push -= normal * normal.dot(&push);
-                let target = displaced(mirrors, point, &push, spacing);
-                settle.onto(plan, &target, (point, normal), level)
-            })
-            .collect();
-        for (n, (point, normal)) in moved.into_iter().enumerate() {
-            points[n] = point;
-            normals[n] = normal;
-        }
+        // Relaxation in space follows, so a little drift off the sheet does no harm.
+        let places: Vec<Vector<D>> = seeds.iter().map(|seed| seed.place).collect();
+        let sheet = OnSheet::new(&plan.mirrors, &places, SUPPORT * smoothing);
+        let settle = Settle::at(step, run.steps).min(Settle::Nearly);
+        seeds.par_iter_mut().enumerate().for_each(|(n, seed)| {
+            if seed.fixed {
+                return;
+            }
+            let slope = sheet.sum(&seed.place, smoothing).1;
+            let mut push = -run.strength * spacing.powi(4) * slope;
+            push += REPULSION * spacing * sheet.crowding(n, &seed.place, CROWDED * spacing);
+            push -= seed.normal * seed.normal.dot(&push);
+            let moved = displaced(&plan.mirrors, &seed.place, &push, spacing);
+            let last = (&seed.place, &seed.normal);
+            (seed.place, seed.normal) = settle.onto(plan, &moved, last, level);
+        });
     }
 }
 
-/// The nearest place on a level that respects the mirror planes.
+/// A place on a level near `start`, by Newton's method along the gradient, or along what the mirror
+/// planes leave of it.
 fn onto_level<const D: usize>(
     shape: &dyn Shape<D>,
     mirrors: &Mirrors,
-    point: &Vector<D>,
+    start: &Vector<D>,
     level: f64,
     (spacing, tolerance): (f64, f64),
 ) -> Option<Vector<D>> {
-    let mut position = *point;
-    // Where the level meets a plane at an angle the two conditions are met in turns.
-    for _ in 0..20 {
-        let on = project(shape, &position, level, tolerance)?;
-        position = clear_of_planes(mirrors, point, on, spacing);
-        if (position - on).norm() <= tolerance {
-            return Some(on);
+    let mut place = *start;
+    for _ in 0..MOST_NEWTON_STEPS {
+        let closest = shape.closest(&place);
+        let error = closest.distance - level;
+        if error.abs() <= tolerance {
+            return Some(place);
         }
+        let mut gradient = closest.normal;
+        let step = place - error * gradient;
+        let allowed = clear_of_planes(mirrors, start, step, spacing);
+        for &(axis, _) in mirrors.planes() {
+            if allowed[axis] != step[axis] && place[axis] == allowed[axis] {
+                gradient[axis] = 0.0;
+            }
+        }
+        let slope = gradient.norm_squared();
+        if slope < 1e-3 {
+            return None;
+        }
+        let step = place - error / slope * gradient;
+        place = clear_of_planes(mirrors, start, step, spacing);
     }
-    Some(position)
+    None
 }
 
 /// `point` displaced by at most the longest step.

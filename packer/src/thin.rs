@@ -12,7 +12,7 @@ use rayon::prelude::*;
 
 use crate::PackError;
 use crate::cloud::{Cloud, Lock};
-use crate::grid::{Cell, Grid, blocks};
+use crate::grid::Cell;
 use crate::plan::Plan;
 use crate::sources::Sources;
 
@@ -21,6 +21,9 @@ const FITS: f64 = 0.95;
 
 /// A distance that differs by this much, in spacings, from the one expected tells of a ridge.
 const RIDGE: f64 = 0.01;
+
+/// How far behind the last layer, in spacings, a ridge still counts.
+const BEYOND: f64 = 0.2;
 
 /// Steps of the ray that measures thickness; a ray along a wall takes many and has room.
 const RAY_STEPS: usize = 60;
@@ -94,39 +97,22 @@ pub(crate) enum Room {
     Thin,
 }
 
-/// For every cell of a band how much room its layer has. Cells that share a block of `size` cells
-/// per axis are tested once.
-pub(crate) fn rooms<const D: usize>(
-    shape: &dyn Shape<D>,
-    grid: &Grid<D>,
-    band: &[Cell<D>],
-    size: i64,
-    spacing: f64,
-) -> Vec<Room> {
-    let blocks: Vec<&[Cell<D>]> = blocks(band, size).collect();
-    blocks
-        .par_iter()
-        .flat_map_iter(|cells| {
-            let cell = &cells[0];
-            let centre = grid.centre(&cell.index);
-            let deepest = cells.iter().fold(0.0, |d: f64, c| d.max(c.distance.abs()));
-            let end = ((deepest / spacing).floor() + 1.0) * spacing + grid.step;
-            let end = end.copysign(cell.distance);
-            let beyond = shape.signed_distance(&(centre + (end - cell.distance) * cell.normal));
-            let room = if (beyond - end).abs() < RIDGE * spacing {
-                Room::Clear
-            } else {
-                let layer = (cell.distance.abs() / spacing).floor() as usize;
-                let seen = (&centre, cell.distance, &cell.normal);
-                if fits(shape, seen, layer, spacing) {
-                    Room::Ridge
-                } else {
-                    Room::Thin
-                }
-            };
-            cells.iter().map(move |_| room)
-        })
-        .collect()
+/// How much room the layers in a cell have.
+pub(crate) fn room<const D: usize>(shape: &dyn Shape<D>, cell: &Cell<D>, spacing: f64) -> Room {
+    let reach = 0.5 * cell.step * cell.normal.abs().sum();
+    let last = ((cell.distance.abs() + reach) / spacing).ceil() * spacing;
+    let end = (last + BEYOND * spacing).copysign(cell.distance);
+    let there = cell.centre + (end - cell.distance) * cell.normal;
+    if (shape.signed_distance(&there) - end).abs() < RIDGE * spacing {
+        return Room::Clear;
+    }
+    let layer = (cell.distance.abs() / spacing).floor() as usize;
+    let seen = (&cell.centre, cell.distance, &cell.normal);
+    if fits(shape, seen, layer, spacing) {
+        Room::Ridge
+    } else {
+        Room::Thin
+    }
 }
 
 /// Thickness, in spacings, below which a part cannot be represented.
@@ -163,12 +149,7 @@ pub(crate) fn least_thickness<const D: usize>(
     };
     let found = Thinnest {
         thickness: sizes[least] / spacing,
-        at: plan
-            .fine
-            .centre(&cells[least].index)
-            .iter()
-            .copied()
-            .collect(),
+        at: cells[least].centre.iter().copied().collect(),
     };
     let thick_somewhere =
         plan.roomy_cells().next().is_some() || sizes.iter().any(|&size| size >= THINNEST * spacing);
@@ -327,7 +308,7 @@ impl<const D: usize> Front<D> {
 /// rows beside a plane keep off it; a single row lies on it.
 fn start<const D: usize>(plan: &Plan<'_, D>, cell: &Cell<D>) -> Option<Vector<D>> {
     let spacing = plan.options.spacing;
-    let centre = plan.fine.centre(&cell.index);
+    let centre = cell.centre;
     let seen = (&centre, cell.distance, &cell.normal);
     // What the layers above leave of the thickness.
     let above = (cell.distance.abs() / spacing).floor() * 2.0 * spacing;
@@ -361,7 +342,7 @@ fn local_thickness<const D: usize>(plan: &Plan<'_, D>, cells: &[Cell<D>]) -> Vec
         .par_iter()
         .filter(|cell| plan.is_inside_layers(cell))
         .map(|cell| {
-            let centre = plan.fine.centre(&cell.index);
+            let centre = cell.centre;
             let seen = (&centre, cell.distance, &cell.normal);
             // Half way through lies the centre of the largest ball that fits in here.
             let half = 0.5 * thickness(plan.shape, seen, spacing) - cell.distance.abs();
@@ -377,7 +358,7 @@ fn local_thickness<const D: usize>(plan: &Plan<'_, D>, cells: &[Cell<D>]) -> Vec
     cells
         .iter()
         .map(|cell| {
-            let home = block(&plan.fine.centre(&cell.index));
+            let home = block(&cell.centre);
             (0..3_usize.pow(D as u32))
                 .filter_map(|code| {
                     let key: [i64; D] = std::array::from_fn(|k| {
