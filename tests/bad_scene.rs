@@ -177,6 +177,16 @@ fn an_inlet_without_a_free_stream_is_refused() {
 }
 
 #[test]
+fn an_inlet_that_the_stream_leaves_by_is_refused() {
+    let stream = "[free_stream]\nmach = 2.0\ndensity = 1.0\npressure = 1.0\n";
+    let scene = box_with("x_max = \"wall\"", "x_max = \"inlet\"") + stream;
+    refused(
+        &scene,
+        &["domain.sides.x_max", "is an inlet", "speed of -2.3"],
+    );
+}
+
+#[test]
 fn an_overdetermined_free_stream_is_refused() {
     let with = |lines: &str| format!("{BOX}\n[free_stream]\npressure = 1.0\n{lines}\n");
     refused(

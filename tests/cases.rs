@@ -5,7 +5,16 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 5] = [
+const SMALL: [(&str, &[&str]); 8] = [
+    (
+        "biconvex",
+        &[
+            "end_time=0.05",
+            "spacing=0.05",
+            "body.aerofoil.spacing=0.025",
+        ],
+    ),
+    ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     ("sod", &["end_time=0.005"]),
     ("sod-1d", &["end_time=0.01"]),
     ("sphere", &["end_time=0.2", "spacing=0.25"]),
@@ -17,6 +26,7 @@ const SMALL: [(&str, &[&str]); 5] = [
             "body.sphere.shape.tessellated.around=48",
         ],
     ),
+    ("step", &["end_time=0.05", "spacing=0.05"]),
     ("wedge", &["end_time=0.1", "spacing=0.125"]),
 ];
 

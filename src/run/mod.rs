@@ -126,7 +126,7 @@ pub fn simulate<const D: usize>(
         };
         if tiny_steps > PATIENCE {
             let reason = format!(
-                "the time step collapsed to {dt:.1e} (step {}, time {}); the end is out of reach",
+                "the time step collapsed to {dt:.1e} (step {}, time {:.3e}); the end is out of reach",
                 simulation.steps(),
                 simulation.time()
             );

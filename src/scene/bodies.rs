@@ -7,15 +7,17 @@ use aero_packer::{PackOptions, Packing};
 use nalgebra::Vector3;
 
 use super::budget;
+use super::cover::check_covered_sides;
 use super::domain::{AXES, BUFFER, ghost_region};
 use super::error::SceneError;
 use super::file::{BodyEntry, MotionEntry, SceneFile};
 use super::flow::{vector, vector_or_zero};
 use super::number::Positive;
+use super::reference::{frontal_area, modelled_part};
 use super::shapes::Made;
 use super::side::WallWord;
 use super::spin::Spin;
-use crate::case::{Body, Domain, Motion, Side, State};
+use crate::case::{Body, Domain, Motion, State};
 
 /// Ghost layers: five cover the support of the kernel (Villodi & Ramachandran, section 4).
 const LAYERS: usize = 5;
@@ -46,7 +48,7 @@ impl Default for PackWishes {
 pub struct BodyPlan<const D: usize> {
     /// Its entry in the scene.
     entry: BodyEntry,
-    made: Made<D>,
+    pub(super) made: Made<D>,
     options: PackOptions<D>,
 }
 
@@ -186,22 +188,6 @@ impl<const D: usize> BodyPlan<D> {
     }
 }
 
-/// The part of a body that forces are reported for: what the domain holds of it, and its image
-/// behind symmetry planes that cut it.
-fn modelled_part<const D: usize>(bounds: &Bounds<D>, domain: &Domain<D>) -> Bounds<D> {
-    let mut part = bounds.intersection(&domain.bounds);
-    for k in 0..D {
-        let [low, high] = domain.sides[k].map(|side| side == Side::Symmetry);
-        let (plane_low, plane_high) = (domain.bounds.min[k], domain.bounds.max[k]);
-        if low && bounds.min[k] < plane_low {
-            part.min[k] = 2.0 * plane_low - part.max[k];
-        } else if high && bounds.max[k] > plane_high {
-            part.max[k] = 2.0 * plane_high - part.min[k];
-        }
-    }
-    part
-}
-
 fn motion<const D: usize>(
     name: &str,
     entry: Option<&MotionEntry>,
@@ -235,95 +221,10 @@ fn motion<const D: usize>(
     })
 }
 
-/// Extent of a box across the stream in 2D; in 3D the ellipse that fits its two extents across the
-/// stream, which is exact for round bodies along an axis.
-fn frontal_area<const D: usize>(size: &Vector<D>, velocity: &Vector<D>) -> f64 {
-    let along = velocity
-        .try_normalize(0.0)
-        .unwrap_or_else(|| Vector::<D>::from_fn(|k, _| f64::from(u8::from(k == 0))));
-    // Area of the box seen along the stream: its faces, each foreshortened.
-    let volume_without = |k: usize| (0..D).filter(|&j| j != k).map(|j| size[j]).product::<f64>();
-    let seen: f64 = (0..D).map(|k| along[k].abs() * volume_without(k)).sum();
-    let round = if D == 3 {
-        std::f64::consts::FRAC_PI_4
-    } else {
-        1.0
-    };
-    if seen > 0.0 {
-        round * seen
-    } else {
-        // A wall along the stream shows no front.
-        size.max().powi(D as i32 - 1)
-    }
-}
-
-/// A side that is to be closed by a body must be inside one everywhere, or gas would leave there.
-fn check_covered_sides<const D: usize>(
-    domain: &Domain<D>,
-    plans: &[BodyPlan<D>],
-    spacing: f64,
-) -> Result<(), SceneError> {
-    for k in 0..D {
-        for end in 0..2 {
-            if domain.sides[k][end] != Side::Body {
-                continue;
-            }
-            let open = open_point(domain, plans, spacing, [k, end]);
-            if let Some(point) = open {
-                let word = ["min", "max"][end];
-                return Err(SceneError::value(
-                    format!("domain.sides.{}_{word}", AXES[k]),
-                    format!(
-                        "is closed by a body, but no body is near ({}); choose another side there or extend the body",
-                        list(&point)
-                    ),
-                ));
-            }
-        }
-    }
-    Ok(())
-}
-
-/// A point of one side, half a spacing outside of all bodies or farther; none if there is none.
-fn open_point<const D: usize>(
-    domain: &Domain<D>,
-    plans: &[BodyPlan<D>],
-    spacing: f64,
-    [axis, end]: [usize; 2],
-) -> Option<Vector<D>> {
-    /// Enough to find a gap that matters; a finer one shows as a leak.
-    const MOST: usize = 200;
-    let bounds = &domain.bounds;
-    let counts: [usize; D] = std::array::from_fn(|k| {
-        let count = (bounds.size()[k] / spacing).ceil() as usize;
-        if k == axis { 1 } else { count.clamp(1, MOST) }
-    });
-    let total: usize = counts.iter().product();
-    (0..total).find_map(|number| {
-        let mut rest = number;
-        let mut point = Vector::<D>::zeros();
-        for k in 0..D {
-            let part = (rest % counts[k]) as f64 + 0.5;
-            rest /= counts[k];
-            point[k] = bounds.min[k] + bounds.size()[k] * part / counts[k] as f64;
-        }
-        point[axis] = if end == 0 { bounds.min } else { bounds.max }[axis];
-        let covered = plans
-            .iter()
-            .any(|plan| plan.made.shape.signed_distance(&point) <= 0.5 * spacing);
-        (!covered).then_some(point)
-    })
-}
-
 /// A box, for people: `-1 to 3 in x, 0 to 3 in y`.
 fn span<const D: usize>(bounds: &Bounds<D>) -> String {
     (0..D)
         .map(|k| format!("{} to {} in {}", bounds.min[k], bounds.max[k], AXES[k]))
         .collect::<Vec<_>>()
         .join(", ")
-}
-
-fn list<const D: usize>(point: &Vector<D>) -> String {
-    let numbers: Vec<String> = point.iter().map(|x| format!("{x:.4}")).collect();
-    numbers.join(", ")
 }

@@ -2,6 +2,7 @@
 
 use aero_geometry::Vector;
 
+use super::domain::AXES;
 use super::error::SceneError;
 use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::number::{Finite, Gamma, Positive};
@@ -44,6 +45,28 @@ pub(super) fn free_stream<const D: usize>(
             "missing; add the section with mach, density and pressure, or start from [initial.riemann]",
         )),
     }
+}
+
+/// Refuses an inlet that the free stream does not flow in through.
+pub(super) fn check_inlets<const D: usize>(
+    domain: &Domain<D>,
+    free_stream: &State<D>,
+) -> Result<(), SceneError> {
+    for k in 0..D {
+        for (end, inward) in [(0, 1.0), (1, -1.0)] {
+            let speed = inward * free_stream.velocity[k];
+            if domain.sides[k][end] == Side::Inlet && speed <= 0.0 {
+                let word = ["min", "max"][end];
+                return Err(SceneError::value(
+                    format!("domain.sides.{}_{word}", AXES[k]),
+                    format!(
+                        "is an inlet, but the free stream enters there at a speed of {speed}; choose free-stream or outlet, or turn free_stream.direction"
+                    ),
+                ));
+            }
+        }
+    }
+    Ok(())
 }
 
 /// State at the start.

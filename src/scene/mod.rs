@@ -1,13 +1,51 @@
 //! Scenes: the file, its overrides, and the case that it means. Reads and checks; runs nothing.
+//!
+//! [`file::SceneFile`] lists every key, [`shapes::ShapeEntry`] every shape.
+//!
+//! ```
+//! use aero::scene::Scene;
+//!
+//! let text = r#"
+//! dimension = 2
+//! spacing = 0.25
+//! end_time = 1.0
+//!
+//! [free_stream]
+//! mach = 2.5
+//! density = 1.0
+//! pressure = 0.7142857142857143
+//!
+//! [domain]
+//! min = [-1.0, 0.0]
+//! max = [3.0, 3.0]
+//!
+//! [domain.sides]
+//! x_min = "inlet"
+//! x_max = "outlet"
+//! y_min = "body"
+//! y_max = "free-stream"
+//!
+//! [[body]]
+//! name = "ramp"
+//! shape = { compression_corner = { angle = 20.0 } }
+//! "#;
+//! let mut scene = Scene::parse(text, "ramp", ".".as_ref())?;
+//! scene.set("body.ramp.shape.compression_corner.angle=15")?;
+//! let case = scene.build::<2>()?;
+//! assert_eq!(case.bodies[0].name, "ramp");
+//! # Ok::<(), aero::scene::SceneError>(())
+//! ```
 
 mod bodies;
 mod budget;
+mod cover;
 mod domain;
 mod error;
 pub mod file;
 mod flow;
 pub mod number;
 mod overrides;
+mod reference;
 pub mod shapes;
 pub mod side;
 pub mod spin;
@@ -119,6 +157,7 @@ impl Scene {
         let spacing = file.spacing.get();
         let domain = domain::domain(file)?;
         let free_stream = flow::free_stream(file, &domain)?;
+        flow::check_inlets(&domain, &free_stream)?;
         let initial = flow::initial(file, &domain)?;
         let output = output(&file.output, file.end_time.get())?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;

@@ -121,13 +121,12 @@ impl<const D: usize> Simulation<D> {
 
     /// Force of the gas on each ghost.
     fn ghost_forces(&self) -> Vec<Vector<D>> {
-        let first = self.records.start[GHOSTS];
         let mut rates = vec![Rates::default(); self.walls.ghosts.len()];
         reactions(
             self.arch,
             &self.wall_lists.near,
             &self.records,
-            first,
+            self.case.scheme.equations,
             &mut rates,
         );
         let masses = &self.records.near[self.records.segment(GHOSTS)];

@@ -32,7 +32,7 @@ mod walls;
 use images::Images;
 use neighbours::{Candidates, GROWTH, Lists, Seeker};
 use open::OpenBoundaries;
-use pairs::rates::{Conduction, rates};
+use pairs::rates::rates;
 use pairs::renormalisation::{Renormalisation, renormalise};
 use pairs::shield::shield;
 use pairs::summation::densities;
@@ -323,15 +323,11 @@ impl<const D: usize> Simulation<D> {
         if self.case.scheme.shield {
             self.shield();
         }
-        let conduction = match self.case.scheme.equations {
-            Equations::Paper => Conduction::Printed,
-            Equations::Conservative => Conduction::Pairwise,
-        };
         rates(
             self.arch,
             &self.lists,
             &self.records,
-            conduction,
+            self.case.scheme.equations,
             self.case.scheme.shield,
             &mut self.rates,
         );

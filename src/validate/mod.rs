@@ -3,8 +3,12 @@
 //! One file per case. A case runs its scene of `cases/` in several variants and returns rows of the
 //! table; exact solutions and metrics are not here.
 
+mod biconvex;
+mod cylinder;
 mod outcome;
 mod sod;
+mod sphere;
+mod step;
 mod wedge;
 
 use std::path::Path;
@@ -85,7 +89,14 @@ pub enum ValidateError {
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 2] = [("wedge", wedge::compare), ("sod", sod::compare)];
+const CASES: [(&str, Comparison); 6] = [
+    ("wedge", wedge::compare),
+    ("sod", sod::compare),
+    ("cylinder", cylinder::compare),
+    ("step", step::compare),
+    ("biconvex", biconvex::compare),
+    ("sphere", sphere::compare),
+];
 
 /// Runs the named cases, all of them where none is named, and returns their rows.
 ///

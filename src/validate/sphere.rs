@@ -21,7 +21,7 @@ const TESSELLATED: Source = Source {
 };
 const MACH: f64 = 3.0;
 const GAMMA: f64 = 1.4;
-const SPACING: f64 = 0.125;
+const SPACING: f64 = 0.1;
 
 /// Compares stand-off, stagnation pressure and the drag of the tessellated sphere.
 pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
@@ -33,7 +33,6 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     for extrapolation in extrapolations {
         let settings = [
             format!("spacing={SPACING}"),
-            "end_time=3.0".into(),
             format!("scheme.extrapolation={extrapolation}"),
         ];
         let exact = run(ANALYTIC, &settings, context)?;
@@ -61,16 +60,15 @@ fn flow(
         ahead: 1.0,
         behind: normal_shock(MACH, GAMMA)?.density_ratio,
     };
-    let shock = stand_off(&gas.position, &gas.density, &line).map_err(|source| {
-        ValidateError::Metric {
+    let shock =
+        stand_off(&gas.position, &gas.density, &line).map_err(|source| ValidateError::Metric {
             case: ANALYTIC.name.into(),
             source,
-        }
-    })?;
+        })?;
     picture(outcome, extrapolation, context)?;
 
     let billig = BowShock::new(Nose::Sphere, MACH)?;
-    let label = |quantity: &str| format!("dx R/8, {extrapolation}: {quantity}");
+    let label = |quantity: &str| format!("dx R/10, {extrapolation}: {quantity}");
     let stand_off = label("stand-off / R");
     let pressure = label("stagnation pressure / free stream");
     let leaked = label("particles in the wall");

@@ -174,6 +174,8 @@ tables! {
     cylinder_shock = "cylinder/shock.csv";
     /// Finite-volume wall pressure on the Mach 10 cylinder.
     cylinder_wall = "cylinder/wall.csv";
+    /// Finite-volume position of the bow shock ahead of the Mach 3 forward-facing step.
+    step_shock = "step/shock.csv";
     /// Finite-volume Mach number on the planar nozzle's centre line and wall.
     nozzle_centre_line = "nozzle/centre_line.csv";
     /// Quasi-one-dimensional planar nozzle.

@@ -4,24 +4,16 @@ use aero_geometry::Vector;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
+use crate::case::Equations;
+
 use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
 use super::super::particle::Rates;
-use super::super::records::{Matrix, Near, Records, State};
+use super::super::records::{GHOSTS, Matrix, Near, Records, State};
 use super::artificial_conduction::heat_flow;
 use super::artificial_viscosity::viscous_pressure;
 use super::density_diffusion::diffusion;
 use super::{LaneVector, Pair, Target, dot, unlane, zeros};
-
-/// How conduction is weighed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Conduction {
-    /// By `m_j / rho_j`, as printed in Villodi & Ramachandran 2024, eq. 14: it leaks energy
-    /// wherever the density varies.
-    Printed,
-    /// By `m_j / rho_ij`: what one particle gives the other receives.
-    Pairwise,
-}
 
 /// Rates of every listed particle of the fluid [Villodi & Ramachandran 2024, eqs 10, 12, 14, and
 /// 19-21 where `shifted`; signs as derived from the continuum equations].
@@ -31,7 +23,7 @@ pub fn rates<const D: usize>(
     arch: Arch,
     lists: &Lists,
     records: &Records<D>,
-    conduction: Conduction,
+    equations: Equations,
     shifted: bool,
     rates: &mut [Rates<D>],
 ) {
@@ -46,35 +38,42 @@ pub fn rates<const D: usize>(
                 first: 0,
                 rates,
             };
-            match (conduction, shifted) {
-                (Conduction::Printed, false) => arch.dispatch(FluidPass::<D, false, false>(pass)),
-                (Conduction::Printed, true) => arch.dispatch(FluidPass::<D, false, true>(pass)),
-                (Conduction::Pairwise, false) => arch.dispatch(FluidPass::<D, true, false>(pass)),
-                (Conduction::Pairwise, true) => arch.dispatch(FluidPass::<D, true, true>(pass)),
+            match (equations, shifted) {
+                (Equations::Paper, false) => arch.dispatch(FluidPass::<D, false, false>(pass)),
+                (Equations::Paper, true) => arch.dispatch(FluidPass::<D, false, true>(pass)),
+                (Equations::Conservative, false) => {
+                    arch.dispatch(FluidPass::<D, true, false>(pass));
+                }
+                (Equations::Conservative, true) => arch.dispatch(FluidPass::<D, true, true>(pass)),
             }
         });
 }
 
 /// Accelerations that the gas would give ghosts of mass `rho V`: by the pair laws' symmetry the
-/// force on each ghost. `first` is the slot of the first ghost.
+/// force on each ghost.
 pub fn reactions<const D: usize>(
     arch: Arch,
     lists: &Lists,
     records: &Records<D>,
-    first: usize,
+    equations: Equations,
     rates: &mut [Rates<D>],
 ) {
+    let first = records.start[GHOSTS];
     lists
         .chunks
         .par_iter()
         .zip(rates.par_chunks_mut(lists.chunk_targets()))
         .for_each(|(chunk, rates)| {
-            arch.dispatch(ReactionPass(Pass {
+            let pass = Pass {
                 chunk,
                 records,
                 first,
                 rates,
-            }));
+            };
+            match equations {
+                Equations::Paper => arch.dispatch(ReactionPass::<D, false>(pass)),
+                Equations::Conservative => arch.dispatch(ReactionPass::<D, true>(pass)),
+            }
         });
 }
 
@@ -85,9 +84,9 @@ struct Pass<'a, const D: usize> {
     rates: &'a mut [Rates<D>],
 }
 
-struct FluidPass<'a, const D: usize, const PAIRWISE: bool, const SHIFTED: bool>(Pass<'a, D>);
+struct FluidPass<'a, const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool>(Pass<'a, D>);
 
-struct ReactionPass<'a, const D: usize>(Pass<'a, D>);
+struct ReactionPass<'a, const D: usize, const CONSERVATIVE: bool>(Pass<'a, D>);
 
 /// What the sums of particle `i` need of its own state, one per lane.
 struct Own<S: Simd, const D: usize> {
@@ -150,7 +149,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     /// Adds the terms of `i` with `j`; `GAS` adds conduction and diffusion, which act within
     /// the gas only (`phi_ij` of Villodi & Ramachandran 2024, below eq. 10).
     #[inline(always)]
-    fn add<const GAS: bool, const PAIRWISE: bool, const SHIFTED: bool>(
+    fn add<const GAS: bool, const CONSERVATIVE: bool, const SHIFTED: bool>(
         &mut self,
         simd: S,
         i: &Own<S, D>,
@@ -166,8 +165,9 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             std::array::from_fn(|k| Lane::splat(simd, near.velocity[k]) - i.velocity[k]);
         let approach = -dot(&jump, &pair.separation);
         let sound = i.half_sound + Lane::splat(simd, state.half_sound);
-        let viscous =
-            pairwise * viscous_pressure(simd, &pair, approach, sound) * pair.gradient_factor;
+        let viscous = pairwise
+            * viscous_pressure::<S, D, CONSERVATIVE>(simd, &pair, approach, sound)
+            * pair.gradient_factor;
         let energy = Lane::splat(simd, state.energy) - i.energy;
 
         let density = i.target.half_density + i.target.half_density;
@@ -192,7 +192,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             }
         }
         if GAS {
-            let weight = if PAIRWISE { pairwise } else { volume };
+            let weight = if CONSERVATIVE { pairwise } else { volume };
             self.conduction =
                 heat_flow(simd, &pair, energy, sound).mul_add(weight, self.conduction);
             let slopes: LaneVector<S, D> = std::array::from_fn(|k| {
@@ -206,8 +206,8 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     }
 }
 
-impl<const D: usize, const PAIRWISE: bool, const SHIFTED: bool> WithSimd
-    for FluidPass<'_, D, PAIRWISE, SHIFTED>
+impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
+    for FluidPass<'_, D, CONSERVATIVE, SHIFTED>
 {
     type Output = ();
 
@@ -229,12 +229,12 @@ impl<const D: usize, const PAIRWISE: bool, const SHIFTED: bool> WithSimd
             let mut sums = Sums::new(simd);
             for &j in &chunk.entries[cluster.gas.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<true, PAIRWISE, SHIFTED>(simd, &own, near, state);
+                sums.add::<true, CONSERVATIVE, SHIFTED>(simd, &own, near, state);
             }
             let by_gas = Forces::from(&sums);
             for &j in &chunk.entries[cluster.wall.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<false, PAIRWISE, SHIFTED>(simd, &own, near, state);
+                sums.add::<false, CONSERVATIVE, SHIFTED>(simd, &own, near, state);
             }
             let forces = Forces::from(&sums);
             let velocity_gradient = sums.velocity_gradient.map(|row| row.map(Lane::to_array));
@@ -265,7 +265,7 @@ impl<const D: usize, const PAIRWISE: bool, const SHIFTED: bool> WithSimd
     }
 }
 
-impl<const D: usize> WithSimd for ReactionPass<'_, D> {
+impl<const D: usize, const CONSERVATIVE: bool> WithSimd for ReactionPass<'_, D, CONSERVATIVE> {
     type Output = ();
 
     #[inline(always)]
@@ -286,7 +286,7 @@ impl<const D: usize> WithSimd for ReactionPass<'_, D> {
             let mut sums = Sums::new(simd);
             for &j in &chunk.entries[cluster.gas.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<false, true, false>(simd, &own, near, state);
+                sums.add::<false, CONSERVATIVE, false>(simd, &own, near, state);
             }
             let forces = Forces::from(&sums);
             for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {

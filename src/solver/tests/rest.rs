@@ -67,3 +67,23 @@ fn a_stream_along_a_symmetry_plane_starts_and_stays_on_one_side_of_it() {
         assert!((particle.density / 1.4 - 1.0).abs() < 1e-11);
     }
 }
+
+#[test]
+fn a_particle_that_meets_its_own_image_is_pushed_back_gently() {
+    let mut case = cube::<2>(12, WALL);
+    case.domain.sides[1][0] = Side::Symmetry;
+    let mut simulation = start(case);
+    let near_plane = |p: &&mut crate::solver::particle::Particle<2>| p.position[1] < 0.1;
+    for particle in simulation.fluid.iter_mut().filter(|p| near_plane(p)) {
+        particle.position[1] = 1e-5;
+        particle.velocity[1] = -0.3;
+    }
+    advance(&mut simulation, 5);
+    for particle in &simulation.fluid {
+        assert!(
+            particle.velocity.norm() < 3.0,
+            "speed {}",
+            particle.velocity.norm()
+        );
+    }
+}

@@ -1,0 +1,75 @@
+//! What force coefficients of a body refer to where the scene does not say.
+
+use aero_geometry::{Bounds, Vector};
+
+use crate::case::{Domain, Side};
+
+/// The part of a body that forces are reported for: what the domain holds of it, and its image
+/// behind symmetry planes that cut it.
+pub(super) fn modelled_part<const D: usize>(bounds: &Bounds<D>, domain: &Domain<D>) -> Bounds<D> {
+    let mut part = bounds.intersection(&domain.bounds);
+    for k in 0..D {
+        let [low, high] = domain.sides[k].map(|side| side == Side::Symmetry);
+        let (plane_low, plane_high) = (domain.bounds.min[k], domain.bounds.max[k]);
+        if low && bounds.min[k] < plane_low {
+            part.min[k] = 2.0 * plane_low - part.max[k];
+        } else if high && bounds.max[k] > plane_high {
+            part.max[k] = 2.0 * plane_high - part.min[k];
+        }
+    }
+    part
+}
+
+/// Extent of a box across the stream in 2D; in 3D the ellipse that fits its two extents across the
+/// stream, which is exact for round bodies along an axis.
+pub(super) fn frontal_area<const D: usize>(size: &Vector<D>, velocity: &Vector<D>) -> f64 {
+    let along = velocity
+        .try_normalize(0.0)
+        .unwrap_or_else(|| Vector::<D>::from_fn(|k, _| f64::from(u8::from(k == 0))));
+    // Area of the box seen along the stream: its faces, each foreshortened.
+    let volume_without = |k: usize| (0..D).filter(|&j| j != k).map(|j| size[j]).product::<f64>();
+    let seen: f64 = (0..D).map(|k| along[k].abs() * volume_without(k)).sum();
+    let round = if D == 3 {
+        std::f64::consts::FRAC_PI_4
+    } else {
+        1.0
+    };
+    if seen > 0.0 {
+        round * seen
+    } else {
+        // A wall along the stream shows no front.
+        size.max().powi(D as i32 - 1)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn half_a_body_behind_a_symmetry_plane_counts_whole() {
+        let unit = Bounds::new(Vector::<2>::repeat(-1.0), Vector::<2>::repeat(1.0));
+        let domain = Domain {
+            bounds: Bounds::new(Vector::<2>::new(-3.0, 0.0), Vector::<2>::repeat(3.0)),
+            sides: [
+                [Side::Inlet, Side::Outlet],
+                [Side::Symmetry, Side::FreeStream],
+            ],
+        };
+        assert_eq!(modelled_part(&unit, &domain), unit);
+    }
+
+    #[test]
+    fn the_front_of_a_sphere_is_its_great_circle() {
+        let size = Vector::<3>::repeat(2.0);
+        let area = frontal_area(&size, &Vector::<3>::new(0.0, 5.0, 0.0));
+        assert!((area - std::f64::consts::PI).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_front_of_a_plane_body_is_its_extent_across_the_stream() {
+        let size = Vector::<2>::new(4.0, 0.5);
+        assert_eq!(frontal_area(&size, &Vector::<2>::new(2.0, 0.0)), 0.5);
+        assert_eq!(frontal_area(&size, &Vector::<2>::zeros()), 0.5);
+    }
+}
