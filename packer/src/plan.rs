@@ -176,7 +176,7 @@ impl<'a, const D: usize> Plan<'a, D> {
         let volumes = self.summed_volumes(|cell| {
             let mut count = usize::from(self.keeps(&cell.centre));
             self.mirrors.images(&cell.centre, |_, image| {
-                count += usize::from(self.keeps(&image))
+                count += usize::from(self.keeps(&image));
             });
             count as f64
         });

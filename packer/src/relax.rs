@@ -125,7 +125,7 @@ impl Settle {
     fn at(step: usize, steps: usize) -> Self {
         if step + 1 == steps {
             Self::Exactly
-        } else if (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 {
+        } else if (step + 1).is_multiple_of(STEPS_BETWEEN_PROJECTIONS) {
             Self::Nearly
         } else {
             Self::Not
