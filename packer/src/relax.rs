@@ -19,8 +19,9 @@ const LONGEST_STEP: f64 = 0.15;
 const PLANE_CLEARANCE: f64 = 0.35;
 
 /// Below this distance, in spacings, two particles are pushed apart: the kernel's gradient vanishes
-/// at its centre and would let a pair stay together.
-const CROWDED: f64 = 0.7;
+/// at its centre and would let a pair stay together. Above the smallest gap aimed at, 0.7, because
+/// the push sets in softly.
+const CROWDED: f64 = 0.75;
 
 /// Displacement, in spacings, of a particle that sits on another one.
 const REPULSION: f64 = 0.2;
