@@ -94,6 +94,7 @@ impl<const D: usize> Simulation<D> {
                 energy: ghost.energy,
                 smoothing_length: ghost.smoothing_length,
                 mass: ghost.density * ghost.volume,
+                first_plane_mass: ghost.density * ghost.volume,
                 id: number as u64,
             };
             push(&mut frame, &particle, gamma, Kind::Ghost);
@@ -112,8 +113,8 @@ impl<const D: usize> Simulation<D> {
         for ghost in self.walls.ghosts.iter().filter(|ghost| ghost.layer == 0) {
             surface.position.push(pad(&ghost.foot()).into());
             surface.normal.push(pad(&ghost.normal).into());
-            surface.pressure.push(ghost.pressure);
-            let over = ghost.pressure - gas.pressure;
+            surface.pressure.push(ghost.wall_pressure);
+            let over = ghost.wall_pressure - gas.pressure;
             let coefficient = if dynamic_pressure > 0.0 {
                 over / dynamic_pressure
             } else {
