@@ -210,6 +210,8 @@ pub struct BodyEntry {
     pub wall: Option<WallWord>,
     /// Ghost spacing; that of the scene unless given.
     pub spacing: Option<Positive>,
+    /// Conforming fluid around it at the start, in place of the lattice; off unless given.
+    pub packed_fluid: Option<bool>,
     /// Where it stands.
     pub place: Option<PlaceEntry>,
     /// How it moves.

@@ -46,6 +46,7 @@ pub mod file;
 mod flow;
 pub mod number;
 mod overrides;
+mod packed;
 mod reference;
 pub mod shapes;
 pub mod side;
@@ -168,6 +169,7 @@ impl Scene {
             .into_iter()
             .map(|plan| plan.body(&domain, &free_stream))
             .collect::<Result<Vec<_>, _>>()?;
+        packed::check(&bodies, &domain, spacing)?;
         Ok(Case {
             name: self.name.clone(),
             spacing,
