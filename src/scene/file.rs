@@ -240,7 +240,7 @@ pub struct MotionEntry {
     pub velocity: Option<Vec<Finite>>,
     /// Constant acceleration of the pivot.
     pub acceleration: Option<Vec<Finite>>,
-    /// Angular velocity about the pivot, rad/s: a number in 2D, a vector in 3D.
+    /// Angular velocity about the pivot, rad/s: a number in 2D, a vector in 3D, or either over time.
     pub angular_velocity: Option<Spin>,
     /// Pivot at time zero; the moment centre unless given.
     pub pivot: Option<Vec<Finite>>,

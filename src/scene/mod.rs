@@ -43,6 +43,7 @@ mod domain;
 mod error;
 pub mod file;
 mod flow;
+mod motion;
 pub mod number;
 mod overrides;
 mod reference;
@@ -158,6 +159,7 @@ impl Scene {
         let domain = domain::domain(file)?;
         let free_stream = flow::free_stream(file, &domain)?;
         flow::check_inlets(&domain, &free_stream)?;
+        flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
         let initial = flow::initial(file, &domain)?;
         let output = output(&file.output, file.end_time.get())?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;

@@ -13,10 +13,11 @@ use crate::case::{Side, WallKind};
 pub struct SideEntry(pub Side);
 
 /// Words that name a side without further values.
-const WORDS: [&str; 7] = [
+const WORDS: [&str; 8] = [
     "inlet",
     "outlet",
     "free-stream",
+    "reservoir",
     "symmetry",
     "periodic",
     "wall",
@@ -78,6 +79,7 @@ impl<'de> Visitor<'de> for SideVisitor {
             "inlet" => Side::Inlet,
             "outlet" => Side::Outlet,
             "free-stream" => Side::FreeStream,
+            "reservoir" => Side::Reservoir,
             "symmetry" => Side::Symmetry,
             "periodic" => Side::Periodic,
             "body" => Side::Body,

@@ -21,12 +21,14 @@ mod open;
 mod pairs;
 mod particle;
 mod records;
+mod reservoir;
 mod rigid;
 mod side_walls;
 mod snapshot;
 #[cfg(test)]
 mod tests;
 mod time_step;
+mod turning;
 mod walls;
 
 use images::Images;

@@ -3,11 +3,15 @@
 //! One file per case. A case runs its scene of `cases/` in several variants and returns rows of the
 //! table; exact solutions and metrics are not here.
 
+mod apollo;
 mod biconvex;
 mod cylinder;
+mod double_mach;
+mod nozzle;
 mod outcome;
 mod sod;
 mod sphere;
+mod square;
 mod step;
 mod wedge;
 
@@ -89,13 +93,17 @@ pub enum ValidateError {
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 6] = [
+const CASES: [(&str, Comparison); 10] = [
     ("wedge", wedge::compare),
     ("sod", sod::compare),
     ("cylinder", cylinder::compare),
+    ("nozzle", nozzle::compare),
     ("step", step::compare),
+    ("double-mach", double_mach::compare),
     ("biconvex", biconvex::compare),
+    ("square", square::compare),
     ("sphere", sphere::compare),
+    ("apollo", apollo::compare),
 ];
 
 /// Runs the named cases, all of them where none is named, and returns their rows.
