@@ -15,6 +15,8 @@ pub struct Case<const D: usize> {
     pub spacing: f64,
     /// Time at which the run ends.
     pub end_time: f64,
+    /// Whether it may end before.
+    pub stop: Stop,
     /// Ratio of specific heats.
     pub gamma: f64,
     /// Equations and boundary treatment.
@@ -32,6 +34,15 @@ pub struct Case<const D: usize> {
     pub bodies: Vec<Body<D>>,
     /// When to write what.
     pub output: OutputPlan,
+}
+
+/// When a run ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// At its end time.
+    EndTime,
+    /// As soon as the flow is steady, at its end time at the latest.
+    Steady,
 }
 
 /// Density, velocity and pressure at a point.

@@ -9,7 +9,7 @@ use super::number::{
 use super::shapes::ShapeEntry;
 use super::side::{SideEntry, WallWord};
 use super::spin::{Rotation, Spin};
-use crate::case::{Equations, Extrapolation};
+use crate::case::{Equations, Extrapolation, Stop};
 
 /// A whole scene.
 #[derive(Clone, Debug, Deserialize)]
@@ -23,6 +23,8 @@ pub struct SceneFile {
     pub spacing: Positive,
     /// Time at which the run ends.
     pub end_time: Positive,
+    /// `end-time` unless given.
+    pub stop: Option<StopWord>,
     /// The gas.
     #[serde(default)]
     pub gas: GasEntry,
@@ -66,6 +68,25 @@ pub struct SchemeEntry {
     pub constant_ghost_volume: Option<bool>,
     /// 0.5 unless given.
     pub cfl: Option<Courant>,
+}
+
+/// When a run ends, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StopWord {
+    /// At the end time.
+    EndTime,
+    /// As soon as forces and shocks have settled, at the end time at the latest.
+    Steady,
+}
+
+impl From<StopWord> for Stop {
+    fn from(word: StopWord) -> Self {
+        match word {
+            StopWord::EndTime => Self::EndTime,
+            StopWord::Steady => Self::Steady,
+        }
+    }
 }
 
 /// Set of equations, as a scene spells it.

@@ -56,7 +56,7 @@ pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, Equations, Extrapolation, OutputPlan, Scheme};
+use crate::case::{Case, Equations, Extrapolation, OutputPlan, Scheme, Stop};
 use file::{OutputEntry, SceneFile, SchemeEntry};
 use number::{Count, Courant, Disorder};
 
@@ -172,6 +172,7 @@ impl Scene {
             name: self.name.clone(),
             spacing,
             end_time: file.end_time.get(),
+            stop: file.stop.map_or(Stop::EndTime, Into::into),
             gamma: flow::gamma(file),
             scheme: scheme(file.scheme),
             domain,
