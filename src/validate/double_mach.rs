@@ -49,7 +49,7 @@ const PUBLISHED: Variant = Variant {
     level: Level::Full,
 };
 
-const VARIANTS: [Variant; 5] = [
+const VARIANTS: [Variant; 4] = [
     // Half the published resolution; errors are of first order, so twice as much is allowed.
     Variant {
         cells: 40,
@@ -64,12 +64,6 @@ const VARIANTS: [Variant; 5] = [
     },
     Variant {
         equations: "paper",
-        allowed: None,
-        ..PUBLISHED
-    },
-    Variant {
-        equations: "paper",
-        extrapolation: "wm",
         allowed: None,
         ..PUBLISHED
     },

@@ -40,9 +40,9 @@ struct Variant {
     end_time: f64,
     equations: &'static str,
     extrapolation: &'static str,
-    /// Largest error of the mass flow and of the Mach number, per cent; none where the scheme is shown
-    /// for comparison.
-    allowed: Option<[f64; 2]>,
+    /// Largest error of the mass flow, and of the Mach number in the mean and anywhere, per cent; none
+    /// where the scheme is shown for comparison.
+    allowed: Option<[f64; 3]>,
     level: Level,
 }
 
@@ -51,12 +51,14 @@ const PUBLISHED: Variant = Variant {
     end_time: 4e-3,
     equations: "conservative",
     extrapolation: "wom",
-    allowed: Some([1.0, 2.0]),
+    allowed: Some([1.0, 2.0, 2.0]),
     level: Level::Full,
 };
 
 const VARIANTS: [Variant; 5] = [
+    // What this resolution gives anywhere, with a margin.
     Variant {
+        allowed: Some([1.0, 2.0, 5.0]),
         level: Level::Quick,
         ..PUBLISHED
     },
@@ -110,8 +112,10 @@ struct Station {
 }
 
 impl Variant {
-    fn settings(&self) -> [String; 4] {
+    fn settings(&self) -> [String; 5] {
         [
+            // The particles on the centre line are few; a mean over half a hundred frames tells.
+            "output.frames=100".into(),
             format!("spacing={}", INLET * INCH / f64::from(self.cells)),
             format!("end_time={:?}", self.end_time),
             format!("scheme.equations={}", self.equations),
@@ -170,7 +174,7 @@ impl Variant {
             within(row(0, "conservation of mass"), unsteady, 0),
             row(1, THEORY).informs(flow, 1.0),
             within(row(2, VOLUMES), mean, 1),
-            row(3, VOLUMES).informs(largest, 0.0),
+            within(row(3, VOLUMES), largest, 2),
             row(4, THEORY).informs(exit.mean, theory),
             match self.allowed {
                 Some(_) => row(5, "no penetration").at_most(leaked, 0.0),
@@ -247,7 +251,7 @@ impl Variant {
             panels: vec![centre, flow],
             columns: 1,
         };
-        Ok(curves.save(&context.out.join(format!("{name}-centre.svg")))?)
+        Ok(curves.save(&context.out.join(format!("{name}-centre.png")))?)
     }
 }
 
@@ -274,6 +278,10 @@ fn stations(frames: &[Frame]) -> Result<Vec<Station>, MetricError> {
 fn add_sections(stations: &mut [Station], frame: &Frame, share: f64) -> Result<(), MetricError> {
     /// Points across a section.
     const ACROSS: usize = 40;
+    /// Points of the centre line, which is a few rows of particles wide: in steady flow a row keeps its
+    /// own noise for ever. Inches; the Mach number varies by less than 0.3 per cent over it.
+    const CORE: usize = 5;
+    const CORE_HEIGHT: f64 = 0.1;
     let mut position = Vec::new();
     let (mut h, mut mach, mut flux) = (Vec::new(), Vec::new(), Vec::new());
     for i in 0..frame.kind.len() {
@@ -301,7 +309,11 @@ fn add_sections(stations: &mut [Station], frame: &Frame, share: f64) -> Result<(
     let shape = BackNozzle::in_inches();
     for station in stations {
         let at = |y: f64| [station.x * INCH, y * INCH, 0.0];
-        station.centre += share * mach.at(&at(0.0)).unwrap_or(f64::NAN);
+        for k in 0..CORE {
+            let y = (k as f64 + 0.5) / CORE as f64 * CORE_HEIGHT;
+            let weight = share / CORE as f64;
+            station.centre += weight * mach.at(&at(y)).unwrap_or(f64::NAN);
+        }
         let height = shape.half_height(station.x);
         for k in 0..ACROSS {
             let y = (k as f64 + 0.5) / ACROSS as f64 * height;

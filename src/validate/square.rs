@@ -289,5 +289,5 @@ fn picture_histories(
         panels,
         columns: 1,
     };
-    Ok(curves.save(&context.out.join("square-loads.svg"))?)
+    Ok(curves.save(&context.out.join("square-loads.png"))?)
 }
