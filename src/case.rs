@@ -128,6 +128,13 @@ pub struct Domain<const D: usize> {
     pub sides: [[Side; 2]; D],
 }
 
+impl<const D: usize> Domain<D> {
+    /// True where one side is the axis of an axisymmetric flow.
+    pub fn is_axisymmetric(&self) -> bool {
+        self.sides.iter().flatten().any(|side| *side == Side::Axis)
+    }
+}
+
 /// What bounds the domain on one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Side {
@@ -142,6 +149,8 @@ pub enum Side {
     Reservoir,
     /// Mirror plane.
     Symmetry,
+    /// The axis that an axisymmetric flow is the same all around.
+    Axis,
     /// Joined to the opposite side.
     Periodic,
     /// Plane wall.
@@ -155,6 +164,13 @@ pub enum Side {
     },
     /// Closed by a body that covers it.
     Body,
+}
+
+impl Side {
+    /// True where the flow beyond is the mirror image of the flow within.
+    pub fn is_mirror(self) -> bool {
+        matches!(self, Self::Symmetry | Self::Axis)
+    }
 }
 
 /// Condition on the velocity at a wall.

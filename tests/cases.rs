@@ -5,8 +5,9 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 12] = [
+const SMALL: [(&str, &[&str]); 14] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
+    ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     (
         "biconvex",
         &[
@@ -15,6 +16,7 @@ const SMALL: [(&str, &[&str]); 12] = [
             "body.aerofoil.spacing=0.025",
         ],
     ),
+    ("cone", &["end_time=0.1", "spacing=0.05"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     ("double-mach", &["end_time=0.02", "spacing=0.05"]),
     (

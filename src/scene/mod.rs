@@ -36,6 +36,7 @@
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
+mod axis;
 mod bodies;
 mod budget;
 mod cover;
@@ -160,6 +161,7 @@ impl Scene {
         let free_stream = flow::free_stream(file, &domain)?;
         flow::check_inlets(&domain, &free_stream)?;
         flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
+        axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &domain)?;
         let output = output(&file.output, file.end_time.get())?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;

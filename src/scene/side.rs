@@ -13,12 +13,13 @@ use crate::case::{Side, WallKind};
 pub struct SideEntry(pub Side);
 
 /// Words that name a side without further values.
-const WORDS: [&str; 8] = [
+const WORDS: [&str; 9] = [
     "inlet",
     "outlet",
     "free-stream",
     "reservoir",
     "symmetry",
+    "axis",
     "periodic",
     "wall",
     "body",
@@ -81,6 +82,7 @@ impl<'de> Visitor<'de> for SideVisitor {
             "free-stream" => Side::FreeStream,
             "reservoir" => Side::Reservoir,
             "symmetry" => Side::Symmetry,
+            "axis" => Side::Axis,
             "periodic" => Side::Periodic,
             "body" => Side::Body,
             "wall" => Side::Wall {

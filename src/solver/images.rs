@@ -103,7 +103,7 @@ impl Map {
     fn of_axis<const D: usize>(domain: &Domain<D>, axis: usize) -> [Option<Self>; 2] {
         let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
         let map = |side: Side, plane: f64, period: f64| match side {
-            Side::Symmetry => Some(Self {
+            Side::Symmetry | Side::Axis => Some(Self {
                 sign: -1.0,
                 shift: 2.0 * plane,
             }),

@@ -17,8 +17,10 @@ pub struct Particle<const D: usize> {
     pub energy: f64,
     /// Smoothing length.
     pub smoothing_length: f64,
-    /// Mass.
+    /// Mass; of a whole ring in an axisymmetric flow.
     pub mass: f64,
+    /// Mass that it stood for in the plane sums at the start: all of it, or what its ring had per length.
+    pub first_plane_mass: f64,
     /// Number that the particle keeps for life.
     pub id: u64,
 }

@@ -63,20 +63,21 @@ impl Reservoir {
         })
     }
 
-    /// Mean over the gas next to the side of the invariant `u - 2 c / (gamma - 1)` that sound carries
+    /// Mean over the mass of gas next to the side of the invariant `u - 2 c / (gamma - 1)` that sound carries
     /// out against the flow, with `u` into the domain.
     fn outgoing_wave<const D: usize>(&self, case: &Case<D>, fluid: &[Particle<D>]) -> Option<f64> {
         let heat = case.gamma - 1.0;
-        let (mut sum, mut count) = (0.0, 0.0);
+        let (mut sum, mut mass) = (0.0, 0.0);
         for particle in fluid {
             let depth = self.inward * (particle.position[self.axis] - self.face);
             if depth < LAYER * case.spacing {
                 let sound = (case.gamma * heat * particle.energy).sqrt();
-                sum += self.inward * particle.velocity[self.axis] - 2.0 * sound / heat;
-                count += 1.0;
+                let wave = self.inward * particle.velocity[self.axis] - 2.0 * sound / heat;
+                sum += particle.mass * wave;
+                mass += particle.mass;
             }
         }
-        (count > 0.0).then(|| sum / count)
+        (mass > 0.0).then(|| sum / mass)
     }
 }
 

@@ -86,11 +86,16 @@ impl<const D: usize> Motion<D> {
         }
     }
 
+    /// True where the body ever turns.
+    pub fn is_turning(&self) -> bool {
+        self.turning != Turning::Steady(Vector3::zeros())
+    }
+
     /// True where the body ever moves.
     pub fn is_moving(&self) -> bool {
         self.velocity != Vector::<D>::zeros()
             || self.acceleration != Vector::<D>::zeros()
-            || self.turning != Turning::Steady(Vector3::zeros())
+            || self.is_turning()
     }
 }
 

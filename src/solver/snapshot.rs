@@ -94,6 +94,7 @@ impl<const D: usize> Simulation<D> {
                 energy: ghost.energy,
                 smoothing_length: ghost.smoothing_length,
                 mass: ghost.density * ghost.volume,
+                first_plane_mass: ghost.density * ghost.volume,
                 id: number as u64,
             };
             push(&mut frame, &particle, gamma, Kind::Ghost);

@@ -13,6 +13,10 @@ const SCENE: Source = Source {
     name: "apollo",
     text: include_str!("../../cases/apollo.toml"),
 };
+const MERIDIAN: Source = Source {
+    name: "apollo-axisymmetric",
+    text: include_str!("../../cases/apollo-axisymmetric.toml"),
+};
 const VOLUMES: &str = "finite volumes, second order, axisymmetric (validation/apollo)";
 const MACH: f64 = 2.5;
 const GAMMA: f64 = 1.4;
@@ -24,14 +28,24 @@ const RADIUS: f64 = 1.9558;
 const FOREBODY: f64 = 1.329;
 const WHOLE: f64 = 1.501;
 
-/// One run of the scene.
+/// What is run of the flow.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Part {
+    /// A quarter in space, in the paper's box.
+    Whole,
+    /// A quarter in space, in a box that ends behind the shoulder, where the flow is supersonic.
+    Front,
+    /// Rings about the axis, in the paper's box.
+    Rings,
+}
+
+/// One run of a scene.
 #[derive(Clone, Copy, Debug)]
 struct Variant {
     /// Metres.
     spacing: f64,
     extrapolation: &'static str,
-    /// The paper's box; else one that ends behind the shoulder, where the flow is supersonic.
-    wake: bool,
+    part: Part,
     /// Largest error of the forebody's drag, per cent.
     allowed: f64,
     level: Level,
@@ -40,12 +54,12 @@ struct Variant {
 const PUBLISHED: Variant = Variant {
     spacing: 0.1,
     extrapolation: "wm",
-    wake: false,
+    part: Part::Front,
     allowed: 4.0,
     level: Level::Full,
 };
 
-const VARIANTS: [Variant; 5] = [
+const VARIANTS: [Variant; 9] = [
     // Two and a half times the published spacing; errors are of first order, so is what is allowed.
     Variant {
         spacing: 0.25,
@@ -64,8 +78,30 @@ const VARIANTS: [Variant; 5] = [
         ..PUBLISHED
     },
     Variant {
+        part: Part::Rings,
+        level: Level::Quick,
+        ..PUBLISHED
+    },
+    Variant {
+        part: Part::Rings,
+        ..PUBLISHED
+    },
+    Variant {
+        part: Part::Rings,
+        spacing: 0.05,
+        allowed: 2.0,
+        ..PUBLISHED
+    },
+    Variant {
+        part: Part::Rings,
+        spacing: 0.05,
+        extrapolation: "wom",
+        allowed: 2.0,
+        ..PUBLISHED
+    },
+    Variant {
         spacing: 0.2,
-        wake: true,
+        part: Part::Whole,
         allowed: 8.0,
         ..PUBLISHED
     },
@@ -75,7 +111,12 @@ const VARIANTS: [Variant; 5] = [
 pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     let mut checks = Vec::new();
     for variant in VARIANTS.iter().filter(|v| v.level == context.level) {
-        let outcome = run(SCENE, &variant.settings(), context)?;
+        let source = if variant.part == Part::Rings {
+            MERIDIAN
+        } else {
+            SCENE
+        };
+        let outcome = run(source, &variant.settings(), context)?;
         checks.extend(variant.checks(&outcome));
         variant.picture(&outcome, context)?;
     }
@@ -123,7 +164,7 @@ impl Variant {
             format!("spacing={}", self.spacing),
             format!("scheme.extrapolation={}", self.extrapolation),
         ];
-        if !self.wake {
+        if self.part == Part::Front {
             settings.extend([
                 "domain.min=[-1.5, 0.0, 0.0]".into(),
                 "domain.max=[1.25, 5.0, 5.0]".into(),
@@ -134,10 +175,10 @@ impl Variant {
     }
 
     fn label(&self) -> String {
-        let part = if self.wake {
-            "whole"
-        } else {
-            "to the shoulder"
+        let part = match self.part {
+            Part::Whole => "quarter",
+            Part::Front => "quarter to the shoulder",
+            Part::Rings => "axisymmetric",
         };
         format!("dx {} m, {}, {part}", self.spacing, self.extrapolation)
     }
@@ -151,7 +192,7 @@ impl Variant {
             FOREBODY,
             self.allowed,
         )];
-        if self.wake {
+        if self.part != Part::Front {
             let body = &outcome.summary.bodies["capsule"];
             let whole = body.cd_mean.unwrap_or(f64::NAN);
             let quantity = format!("{label}: drag coefficient");
@@ -186,13 +227,19 @@ impl Variant {
             &gas.density,
             "density, kg/m^3",
         );
-        picture.slab = Some(Slab {
-            axis: 2,
-            centre: 0.5 * self.spacing,
-            half: 0.5 * self.spacing,
-        });
+        if self.part != Part::Rings {
+            picture.slab = Some(Slab {
+                axis: 2,
+                centre: 0.5 * self.spacing,
+                half: 0.5 * self.spacing,
+            });
+        }
         picture.axis_labels = ["x, m", "y, m"];
-        let part = if self.wake { "whole" } else { "front" };
+        let part = match self.part {
+            Part::Whole => "quarter",
+            Part::Front => "front",
+            Part::Rings => "rings",
+        };
         let name = format!("apollo-{}-{}-{part}.png", self.spacing, self.extrapolation);
         Ok(picture.save(&context.out.join(name))?)
     }

@@ -5,6 +5,7 @@
 
 mod apollo;
 mod biconvex;
+mod cone;
 mod cylinder;
 mod double_mach;
 mod nozzle;
@@ -102,7 +103,7 @@ pub enum ValidateError {
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 10] = [
+const CASES: [(&str, Comparison); 11] = [
     ("wedge", wedge::compare),
     ("sod", sod::compare),
     ("cylinder", cylinder::compare),
@@ -111,6 +112,7 @@ const CASES: [(&str, Comparison); 10] = [
     ("double-mach", double_mach::compare),
     ("biconvex", biconvex::compare),
     ("square", square::compare),
+    ("cone", cone::compare),
     ("sphere", sphere::compare),
     ("apollo", apollo::compare),
 ];

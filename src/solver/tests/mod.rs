@@ -3,6 +3,7 @@
 mod conservation;
 mod invariance;
 mod rest;
+mod rings;
 mod walls;
 
 use std::sync::Arc;
