@@ -15,6 +15,8 @@ pub struct Case<const D: usize> {
     pub spacing: f64,
     /// Time at which the run ends.
     pub end_time: f64,
+    /// Whether it may end before.
+    pub stop: Stop,
     /// Ratio of specific heats.
     pub gamma: f64,
     /// Equations and boundary treatment.
@@ -32,6 +34,15 @@ pub struct Case<const D: usize> {
     pub bodies: Vec<Body<D>>,
     /// When to write what.
     pub output: OutputPlan,
+}
+
+/// When a run ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// At its end time.
+    EndTime,
+    /// As soon as the flow is steady, at its end time at the latest.
+    Steady,
 }
 
 /// Density, velocity and pressure at a point.
@@ -135,6 +146,9 @@ pub enum Side {
     Outlet,
     /// Buffer of free-stream particles along a side that the flow does not disturb.
     FreeStream,
+    /// Inlet at less than the speed of sound, from a reservoir at the free stream's stagnation state:
+    /// the flow inside decides how fast the gas enters.
+    Reservoir,
     /// Mirror plane.
     Symmetry,
     /// The axis that an axisymmetric flow is the same all around.
@@ -216,16 +230,42 @@ pub struct PackedFluid<const D: usize> {
 }
 
 /// Prescribed rigid motion; all zero for a body at rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Motion<const D: usize> {
     /// Velocity of the pivot at time zero.
     pub velocity: Vector<D>,
     /// Constant acceleration of the pivot.
     pub acceleration: Vector<D>,
-    /// Angular velocity about the pivot, rad/s: `z` component in 2D, vector in 3D, unused in 1D.
-    pub angular_velocity: nalgebra::Vector3<f64>,
+    /// Angular velocity about the pivot.
+    pub turning: Turning,
     /// Pivot at time zero.
     pub pivot: Vector<D>,
+}
+
+/// Angular velocity over time, rad/s, about an axis that keeps its direction: `z` component in 2D, vector
+/// in 3D, unused in 1D.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Turning {
+    /// Constant.
+    Steady(nalgebra::Vector3<f64>),
+    /// `amplitude cos(2 pi t / period + phase)`.
+    Cosine {
+        /// Greatest angular velocity.
+        amplitude: nalgebra::Vector3<f64>,
+        /// Period.
+        period: f64,
+        /// Phase at time zero, radians.
+        phase: f64,
+    },
+    /// Straight lines between points in time; the first and the last rate hold outside of them.
+    Table {
+        /// Unit vector along the axis.
+        axis: nalgebra::Vector3<f64>,
+        /// Times, increasing.
+        times: Vec<f64>,
+        /// Angular velocity about the axis at each of them.
+        rates: Vec<f64>,
+    },
 }
 
 /// When to write what.

@@ -71,6 +71,9 @@ fn run_case<const D: usize>(
     match result {
         Ok(summary) => {
             print!("{}", lines(&summary, out));
+            if summary.stop_reason != "end time reached" {
+                println!("{}", summary.stop_reason);
+            }
             Ok(())
         }
         Err(error @ RunError::SetUp(_)) => Err(CommandError::wrong(error)),

@@ -2,6 +2,7 @@
 //! up. Knows neither the equations nor the formats of the files.
 
 mod recorder;
+mod steady;
 mod stopwatch;
 mod tally;
 
@@ -10,9 +11,10 @@ pub use stopwatch::Stopwatch;
 
 use std::path::Path;
 
-use crate::case::Case;
+use crate::case::{Case, Stop};
 use crate::output::{self, OutputError, Summary};
 use crate::solver::Simulation;
+use steady::Monitor;
 use tally::Tally;
 
 /// A step this short, as a part of the whole run, makes no headway: a thousand million would be
@@ -89,6 +91,7 @@ pub fn simulate<const D: usize>(
 ) -> Result<(Simulation<D>, Summary), RunError> {
     let end = case.end_time;
     let interval = case.output.frame_interval;
+    let mut monitor = (case.stop == Stop::Steady).then(|| Monitor::new(&case));
     let mut simulation = Simulation::new(case).map_err(RunError::SetUp)?;
     let mut tally = Tally::start(&simulation, stopwatch);
     recorder.frame(&simulation)?;
@@ -132,8 +135,18 @@ pub fn simulate<const D: usize>(
             );
             return Err(stop(&simulation, recorder, &tally, framed, reason));
         }
+        let steady = monitor.as_mut().and_then(|m| m.add(&simulation, dt));
+        if let Some((reason, window)) = steady {
+            if !framed {
+                recorder.frame(&simulation)?;
+            }
+            tally.settle(window);
+            let summary = tally.summary(&simulation, &reason);
+            return Ok((simulation, summary));
+        }
     }
-    let summary = tally.summary(&simulation, "end time reached");
+    let reason = monitor.map_or_else(|| "end time reached".into(), |m| m.verdict());
+    let summary = tally.summary(&simulation, &reason);
     Ok((simulation, summary))
 }
 

@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 
 use super::Stopwatch;
+use super::steady::Window;
 use crate::case::{Body, Case, Equations, Extrapolation};
 use crate::frame::{Load, Totals};
 use crate::output::{BodySummary, Conservation, Particles, Summary};
@@ -19,6 +20,8 @@ pub(super) struct Tally {
     start: Totals,
     mean_from: f64,
     impulse: Vec<[f64; 3]>,
+    /// Squares of the forces' components over time.
+    square: Vec<[f64; 3]>,
     duration: f64,
 }
 
@@ -32,6 +35,7 @@ impl Tally {
             start: simulation.totals(),
             mean_from: (1.0 - MEAN_PART) * case.end_time,
             impulse: vec![[0.0; 3]; case.bodies.len()],
+            square: vec![[0.0; 3]; case.bodies.len()],
             duration: 0.0,
         }
     }
@@ -42,11 +46,21 @@ impl Tally {
             return;
         }
         self.duration += dt;
-        for (impulse, load) in self.impulse.iter_mut().zip(simulation.loads()) {
+        let sums = self.impulse.iter_mut().zip(&mut self.square);
+        for ((impulse, square), load) in sums.zip(simulation.loads()) {
             for k in 0..3 {
                 impulse[k] += load.force[k] * dt;
+                square[k] += load.force[k] * load.force[k] * dt;
             }
         }
+    }
+
+    /// Takes the loads of a steady run's last window for those of the last part of a run.
+    pub(super) fn settle(&mut self, window: Window) {
+        self.mean_from = window.from;
+        self.impulse = window.impulse;
+        self.square = window.square;
+        self.duration = window.duration;
     }
 
     /// The summary as of now.
@@ -111,6 +125,11 @@ impl Tally {
         } else {
             load.force
         };
+        let force_spread: [f64; 3] = std::array::from_fn(|k| {
+            let square = self.square[number][k] / self.duration.max(f64::MIN_POSITIVE);
+            // The difference of two large numbers may round to below zero.
+            (square - force_mean[k] * force_mean[k]).max(0.0).sqrt()
+        });
         let stream = &case.free_stream;
         let scale = 0.5 * stream.density * stream.velocity.norm_squared() * body.reference_area;
         let axes = stream_axes(&stream.velocity).filter(|_| scale > 0.0);
@@ -127,6 +146,11 @@ impl Tally {
             cd_mean: along(0, &force_mean),
             cl_mean: along(1, &force_mean),
             force_mean,
+            force_spread: if self.duration > 0.0 {
+                force_spread
+            } else {
+                [0.0; 3]
+            },
             mean_from: self.mean_from,
             reference_area: body.reference_area,
             reference_length: body.reference_length,

@@ -2,24 +2,23 @@
 
 use std::path::Path;
 
-use aero_geometry::{Bounds, Vector};
+use aero_geometry::Bounds;
 use aero_packer::{PackOptions, Packing};
-use nalgebra::Vector3;
 
 use super::axis;
 use super::budget;
 use super::cover::check_covered_sides;
 use super::domain::{AXES, BUFFER, ghost_region};
 use super::error::SceneError;
-use super::file::{BodyEntry, MotionEntry, SceneFile};
-use super::flow::{vector, vector_or_zero};
+use super::file::{BodyEntry, SceneFile};
+use super::flow::vector;
+use super::motion::motion;
 use super::number::Positive;
 use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::Made;
 use super::side::WallWord;
-use super::spin::Spin;
-use crate::case::{Body, Domain, Motion, State};
+use crate::case::{Body, Domain, State};
 
 /// Ghost layers: five cover the support of the kernel (Villodi & Ramachandran, section 4).
 const LAYERS: usize = 5;
@@ -213,39 +212,6 @@ impl<const D: usize> BodyPlan<D> {
             moment_centre,
         })
     }
-}
-
-fn motion<const D: usize>(
-    name: &str,
-    entry: Option<&MotionEntry>,
-    moment_centre: Vector<D>,
-) -> Result<Motion<D>, SceneError> {
-    let place = |key: &str| format!("body.{name}.motion.{key}");
-    let spin = entry.and_then(|entry| entry.angular_velocity.as_ref());
-    let angular_velocity = match (spin, D) {
-        (None, _) => Vector3::zeros(),
-        (Some(Spin::Plane(rate)), 2) => Vector3::new(0.0, 0.0, *rate),
-        (Some(Spin::Vector(numbers)), 3) => vector::<3>(&place("angular_velocity"), numbers)?,
-        (Some(_), _) => {
-            return Err(SceneError::value(
-                place("angular_velocity"),
-                "is a number in 2D and a list of three numbers in 3D, in rad/s",
-            ));
-        }
-    };
-    let pivot = entry.and_then(|entry| entry.pivot.as_ref());
-    Ok(Motion {
-        velocity: vector_or_zero(
-            &place("velocity"),
-            entry.and_then(|entry| entry.velocity.as_ref()),
-        )?,
-        acceleration: vector_or_zero(
-            &place("acceleration"),
-            entry.and_then(|entry| entry.acceleration.as_ref()),
-        )?,
-        angular_velocity,
-        pivot: pivot.map_or(Ok(moment_centre), |point| vector(&place("pivot"), point))?,
-    })
 }
 
 /// A box, for people: `-1 to 3 in x, 0 to 3 in y`.

@@ -9,7 +9,7 @@ use super::number::{
 use super::shapes::ShapeEntry;
 use super::side::{SideEntry, WallWord};
 use super::spin::{Rotation, Spin};
-use crate::case::{Equations, Extrapolation};
+use crate::case::{Equations, Extrapolation, Stop};
 
 /// A whole scene.
 #[derive(Clone, Debug, Deserialize)]
@@ -23,6 +23,8 @@ pub struct SceneFile {
     pub spacing: Positive,
     /// Time at which the run ends.
     pub end_time: Positive,
+    /// `end-time` unless given.
+    pub stop: Option<StopWord>,
     /// The gas.
     #[serde(default)]
     pub gas: GasEntry,
@@ -68,6 +70,25 @@ pub struct SchemeEntry {
     pub limited_viscosity: Option<bool>,
     /// 0.5 unless given.
     pub cfl: Option<Courant>,
+}
+
+/// When a run ends, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StopWord {
+    /// At the end time.
+    EndTime,
+    /// As soon as forces and shocks have settled, at the end time at the latest.
+    Steady,
+}
+
+impl From<StopWord> for Stop {
+    fn from(word: StopWord) -> Self {
+        match word {
+            StopWord::EndTime => Self::EndTime,
+            StopWord::Steady => Self::Steady,
+        }
+    }
 }
 
 /// Set of equations, as a scene spells it.
@@ -244,7 +265,7 @@ pub struct MotionEntry {
     pub velocity: Option<Vec<Finite>>,
     /// Constant acceleration of the pivot.
     pub acceleration: Option<Vec<Finite>>,
-    /// Angular velocity about the pivot, rad/s: a number in 2D, a vector in 3D.
+    /// Angular velocity about the pivot, rad/s: a number in 2D, a vector in 3D, or either over time.
     pub angular_velocity: Option<Spin>,
     /// Pivot at time zero; the moment centre unless given.
     pub pivot: Option<Vec<Finite>>,

@@ -33,7 +33,7 @@ pub(super) fn free_stream<const D: usize>(
         .sides
         .iter()
         .flatten()
-        .any(|side| matches!(side, Side::Inlet | Side::FreeStream));
+        .any(|side| matches!(side, Side::Inlet | Side::FreeStream | Side::Reservoir));
     match &file.initial.riemann {
         Some(riemann) if !needs_one => state("initial.riemann.left", &riemann.left),
         Some(_) => Err(SceneError::value(
@@ -61,6 +61,44 @@ pub(super) fn check_inlets<const D: usize>(
                     format!("domain.sides.{}_{word}", AXES[k]),
                     format!(
                         "is an inlet, but the free stream enters there at a speed of {speed}; choose free-stream or outlet, or turn free_stream.direction"
+                    ),
+                ));
+            }
+        }
+    }
+    Ok(())
+}
+
+/// Refuses a reservoir whose gas does not come straight in below the speed of sound, or that shares
+/// the domain with another side that gas enters through: their lattices would drift apart.
+pub(super) fn check_reservoir<const D: usize>(
+    domain: &Domain<D>,
+    free_stream: &State<D>,
+    gamma: f64,
+) -> Result<(), SceneError> {
+    let enters = |side: Side| matches!(side, Side::Inlet | Side::FreeStream | Side::Reservoir);
+    let entrances = domain.sides.iter().flatten().filter(|side| enters(**side));
+    let entrances = entrances.count();
+    for k in 0..D {
+        for (end, inward) in [(0, 1.0), (1, -1.0)] {
+            if domain.sides[k][end] != Side::Reservoir {
+                continue;
+            }
+            let place = format!("domain.sides.{}_{}", AXES[k], ["min", "max"][end]);
+            if entrances > 1 {
+                return Err(SceneError::value(
+                    place,
+                    "is a reservoir, which goes with no second reservoir, inlet or free-stream side; close the others with walls, symmetry or outlets",
+                ));
+            }
+            let velocity = &free_stream.velocity;
+            let sound = (gamma * free_stream.pressure / free_stream.density).sqrt();
+            let speed = inward * velocity[k];
+            if speed < 0.0 || speed >= sound || velocity.norm() > speed * (1.0 + 1e-12) {
+                return Err(SceneError::value(
+                    place,
+                    format!(
+                        "is a reservoir, but the free stream does not come straight in there below the speed of sound, {sound:.4}; turn free_stream.direction, slow it down, or choose inlet"
                     ),
                 ));
             }

@@ -44,6 +44,7 @@ mod domain;
 mod error;
 pub mod file;
 mod flow;
+mod motion;
 pub mod number;
 mod overrides;
 mod packed;
@@ -57,7 +58,7 @@ pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, Equations, Extrapolation, OutputPlan, Scheme};
+use crate::case::{Case, Equations, Extrapolation, OutputPlan, Scheme, Stop};
 use file::{OutputEntry, SceneFile, SchemeEntry};
 use number::{Count, Courant, Disorder};
 
@@ -160,6 +161,7 @@ impl Scene {
         let domain = domain::domain(file)?;
         let free_stream = flow::free_stream(file, &domain)?;
         flow::check_inlets(&domain, &free_stream)?;
+        flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
         axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &domain)?;
         let output = output(&file.output, file.end_time.get())?;
@@ -174,6 +176,7 @@ impl Scene {
             name: self.name.clone(),
             spacing,
             end_time: file.end_time.get(),
+            stop: file.stop.map_or(Stop::EndTime, Into::into),
             gamma: flow::gamma(file),
             scheme: scheme(file.scheme),
             domain,

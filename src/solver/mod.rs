@@ -22,6 +22,7 @@ mod open;
 mod pairs;
 mod particle;
 mod records;
+mod reservoir;
 mod rigid;
 mod rings;
 mod shock_sensor;
@@ -30,6 +31,7 @@ mod snapshot;
 #[cfg(test)]
 mod tests;
 mod time_step;
+mod turning;
 mod walls;
 
 use images::Images;

@@ -136,6 +136,17 @@ impl<const D: usize> Simulation<D> {
         totals
     }
 
+    /// Mass of the fluid now, and its centre; missing axes zero.
+    pub fn mass_and_centre(&self) -> (f64, [f64; 3]) {
+        let mut mass = 0.0;
+        let mut moment = Vector::<D>::zeros();
+        for particle in &self.fluid {
+            mass += particle.mass;
+            moment += particle.position * particle.mass;
+        }
+        (mass, pad(&(moment / mass)).into())
+    }
+
     /// Counts and extremes; costs about as much as a step.
     pub fn statistics(&self) -> Statistics {
         Statistics {

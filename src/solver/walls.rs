@@ -47,9 +47,13 @@ pub struct WallLists {
 impl<const D: usize> Walls<D> {
     /// The ghosts of all bodies and wall sides of `case`; `width` is that of a pencil.
     pub fn new(case: &Case<D>, width: f64) -> Self {
-        let mut bodies: Vec<_> = case.bodies.iter().map(|b| (b.motion, b.wall)).collect();
+        let mut bodies: Vec<_> = case
+            .bodies
+            .iter()
+            .map(|b| (b.motion.clone(), b.wall))
+            .collect();
         let sides = side_walls::side_walls(&case.domain, case.spacing);
-        bodies.extend(sides.iter().map(|side| (side.motion, side.kind)));
+        bodies.extend(sides.iter().map(|side| (side.motion.clone(), side.kind)));
         let follows_the_bend = case.scheme.equations == Equations::Conservative;
         let mut ghosts = Vec::new();
         for (number, body) in case.bodies.iter().enumerate() {

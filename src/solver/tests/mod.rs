@@ -29,6 +29,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
     Case {
         name: "cube".into(),
         spacing,
+        stop: crate::case::Stop::EndTime,
         end_time: 1.0,
         gamma: 1.4,
         scheme: Scheme {
