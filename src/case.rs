@@ -195,4 +195,6 @@ pub struct OutputPlan {
     pub frame_interval: f64,
     /// Steps between rows of the history.
     pub history_every: usize,
+    /// Longest wall time between checkpoints, s.
+    pub checkpoint_seconds: f64,
 }

@@ -256,4 +256,6 @@ pub struct OutputEntry {
     pub interval: Option<Positive>,
     /// Steps between rows of the history; 1 unless given.
     pub history_every: Option<Count>,
+    /// Longest time between checkpoints in seconds; 60 unless given.
+    pub checkpoint_seconds: Option<NonNegative>,
 }

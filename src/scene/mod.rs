@@ -43,6 +43,7 @@ mod domain;
 mod error;
 pub mod file;
 mod flow;
+mod lines;
 pub mod number;
 mod overrides;
 mod reference;
@@ -129,6 +130,12 @@ impl Scene {
     /// Name of the scene.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// All values that a run depends on, one per line and in order, whatever the layout of the
+    /// file: two scenes with the same lines make the same run.
+    pub fn lines(&self) -> String {
+        lines::of(&self.text)
     }
 
     /// Number of space dimensions.
@@ -218,6 +225,10 @@ fn scheme(entry: SchemeEntry) -> Scheme {
 fn output(entry: &OutputEntry, end_time: f64) -> Result<OutputPlan, SceneError> {
     /// Enough for a smooth film of a few seconds.
     const FRAMES: usize = 20;
+    /// What a crash may cost, s.
+    const BETWEEN_CHECKPOINTS: f64 = 60.0;
+    /// Ten thousand years, s: clocks end somewhere.
+    const NEVER: f64 = 3e11;
     let frame_interval = match (entry.frames, entry.interval) {
         (Some(_), Some(_)) => {
             return Err(SceneError::value(
@@ -231,5 +242,8 @@ fn output(entry: &OutputEntry, end_time: f64) -> Result<OutputPlan, SceneError> 
     Ok(OutputPlan {
         frame_interval,
         history_every: entry.history_every.map_or(1, Count::get),
+        checkpoint_seconds: entry
+            .checkpoint_seconds
+            .map_or(BETWEEN_CHECKPOINTS, |seconds| seconds.get().min(NEVER)),
     })
 }

@@ -11,6 +11,8 @@ use rayon::prelude::*;
 use crate::case::{Case, Equations, Side};
 use crate::frame::Totals;
 
+mod checkpoint;
+mod failure;
 mod images;
 mod initial;
 mod lanes;
@@ -40,8 +42,10 @@ use particle::{Particle, Rates};
 use records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, OPEN, Records, State};
 use walls::{WallLists, Walls};
 
+pub use checkpoint::Memory;
+pub use failure::Failure;
 pub use side_walls::wall_sides;
-pub use snapshot::{Failure, Statistics};
+pub use snapshot::Statistics;
 
 /// Largest smoothing length of the conservative scheme, relative to that of the starting lattice. A
 /// wider kernel would look through the five layers of ghosts, and a lone particle in rarefied gas

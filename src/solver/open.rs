@@ -7,6 +7,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
+use serde::{Deserialize, Serialize};
 
 use super::lattice;
 use super::particle::{OpenParticle, Particle};
@@ -31,7 +32,7 @@ pub enum Zone {
 }
 
 /// The particles of all buffers.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct OpenBoundaries<const D: usize> {
     /// Particles, in no particular order.
     pub particles: Vec<OpenParticle<D>>,

@@ -1,5 +1,6 @@
 //! One run in memory, and its result as plain arrays.
 
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use super::{Context, ValidateError};
@@ -103,7 +104,7 @@ impl<const D: usize> Recorder<D> for Silent {
         Ok(())
     }
 
-    fn step(&mut self, _: &Simulation<D>, _: f64) -> Result<(), OutputError> {
-        Ok(())
+    fn step(&mut self, _: &Simulation<D>, _: f64) -> Result<ControlFlow<()>, OutputError> {
+        Ok(ControlFlow::Continue(()))
     }
 }
