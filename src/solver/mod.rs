@@ -98,7 +98,7 @@ impl<const D: usize> Simulation<D> {
         let arch = Arch::new();
         let lanes = neighbours::lane_count(arch) as f64;
         let width = case.spacing * lanes.powf(1.0 / D as f64);
-        let (fluid, open) = OpenBoundaries::fill(&case);
+        let (fluid, open) = OpenBoundaries::fill(&case)?;
         if fluid.is_empty() {
             return Err("no gas particle fits between the bodies and the sides; \
                         use a smaller `spacing` or a larger domain"

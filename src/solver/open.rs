@@ -167,7 +167,10 @@ fn is_open(side: Side) -> bool {
 
 impl<const D: usize> OpenBoundaries<D> {
     /// Fills the domain and its buffers; returns the fluid.
-    pub fn fill(case: &Case<D>) -> (Vec<Particle<D>>, Self) {
+    ///
+    /// # Errors
+    /// Where the gas cannot start as it should.
+    pub fn fill(case: &Case<D>) -> Result<(Vec<Particle<D>>, Self), String> {
         let mut fluid = Vec::new();
         let mut open = Self {
             particles: Vec::new(),
@@ -182,25 +185,25 @@ impl<const D: usize> OpenBoundaries<D> {
             if zone == Zone::Outside || !case.is_free(&position) {
                 continue;
             }
+            if zone == Zone::Prescribed {
+                let id = open.new_id();
+                let particle = case.particle(position, &case.free_stream, id);
+                open.particles.push(still(particle, Some(index)));
+                continue;
+            }
+            let Some(state) = case.initial_state(&position)? else {
+                continue;
+            };
             let id = open.new_id();
-            match zone {
-                Zone::Prescribed => {
-                    let particle = case.particle(position, &case.free_stream, id);
-                    open.particles.push(still(particle, Some(index)));
-                }
-                Zone::Outlet => {
-                    let state = case.initial_state(&position);
-                    open.particles
-                        .push(still(case.particle(position, &state, id), None));
-                }
-                _ => {
-                    let state = case.initial_state(&position);
-                    let position = position + lattice::displacement(&index) * disorder;
-                    fluid.push(case.particle(position, &state, id));
-                }
+            if zone == Zone::Outlet {
+                let particle = case.particle(position, &state, id);
+                open.particles.push(still(particle, None));
+            } else {
+                let position = position + lattice::displacement(&index) * disorder;
+                fluid.push(case.particle(position, &state, id));
             }
         }
-        (fluid, open)
+        Ok((fluid, open))
     }
 
     /// After all particles have moved from `before` to `now`: turns lattice particles that
