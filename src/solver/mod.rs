@@ -22,6 +22,7 @@ mod neighbours;
 mod open;
 mod pairs;
 mod particle;
+mod reach;
 mod records;
 mod rigid;
 mod side_walls;
@@ -46,11 +47,6 @@ pub use checkpoint::Memory;
 pub use failure::Failure;
 pub use side_walls::wall_sides;
 pub use snapshot::Statistics;
-
-/// Largest smoothing length of the conservative scheme, relative to that of the starting lattice. A
-/// wider kernel would look through the five layers of ghosts, and a lone particle in rarefied gas
-/// would no longer feel the wall: at 1.5 the layers still hold 99 % of the kernel behind a wall.
-const WIDEST: f64 = 1.5;
 
 /// A run in progress.
 #[derive(Debug)]
@@ -293,9 +289,9 @@ impl<const D: usize> Simulation<D> {
     /// Replaces each density by the sum over the particles, and the smoothing length with it
     /// (`h = 1.5 (m / rho)^(1/D)`), so that neither can drift from the particles' spacing.
     ///
-    /// In rarefied gas the smoothing length stops growing at [`WIDEST`] times that of the lattice.
+    /// In rarefied gas the smoothing length stops growing where [`Self::widest`] says.
     fn read_densities(&mut self) {
-        let widest = WIDEST * SMOOTHING_RATIO * self.case.spacing;
+        let widest = self.widest();
         self.densities.resize(self.fluid.len(), 0.0);
         densities(
             self.arch,
@@ -307,7 +303,8 @@ impl<const D: usize> Simulation<D> {
         self.fluid
             .par_iter_mut()
             .zip(&self.densities)
-            .for_each(|(particle, &density)| {
+            .zip(widest)
+            .for_each(|((particle, &density), widest)| {
                 particle.density = density;
                 let h = SMOOTHING_RATIO * (particle.mass / density).powf(1.0 / D as f64);
                 particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);

@@ -161,7 +161,8 @@ impl<const D: usize> Case<D> {
     }
 }
 
-fn is_open(side: Side) -> bool {
+/// True of sides that let gas in or out.
+pub fn is_open(side: Side) -> bool {
     matches!(side, Side::Inlet | Side::FreeStream | Side::Outlet)
 }
 

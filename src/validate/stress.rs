@@ -4,7 +4,20 @@
 //! A run that stops is a row that fails, not the end of the comparison: the table is there to show
 //! where the method ends.
 
+/// A scene of `cases/stress/` by its name.
+macro_rules! source {
+    ($name:literal) => {
+        Source {
+            name: $name,
+            text: include_str!(concat!("../../../cases/stress/", $name, ".toml")),
+        }
+    };
+}
+
+mod bodies;
 mod line;
+mod radial;
+mod smooth;
 mod tubes;
 
 use std::path::Path;
@@ -33,6 +46,9 @@ const DRIFT: f64 = 1e-3;
 pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     let mut checks = line::compare(context)?;
     checks.extend(line::convergence(context)?);
+    checks.extend(radial::compare(context)?);
+    checks.extend(smooth::compare(context)?);
+    checks.extend(bodies::compare(context)?);
     Ok(checks)
 }
 

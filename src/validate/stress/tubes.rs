@@ -27,15 +27,6 @@ pub struct Tube {
     pub theory: &'static str,
 }
 
-macro_rules! source {
-    ($name:literal) => {
-        Source {
-            name: $name,
-            text: include_str!(concat!("../../../cases/stress/", $name, ".toml")),
-        }
-    };
-}
-
 const UNIT: [f64; 2] = [0.0, 1.0];
 const TORO: &str = "exact Riemann solution (Toro 2009)";
 const COURANT: &str = "Courant & Friedrichs 1948, chapter III";
