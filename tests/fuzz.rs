@@ -136,6 +136,9 @@ fn numbers(text: &str) -> Vec<(usize, usize)> {
 
 /// One mutation of a scene's text.
 fn mutate(text: &str, dice: &mut Dice) -> String {
+    if text.is_empty() {
+        return dice.choose(&LINES).into();
+    }
     let lines: Vec<&str> = text.lines().collect();
     let line = dice.throw(lines.len());
     let joined = |lines: Vec<&str>| lines.join("\n") + "\n";
