@@ -116,10 +116,19 @@ pub struct Ghost<const D: usize> {
     pub wall_velocity: Vector<D>,
     /// Acceleration of the wall here.
     pub wall_acceleration: Vector<D>,
+    /// Shape operator of the surface here at time zero.
+    pub origin_curvature: Matrix<D>,
+    /// Shape operator now: gas that slides at `u` is accelerated by `-u.K u` along the normal.
+    pub curvature: Matrix<D>,
+    /// Twice normal times angular velocity: gas that slides at `u` over a turning wall is accelerated by its
+    /// scalar product with `u` along the normal.
+    pub coriolis: Vector<D>,
     /// Velocity given to the gas.
     pub velocity: Vector<D>,
     /// Pressure.
     pub pressure: f64,
+    /// Pressure at the surface above.
+    pub wall_pressure: f64,
     /// Specific internal energy.
     pub energy: f64,
     /// Density, from the equation of state.

@@ -43,6 +43,18 @@ impl<const D: usize> Pose<D> {
         self.rotation * origin
     }
 
+    /// Tensor now of what was `origin` at time zero.
+    pub fn tensor(&self, origin: &Matrix<D>) -> Matrix<D> {
+        self.rotation * origin * self.rotation.transpose()
+    }
+
+    /// What, times the velocity relative to the body, gives the Coriolis acceleration along `normal`:
+    /// `n.(2 w x u) = (2 n x w).u`.
+    pub fn coriolis(&self, normal: &Vector<D>) -> Vector<D> {
+        let full = pad(normal).cross(&self.angular_velocity) * 2.0;
+        Vector::from_fn(|k, _| full[k])
+    }
+
     /// Position at time zero of the body's point that is at `position` now.
     pub fn origin(&self, position: &Vector<D>) -> Vector<D> {
         self.pivot + self.rotation.transpose() * (position - self.pivot_now)

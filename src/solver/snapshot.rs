@@ -105,8 +105,8 @@ impl<const D: usize> Simulation<D> {
         for ghost in self.walls.ghosts.iter().filter(|ghost| ghost.layer == 0) {
             surface.position.push(pad(&ghost.foot()).into());
             surface.normal.push(pad(&ghost.normal).into());
-            surface.pressure.push(ghost.pressure);
-            let over = ghost.pressure - gas.pressure;
+            surface.pressure.push(ghost.wall_pressure);
+            let over = ghost.wall_pressure - gas.pressure;
             let coefficient = if dynamic_pressure > 0.0 {
                 over / dynamic_pressure
             } else {

@@ -5,6 +5,7 @@ use aero_geometry::{Pencils, Vector};
 use pulp::Arch;
 use rayon::prelude::*;
 
+use super::curvature::shape_operator;
 use super::lattice;
 use super::neighbours::{Candidates, GROWTH, Lists, Seeker};
 use super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
@@ -12,7 +13,7 @@ use super::particle::Ghost;
 use super::records::{GHOSTS, Matrix, Near, Records, State};
 use super::rigid::Pose;
 use super::side_walls;
-use crate::case::{Case, Extrapolation, Motion, WallKind};
+use crate::case::{Case, Equations, Extrapolation, Motion, WallKind};
 
 /// All ghosts, and what their bodies do.
 #[derive(Clone, Debug)]
@@ -26,6 +27,7 @@ pub struct Walls<const D: usize> {
     /// Bodies in scene order, then wall sides.
     bodies: Vec<(Motion<D>, WallKind)>,
     extrapolation: Extrapolation,
+    equations: Equations,
     constant_volume: bool,
     gamma: f64,
     width: f64,
@@ -48,6 +50,7 @@ impl<const D: usize> Walls<D> {
         let mut bodies: Vec<_> = case.bodies.iter().map(|b| (b.motion, b.wall)).collect();
         let sides = side_walls::side_walls(&case.domain, case.spacing);
         bodies.extend(sides.iter().map(|side| (side.motion, side.kind)));
+        let follows_the_bend = case.scheme.equations == Equations::Conservative;
         let mut ghosts = Vec::new();
         for (number, body) in case.bodies.iter().enumerate() {
             for (g, &position) in body.ghosts.position.iter().enumerate() {
@@ -60,6 +63,13 @@ impl<const D: usize> Walls<D> {
                 let reached = body.shape.signed_distance(&ghost.mirror());
                 ghost.has_mirror = (reached - depth).abs() < 0.1 * depth;
                 ghosts.push(ghost);
+            }
+            if follows_the_bend {
+                let first = ghosts.len() - body.ghosts.position.len();
+                ghosts[first..].par_iter_mut().for_each(|ghost| {
+                    ghost.origin_curvature =
+                        shape_operator(&body.shape, &ghost.position, case.spacing);
+                });
             }
         }
         let inside_a_body = |position: &Vector<D>| {
@@ -84,6 +94,7 @@ impl<const D: usize> Walls<D> {
             mirror_fallbacks: 0,
             bodies,
             extrapolation: case.scheme.extrapolation,
+            equations: case.scheme.equations,
             constant_volume: case.scheme.constant_ghost_volume,
             gamma: case.gamma,
             width,
@@ -125,6 +136,8 @@ impl<const D: usize> Walls<D> {
             let foot = ghost.foot();
             ghost.wall_velocity = pose.velocity(&foot);
             ghost.wall_acceleration = pose.acceleration(&foot);
+            ghost.curvature = pose.tensor(&ghost.origin_curvature);
+            ghost.coriolis = pose.coriolis(&ghost.normal);
         }
     }
 
@@ -185,7 +198,7 @@ impl<const D: usize> Walls<D> {
                 &mut self.mirrored,
             );
         }
-        let (bodies, gamma) = (&self.bodies, self.gamma);
+        let (bodies, equations, gamma) = (&self.bodies, self.equations, self.gamma);
         let constant_volume = self.constant_volume;
         self.ghosts
             .par_iter_mut()
@@ -200,7 +213,8 @@ impl<const D: usize> Walls<D> {
                     Some(_) => 2.0 * ghost.depth,
                     None => gas.centroid.dot(&ghost.normal),
                 };
-                show(ghost, &gas, arm, bodies[ghost.body as usize].1, gamma);
+                let kind = bodies[ghost.body as usize].1;
+                show(ghost, &gas, arm, kind, equations, gamma);
                 if !constant_volume {
                     ghost.volume = ghost.reference_mass / ghost.density;
                 }
@@ -295,8 +309,12 @@ fn blank<const D: usize>(
         layer: 0,
         wall_velocity: Vector::zeros(),
         wall_acceleration: Vector::zeros(),
+        origin_curvature: Matrix::zeros(),
+        curvature: Matrix::zeros(),
+        coriolis: Vector::zeros(),
         velocity: Vector::zeros(),
         pressure: gas.pressure,
+        wall_pressure: gas.pressure,
         energy: gas.pressure / ((case.gamma - 1.0) * gas.density),
         density: gas.density,
         smoothing_length: h,
@@ -310,6 +328,7 @@ fn show<const D: usize>(
     gas: &Interpolated<D>,
     arm: f64,
     kind: WallKind,
+    equations: Equations,
     gamma: f64,
 ) {
     let wall = ghost.wall_velocity;
@@ -321,10 +340,29 @@ fn show<const D: usize>(
         }
         WallKind::NoSlip => wall * 2.0 - gas.velocity,
     };
-    // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure.
+    // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure; gas
+    // that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.
+    let slide = gas.velocity - wall;
+    let slide = slide - ghost.normal * slide.dot(&ghost.normal);
     let density = gas.pressure / ((gamma - 1.0) * gas.energy);
-    let rise = arm * density * ghost.wall_acceleration.dot(&ghost.normal);
-    ghost.pressure = (gas.pressure + rise).max(0.0);
+    let slope = density
+        * (ghost.wall_acceleration.dot(&ghost.normal) + ghost.coriolis.dot(&slide)
+            - slide.dot(&(ghost.curvature * slide)));
+    ghost.pressure = continued(gas.pressure, arm * slope);
+    ghost.wall_pressure = continued(gas.pressure, (arm - ghost.depth) * slope);
     ghost.energy = gas.energy;
-    ghost.density = ghost.pressure / ((gamma - 1.0) * gas.energy);
+    if equations == Equations::Conservative && slope != 0.0 {
+        // Pressure varies across the layer at the wall, entropy hardly [Dadone & Grossman 1994].
+        ghost.energy *= (ghost.pressure / gas.pressure).powf((gamma - 1.0) / gamma);
+    }
+    ghost.density = ghost.pressure / ((gamma - 1.0) * ghost.energy);
+}
+
+/// A pressure that rises by `rise` to first order, and stays positive where it falls.
+fn continued(pressure: f64, rise: f64) -> f64 {
+    if rise < 0.0 {
+        pressure * pressure / (pressure - rise)
+    } else {
+        pressure + rise
+    }
 }

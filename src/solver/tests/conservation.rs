@@ -39,16 +39,14 @@ fn mass_momentum_and_the_rate_of_energy_balance_to_round_off_in_a_periodic_box()
 }
 
 #[test]
-fn the_drift_of_energy_falls_with_the_time_step_at_second_order_or_better() {
-    let drift = |cfl: f64| {
+fn the_energy_of_a_periodic_box_stays_to_round_off_at_any_time_step() {
+    for cfl in [0.5, 0.25] {
         let mut case = stirred::<2>(20);
         case.scheme.cfl = cfl;
         let mut simulation = start(case);
         let before = simulation.totals().energy;
         advance_to(&mut simulation, 0.5);
-        (simulation.totals().energy / before - 1.0).abs()
-    };
-    let drifts = [0.4, 0.2, 0.1].map(drift);
-    assert!(drifts[0] < 1e-3, "drifts {drifts:?}");
-    assert!(drifts[0] / drifts[2] > 12.0, "drifts {drifts:?}");
+        let drift = simulation.totals().energy / before - 1.0;
+        assert!(drift.abs() < 1e-12, "drift {drift} at cfl {cfl}");
+    }
 }
