@@ -3,14 +3,15 @@
 //! Mutations of every scene in `cases/` are read, built and, where they are small, run for a step.
 //! The same seed gives the same scenes.
 
+use std::ops::ControlFlow;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::{Path, PathBuf};
-use std::sync::mpsc;
+use std::sync::{Arc, Mutex, mpsc};
 use std::time::{Duration, Instant};
 
-use aero::case::Case;
-use aero::scene::{AnyCase, Scene, SceneError};
-use aero::solver::Simulation;
+use aero::run::{Place, RunError, Stopwatch, run_any};
+use aero::scene::{Scene, SceneError};
+use cpu_time::ProcessTime;
 
 /// Longest time for an answer.
 const LIMIT: Duration = Duration::from_secs(2);
@@ -256,7 +257,7 @@ enum Fate {
     TooLarge,
 }
 
-fn try_scene(text: &str, setting: Option<&str>) -> Result<Fate, SceneError> {
+fn try_scene(text: &str, setting: Option<&str>, folder: &Path) -> Result<Fate, SceneError> {
     let mut scene = Scene::parse(text, "fuzz", Path::new(""))?;
     if let Some(setting) = setting {
         scene.set(setting)?;
@@ -265,30 +266,34 @@ fn try_scene(text: &str, setting: Option<&str>) -> Result<Fate, SceneError> {
     if (SMALL..ABSURD).contains(&size) {
         return Ok(Fate::TooLarge);
     }
-    Ok(match scene.build_any()? {
-        AnyCase::One(case) => step(*case),
-        AnyCase::Two(case) => step(*case),
-        AnyCase::Three(case) => step(*case),
+    let case = scene.build_any()?;
+    let place = Place {
+        folder,
+        scene: "",
+        resume: false,
+    };
+    let mut stop = |_| ControlFlow::Break(());
+    Ok(match run_any(case, place, Stopwatch::start(), &mut stop) {
+        Err(RunError::Stopped { reason, .. }) if !reason.starts_with("interrupted") => {
+            Fate::Refused(reason)
+        }
+        Ok(_) | Err(RunError::Stopped { .. }) => Fate::Ran,
+        Err(error) => Fate::Refused(error.to_string()),
     })
-}
-
-fn step<const D: usize>(case: Case<D>) -> Fate {
-    match Simulation::new(case) {
-        Err(reason) => Fate::Refused(reason),
-        Ok(mut simulation) => match simulation.step(f64::INFINITY) {
-            Err(failure) => Fate::Refused(failure.to_string()),
-            Ok(_) => Fate::Ran,
-        },
-    }
 }
 
 /// Tries so many scenes; a scene that panics, hangs or is refused without a word fails the test.
 fn fuzz(rounds: usize, seed: u64) {
-    std::panic::set_hook(Box::new(|_| {}));
+    let place = Arc::new(Mutex::new(String::new()));
+    let noted = Arc::clone(&place);
+    std::panic::set_hook(Box::new(move |panic| {
+        *noted.lock().expect("no panic in here") = panic.to_string();
+    }));
     let scenes = scenes();
     let (tell, told) = mpsc::channel::<(String, Option<Result<(Fate, Duration), String>>)>();
     let worker = std::thread::spawn(move || {
         let mut dice = Dice(seed);
+        let folder = tempfile::tempdir().expect("a temporary folder");
         for round in 0..rounds {
             let mut text = scenes[round % scenes.len()].clone();
             for _ in 0..=dice.throw(3) {
@@ -309,16 +314,16 @@ fn fuzz(rounds: usize, seed: u64) {
             if tell.send((shown.clone(), None)).is_err() {
                 return;
             }
-            let start = Instant::now();
-            let tried = catch_unwind(AssertUnwindSafe(|| try_scene(&text, setting.as_deref())));
+            let (start, cpu) = (Instant::now(), ProcessTime::now());
+            let tried = catch_unwind(AssertUnwindSafe(|| {
+                try_scene(&text, setting.as_deref(), folder.path())
+            }));
+            // Others on the machine may slow the clock, and threads hurry the processor's.
+            let elapsed = start.elapsed().min(cpu.elapsed());
             let answer = match tried {
-                Ok(Ok(fate)) => Ok((fate, start.elapsed())),
-                Ok(Err(error)) => Ok((Fate::Refused(error.to_string()), start.elapsed())),
-                Err(panic) => Err(panic
-                    .downcast_ref::<String>()
-                    .cloned()
-                    .or_else(|| panic.downcast_ref::<&str>().map(|text| (*text).to_owned()))
-                    .unwrap_or_default()),
+                Ok(Ok(fate)) => Ok((fate, elapsed)),
+                Ok(Err(error)) => Ok((Fate::Refused(error.to_string()), elapsed)),
+                Err(_) => Err(place.lock().expect("a message").clone()),
             };
             if tell.send((shown, Some(answer))).is_err() {
                 return;
@@ -336,16 +341,16 @@ fn fuzz(rounds: usize, seed: u64) {
         };
         match answer {
             None => current = text,
-            Some(Err(panic)) => faults.push(format!("panic: {panic}\n{text}")),
+            Some(Err(panic)) => faults.push((panic, text)),
             Some(Ok((fate, elapsed))) => {
                 slowest = slowest.max(elapsed);
                 current.clear();
                 if elapsed > LIMIT {
-                    faults.push(format!("{elapsed:?}, {fate:?}\n{text}"));
+                    faults.push((format!("took {elapsed:?}: {fate:?}"), text.clone()));
                 }
                 match fate {
                     Fate::Refused(reason) if reason.len() < 20 => {
-                        faults.push(format!("refused with `{reason}`\n{text}"));
+                        faults.push((format!("refused with `{reason}`"), text));
                     }
                     Fate::Refused(_) => counts[0] += 1,
                     Fate::Ran => counts[1] += 1,
@@ -358,20 +363,20 @@ fn fuzz(rounds: usize, seed: u64) {
     if current.is_empty() {
         worker.join().expect("the worker came to its end");
     } else {
-        faults.push(format!("hangs:\n{current}"));
+        faults.push(("hangs".into(), current));
     }
     println!(
         "refused {}, ran {}, too large {}; slowest {slowest:?}",
         counts[0], counts[1], counts[2]
     );
-    for (number, fault) in faults.iter().take(8).enumerate() {
-        eprintln!("--- fault {number} of {}: {fault}", faults.len());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("fuzz");
+    std::fs::create_dir_all(&folder).expect("a folder for faults");
+    for (number, (fault, text)) in faults.iter().enumerate() {
+        let path = folder.join(format!("{number}.toml"));
+        std::fs::write(&path, text).expect("a file for a fault");
+        eprintln!("{}: {}", path.display(), fault.replace('\n', " "));
     }
-    assert!(
-        faults.is_empty(),
-        "{} faults, the first above",
-        faults.len()
-    );
+    assert!(faults.is_empty(), "{} faults", faults.len());
     assert!(
         counts[0] > rounds / 4 && counts[1] > rounds / 50,
         "{counts:?}"

@@ -2,9 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use aero::case::Case;
 use aero::output::{CHECKPOINT, Summary};
-use aero::run::{Place, RunError, Stopwatch};
+use aero::run::{Place, RunError, Stopwatch, run_any};
 use aero::scene::{AnyCase, Scene};
 use clap::Args;
 
@@ -62,27 +61,18 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
         resume: args.resume,
     };
     on_threads(args.threads, || {
-        match scene.build_any().map_err(CommandError::wrong)? {
-            AnyCase::One(case) => run_case(*case, place, stopwatch),
-            AnyCase::Two(case) => run_case(*case, place, stopwatch),
-            AnyCase::Three(case) => run_case(*case, place, stopwatch),
-        }
+        let case = scene.build_any().map_err(CommandError::wrong)?;
+        run_case(case, place, stopwatch)
     })
 }
 
-fn run_case<const D: usize>(
-    case: Case<D>,
-    place: Place<'_>,
-    stopwatch: Stopwatch,
-) -> Result<(), CommandError> {
-    for body in &case.bodies {
-        for line in body.report.repairs.iter().chain(&body.report.warnings) {
-            eprintln!("body `{}`: {line}", body.name);
-        }
+fn run_case(case: AnyCase, place: Place<'_>, stopwatch: Stopwatch) -> Result<(), CommandError> {
+    for line in case.remarks() {
+        eprintln!("{line}");
     }
     let interrupt = Interrupt::listen()?;
     let mut display = Display::new();
-    let result = aero::run::run(case, place, stopwatch, &mut |progress| {
+    let result = run_any(case, place, stopwatch, &mut |progress| {
         display.show(progress);
         interrupt.wish()
     });

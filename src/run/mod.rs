@@ -15,6 +15,7 @@ use std::path::Path;
 
 use crate::case::Case;
 use crate::output::{self, CheckpointError, OutputError, Summary};
+use crate::scene::AnyCase;
 use crate::solver::Simulation;
 use checkpoint::Pace;
 use tally::Tally;
@@ -70,6 +71,21 @@ pub struct Place<'a> {
     pub scene: &'a str,
     /// Go on from the checkpoint, where there is one.
     pub resume: bool,
+}
+
+/// Runs a case of any dimension; see [`run`]. Whoever calls this one need not compile the solver
+/// once more.
+pub fn run_any(
+    case: AnyCase,
+    place: Place<'_>,
+    stopwatch: Stopwatch,
+    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Summary, RunError> {
+    match case {
+        AnyCase::One(case) => run(*case, place, stopwatch, watch),
+        AnyCase::Two(case) => run(*case, place, stopwatch, watch),
+        AnyCase::Three(case) => run(*case, place, stopwatch, watch),
+    }
 }
 
 /// Runs `case` to its end on the current thread pool, with frames, history, checkpoints and summary

@@ -86,6 +86,7 @@ pub(super) fn plans<const D: usize>(
                 .make::<D>(entry.place.as_ref(), folder)
                 .map_err(|message| SceneError::body(name, message))?;
             check_inside(name, &made.shape.bounds(), domain)?;
+            check_spacing(entry, domain)?;
             Ok(BodyPlan {
                 entry: entry.clone(),
                 made,
@@ -112,6 +113,18 @@ fn options<const D: usize>(
         region: Some(ghost_region(domain, margin)),
         anchor: domain.bounds.min,
         ..PackOptions::new(spacing)
+    }
+}
+
+/// Ghosts farther apart than the domain is wide are a slip of the pen.
+fn check_spacing<const D: usize>(entry: &BodyEntry, domain: &Domain<D>) -> Result<(), SceneError> {
+    let widest = domain.bounds.size().max();
+    match entry.spacing.map(Positive::get) {
+        Some(spacing) if spacing > widest => Err(SceneError::value(
+            format!("body.{}.spacing", entry.name.as_str()),
+            format!("is {spacing}, more than the {widest} that the domain is wide; refine it"),
+        )),
+        _ => Ok(()),
     }
 }
 

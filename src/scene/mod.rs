@@ -82,6 +82,27 @@ pub enum AnyCase {
     Three(Box<Case<3>>),
 }
 
+impl AnyCase {
+    /// What was repaired in the bodies' meshes, and what the user should know about their packing,
+    /// one line each.
+    pub fn remarks(&self) -> Vec<String> {
+        match self {
+            Self::One(case) => remarks(case),
+            Self::Two(case) => remarks(case),
+            Self::Three(case) => remarks(case),
+        }
+    }
+}
+
+fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
+    let of_body = |body: &crate::case::Body<D>| {
+        let lines = body.report.repairs.iter().chain(&body.report.warnings);
+        let remark = |line: &String| format!("body `{}`: {line}", body.name);
+        lines.map(remark).collect::<Vec<_>>()
+    };
+    case.bodies.iter().flat_map(of_body).collect()
+}
+
 impl Scene {
     /// Reads the scene at `path`; its name is the file's stem.
     pub fn load(path: &Path) -> Result<Self, SceneError> {
