@@ -334,11 +334,8 @@ fn fuzz(rounds: usize, seed: u64) {
     let mut slowest = Duration::ZERO;
     let mut current = String::new();
     let mut faults = Vec::new();
-    loop {
-        // Several times the limit: a machine may be busy, but not for ever.
-        let Ok((text, answer)) = told.recv_timeout(15 * LIMIT) else {
-            break;
-        };
+    // Several times the limit: a machine may be busy, but not for ever.
+    while let Ok((text, answer)) = told.recv_timeout(15 * LIMIT) {
         match answer {
             None => current = text,
             Some(Err(panic)) => faults.push((panic, text)),

@@ -91,7 +91,13 @@ type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// Cases that run only where they are named: they show where the method ends, and some of their rows
 /// fail.
-const ON_REQUEST: [(&str, Comparison); 1] = [("stress", stress::compare)];
+const ON_REQUEST: [(&str, Comparison); 5] = [
+    ("stress", stress::compare),
+    ("stress-tubes", stress::tubes),
+    ("stress-balls", stress::balls),
+    ("stress-smooth", stress::smooth),
+    ("stress-bodies", stress::bodies),
+];
 
 /// All other cases, in the order in which they run.
 const CASES: [(&str, Comparison); 6] = [

@@ -44,12 +44,33 @@ const DRIFT: f64 = 1e-3;
 
 /// Runs the suite.
 pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let mut checks = tubes(context)?;
+    checks.extend(balls(context)?);
+    checks.extend(smooth(context)?);
+    checks.extend(bodies(context)?);
+    Ok(checks)
+}
+
+/// Runs the flows along a line.
+pub fn tubes(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     let mut checks = line::compare(context)?;
     checks.extend(line::convergence(context)?);
-    checks.extend(radial::compare(context)?);
-    checks.extend(smooth::compare(context)?);
-    checks.extend(bodies::compare(context)?);
     Ok(checks)
+}
+
+/// Runs the implosions and explosions.
+pub fn balls(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    radial::compare(context)
+}
+
+/// Runs the flows without shocks.
+pub fn smooth(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    smooth::compare(context)
+}
+
+/// Runs the flows around bodies.
+pub fn bodies(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    bodies::compare(context)
 }
 
 /// A run that came to its end or did not.

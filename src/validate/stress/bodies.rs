@@ -52,7 +52,7 @@ fn corner(
     let tried = attempt(CORNER, &settings, context)?;
     let mut rows = Rows::new(CORNER.name, &label, equations, &tried);
     let fan = expand(mach, turn.to_radians(), GAMMA)?;
-    let outcome = rows.end(tried);
+    let outcome = ended(tried);
     // Along the wall behind the fan, thirty spacings and more from the corner.
     let turn = turn.to_radians();
     let wall = outcome.as_deref().map_or(f64::NAN, |o| {
@@ -76,7 +76,7 @@ fn blunt(scheme: [&str; 2], context: &Context<'_>) -> Result<Vec<Check>, Validat
     let label = format!("{equations} {extrapolation}");
     let tried = attempt(BLUNT, &variant(equations, extrapolation), context)?;
     let mut rows = Rows::new(BLUNT.name, &label, equations, &tried);
-    let outcome = rows.end(tried);
+    let outcome = ended(tried);
     let stagnation = outcome.as_deref().map_or(f64::NAN, |o| {
         let surface = &o.surface;
         let near = (0..surface.pressure.len())
@@ -144,13 +144,6 @@ impl<'a> Rows<'a> {
         }
     }
 
-    fn end(&self, tried: Attempt) -> Option<Box<Outcome>> {
-        match tried {
-            Attempt::Ended(outcome) => Some(outcome),
-            Attempt::Stopped(..) => None,
-        }
-    }
-
     fn relative(&mut self, quantity: &str, source: &str, [measured, reference, allowed]: [f64; 3]) {
         let quantity = format!("{}: {quantity}", self.label);
         let subject = Subject::new(self.name, &quantity, source);
@@ -169,6 +162,14 @@ impl<'a> Rows<'a> {
         } else {
             subject.informs(measured, bound)
         });
+    }
+}
+
+/// The outcome of a run that came to its end.
+fn ended(tried: Attempt) -> Option<Box<Outcome>> {
+    match tried {
+        Attempt::Ended(outcome) => Some(outcome),
+        Attempt::Stopped(..) => None,
     }
 }
 

@@ -124,8 +124,8 @@ fn shear(equations: &str, context: &Context<'_>) -> Result<Vec<Check>, ValidateE
 /// weighted by the layers' `exp(-4 pi |y - 1/4|)`.
 const MODE_AT_START: f64 = 0.01;
 
-/// Amplitude of the mode `sin(4 pi x)` of the vertical velocity at the layers [McNally, Lyra & Passy
-/// 2012, eqs 10-13].
+/// Amplitude of the mode `sin(4 pi x)` of the vertical velocity at the layers [`McNally`, Lyra &
+/// Passy 2012, eqs 10-13].
 fn mode(gas: &Frame) -> f64 {
     let wave = 4.0 * std::f64::consts::PI;
     let (mut sine, mut cosine, mut weight) = (0.0, 0.0, 0.0);
