@@ -104,6 +104,8 @@ pub struct Scheme {
     pub shield: bool,
     /// Ghost volumes stay constant; false only to show what happens otherwise.
     pub constant_ghost_volume: bool,
+    /// The artificial viscosity leaves flow alone that varies linearly; conservative scheme only.
+    pub limited_viscosity: bool,
     /// Courant number `C_CFL` of equation (33).
     pub cfl: f64,
 }
@@ -117,6 +119,13 @@ pub struct Domain<const D: usize> {
     pub sides: [[Side; 2]; D],
 }
 
+impl<const D: usize> Domain<D> {
+    /// True where one side is the axis of an axisymmetric flow.
+    pub fn is_axisymmetric(&self) -> bool {
+        self.sides.iter().flatten().any(|side| *side == Side::Axis)
+    }
+}
+
 /// What bounds the domain on one side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Side {
@@ -128,6 +137,8 @@ pub enum Side {
     FreeStream,
     /// Mirror plane.
     Symmetry,
+    /// The axis that an axisymmetric flow is the same all around.
+    Axis,
     /// Joined to the opposite side.
     Periodic,
     /// Plane wall.
@@ -141,6 +152,13 @@ pub enum Side {
     },
     /// Closed by a body that covers it.
     Body,
+}
+
+impl Side {
+    /// True where the flow beyond is the mirror image of the flow within.
+    pub fn is_mirror(self) -> bool {
+        matches!(self, Self::Symmetry | Self::Axis)
+    }
 }
 
 /// Condition on the velocity at a wall.

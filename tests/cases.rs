@@ -5,7 +5,8 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 8] = [
+const SMALL: [(&str, &[&str]); 10] = [
+    ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     (
         "biconvex",
         &[
@@ -14,6 +15,7 @@ const SMALL: [(&str, &[&str]); 8] = [
             "body.aerofoil.spacing=0.025",
         ],
     ),
+    ("cone", &["end_time=0.1", "spacing=0.05"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     ("sod", &["end_time=0.005"]),
     ("sod-1d", &["end_time=0.01"]),

@@ -30,6 +30,21 @@ impl Revolution {
         &self.meridian
     }
 
+    /// The section of the body by a plane through its axis, as a body of the plane.
+    ///
+    /// # Errors
+    /// None that a meridian has not been checked for already.
+    pub fn section(&self) -> Result<Outline, GeometryError> {
+        let upper = self.meridian.pieces();
+        let lower = upper.iter().rev().map(|piece| piece.mirrored((1, 0.0)));
+        let closes_on_the_axis = upper[0].start().y == 0.0;
+        if closes_on_the_axis {
+            Outline::new(vec![upper.iter().copied().chain(lower).collect()])
+        } else {
+            Outline::new(vec![upper.to_vec(), lower.collect()])
+        }
+    }
+
     /// Volume by Pappus: `π ∮ r^2 dx` along the meridian.
     pub fn volume(&self) -> f64 {
         -PI * self

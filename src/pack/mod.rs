@@ -38,7 +38,7 @@ pub fn pack_mesh(
         file: path.to_owned(),
         unit,
     });
-    let made = entry.make::<3>(None, Path::new("")).map_err(fail)?;
+    let made = entry.make::<3>(None, Path::new(""), false).map_err(fail)?;
     let bounds = made.shape.bounds();
     let (spacing, spacing_reason) = match wishes.spacing {
         Some(spacing) => (spacing, "as asked for".to_owned()),

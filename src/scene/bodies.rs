@@ -6,6 +6,7 @@ use aero_geometry::{Bounds, Vector};
 use aero_packer::{PackOptions, Packing};
 use nalgebra::Vector3;
 
+use super::axis;
 use super::budget;
 use super::cover::check_covered_sides;
 use super::domain::{AXES, BUFFER, ghost_region};
@@ -83,7 +84,7 @@ pub(super) fn plans<const D: usize>(
             }
             let made = entry
                 .shape
-                .make::<D>(entry.place.as_ref(), folder)
+                .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric())
                 .map_err(|message| SceneError::body(name, message))?;
             check_inside(name, &made.shape.bounds(), domain)?;
             check_spacing(entry, domain)?;
@@ -185,6 +186,7 @@ impl<const D: usize> BodyPlan<D> {
             None => (part.min + part.max) / 2.0,
         };
         let motion = motion(name, entry.motion.as_ref(), moment_centre)?;
+        axis::check_motion(name, domain, &motion)?;
         let area = entry.reference_area.map(Positive::get);
         let length = entry.reference_length.map(Positive::get);
         Ok(Body {
@@ -194,7 +196,8 @@ impl<const D: usize> BodyPlan<D> {
             motion,
             ghosts: packing.ghosts,
             report: packing.report,
-            reference_area: area.unwrap_or_else(|| frontal_area(&size, &free_stream.velocity)),
+            reference_area: area
+                .unwrap_or_else(|| frontal_area(&size, &free_stream.velocity, domain)),
             reference_length: length.unwrap_or_else(|| size.max()),
             moment_centre,
         })

@@ -38,7 +38,7 @@ pub(super) fn domain<const D: usize>(file: &SceneFile) -> Result<Domain<D>, Scen
 pub(super) fn region<const D: usize>(domain: &Domain<D>, spacing: f64) -> Bounds<D> {
     grown(domain, |side| match side {
         Side::Inlet | Side::Outlet | Side::FreeStream => BUFFER * spacing,
-        Side::Body | Side::Symmetry | Side::Periodic | Side::Wall { .. } => 0.0,
+        Side::Body | Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } => 0.0,
     })
 }
 
@@ -47,7 +47,7 @@ pub(super) fn region<const D: usize>(domain: &Domain<D>, spacing: f64) -> Bounds
 pub(super) fn ghost_region<const D: usize>(domain: &Domain<D>, margin: f64) -> Bounds<D> {
     grown(domain, |side| match side {
         Side::Inlet | Side::Outlet | Side::FreeStream | Side::Body => margin,
-        Side::Symmetry | Side::Periodic | Side::Wall { .. } => 0.0,
+        Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } => 0.0,
     })
 }
 

@@ -65,6 +65,8 @@ pub struct SchemeEntry {
     pub shield: Option<bool>,
     /// On unless given.
     pub constant_ghost_volume: Option<bool>,
+    /// On unless given; of the conservative scheme.
+    pub limited_viscosity: Option<bool>,
     /// 0.5 unless given.
     pub cfl: Option<Courant>,
 }

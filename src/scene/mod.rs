@@ -36,6 +36,7 @@
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
+mod axis;
 mod bodies;
 mod budget;
 mod cover;
@@ -188,6 +189,7 @@ impl Scene {
         let domain = domain::domain(file)?;
         let free_stream = flow::free_stream(file, &domain)?;
         flow::check_inlets(&domain, &free_stream)?;
+        axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &domain, &free_stream)?;
         let output = output(&file.output, file.end_time.get())?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
@@ -241,6 +243,7 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         extrapolation: entry.extrapolation.map_or(Extrapolation::Wom, Into::into),
         shield: entry.shield.unwrap_or(false),
         constant_ghost_volume: entry.constant_ghost_volume.unwrap_or(true),
+        limited_viscosity: entry.limited_viscosity.unwrap_or(true),
         cfl: entry.cfl.map_or(CFL, Courant::get),
     }
 }

@@ -9,7 +9,7 @@ use crate::case::{Domain, Side};
 pub(super) fn modelled_part<const D: usize>(bounds: &Bounds<D>, domain: &Domain<D>) -> Bounds<D> {
     let mut part = bounds.intersection(&domain.bounds);
     for k in 0..D {
-        let [low, high] = domain.sides[k].map(|side| side == Side::Symmetry);
+        let [low, high] = domain.sides[k].map(Side::is_mirror);
         let (plane_low, plane_high) = (domain.bounds.min[k], domain.bounds.max[k]);
         if low && bounds.min[k] < plane_low {
             part.min[k] = 2.0 * plane_low - part.max[k];
@@ -20,9 +20,16 @@ pub(super) fn modelled_part<const D: usize>(bounds: &Bounds<D>, domain: &Domain<
     part
 }
 
-/// Extent of a box across the stream in 2D; in 3D the ellipse that fits its two extents across the
+/// Extent of a box across the stream in 2D; in 3D, and around an axis, the ellipse that fits its two extents across the
 /// stream, which is exact for round bodies along an axis.
-pub(super) fn frontal_area<const D: usize>(size: &Vector<D>, velocity: &Vector<D>) -> f64 {
+pub(super) fn frontal_area<const D: usize>(
+    size: &Vector<D>,
+    velocity: &Vector<D>,
+    domain: &Domain<D>,
+) -> f64 {
+    if domain.is_axisymmetric() {
+        return std::f64::consts::FRAC_PI_4 * size[1] * size[1];
+    }
     let along = velocity
         .try_normalize(0.0)
         .unwrap_or_else(|| Vector::<D>::from_fn(|k, _| f64::from(u8::from(k == 0))));
@@ -46,30 +53,56 @@ pub(super) fn frontal_area<const D: usize>(size: &Vector<D>, velocity: &Vector<D
 mod tests {
     use super::*;
 
+    /// A box whose second axis has these sides.
+    fn domain<const D: usize>(sides: [Side; 2]) -> Domain<D> {
+        let mut domain = Domain {
+            bounds: Bounds::new(Vector::repeat(-3.0), Vector::repeat(3.0)),
+            sides: [[Side::Inlet, Side::Outlet]; D],
+        };
+        domain.bounds.min[1] = 0.0;
+        domain.sides[1] = sides;
+        domain
+    }
+
     #[test]
     fn half_a_body_behind_a_symmetry_plane_counts_whole() {
         let unit = Bounds::new(Vector::<2>::repeat(-1.0), Vector::<2>::repeat(1.0));
-        let domain = Domain {
-            bounds: Bounds::new(Vector::<2>::new(-3.0, 0.0), Vector::<2>::repeat(3.0)),
-            sides: [
-                [Side::Inlet, Side::Outlet],
-                [Side::Symmetry, Side::FreeStream],
-            ],
-        };
-        assert_eq!(modelled_part(&unit, &domain), unit);
+        assert_eq!(
+            modelled_part(&unit, &domain([Side::Symmetry, Side::FreeStream])),
+            unit
+        );
     }
 
     #[test]
     fn the_front_of_a_sphere_is_its_great_circle() {
         let size = Vector::<3>::repeat(2.0);
-        let area = frontal_area(&size, &Vector::<3>::new(0.0, 5.0, 0.0));
+        let area = frontal_area(
+            &size,
+            &Vector::<3>::new(0.0, 5.0, 0.0),
+            &domain([Side::Outlet; 2]),
+        );
         assert!((area - std::f64::consts::PI).abs() < 1e-15);
     }
 
     #[test]
     fn the_front_of_a_plane_body_is_its_extent_across_the_stream() {
         let size = Vector::<2>::new(4.0, 0.5);
-        assert_eq!(frontal_area(&size, &Vector::<2>::new(2.0, 0.0)), 0.5);
-        assert_eq!(frontal_area(&size, &Vector::<2>::zeros()), 0.5);
+        let plane = domain([Side::Symmetry, Side::FreeStream]);
+        assert_eq!(
+            frontal_area(&size, &Vector::<2>::new(2.0, 0.0), &plane),
+            0.5
+        );
+        assert_eq!(frontal_area(&size, &Vector::<2>::zeros(), &plane), 0.5);
+    }
+
+    #[test]
+    fn the_front_of_a_body_about_an_axis_is_round() {
+        let size = Vector::<2>::new(4.0, 2.0);
+        let area = frontal_area(
+            &size,
+            &Vector::zeros(),
+            &domain([Side::Axis, Side::FreeStream]),
+        );
+        assert_eq!(area, std::f64::consts::PI);
     }
 }

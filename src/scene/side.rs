@@ -13,11 +13,12 @@ use crate::case::{Side, WallKind};
 pub struct SideEntry(pub Side);
 
 /// Words that name a side without further values.
-const WORDS: [&str; 7] = [
+const WORDS: [&str; 8] = [
     "inlet",
     "outlet",
     "free-stream",
     "symmetry",
+    "axis",
     "periodic",
     "wall",
     "body",
@@ -79,6 +80,7 @@ impl<'de> Visitor<'de> for SideVisitor {
             "outlet" => Side::Outlet,
             "free-stream" => Side::FreeStream,
             "symmetry" => Side::Symmetry,
+            "axis" => Side::Axis,
             "periodic" => Side::Periodic,
             "body" => Side::Body,
             "wall" => Side::Wall {

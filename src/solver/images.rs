@@ -103,7 +103,7 @@ impl Map {
     fn of_axis<const D: usize>(domain: &Domain<D>, axis: usize) -> [Option<Self>; 2] {
         let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
         let map = |side: Side, plane: f64, period: f64| match side {
-            Side::Symmetry => Some(Self {
+            Side::Symmetry | Side::Axis => Some(Self {
                 sign: -1.0,
                 shift: 2.0 * plane,
             }),
@@ -150,6 +150,7 @@ impl<const D: usize> Image<D> {
             |m: &Matrix<D>| Matrix::from_fn(|a, b| self.sign[a] * self.sign[b] * m[(a, b)]);
         State {
             half_gradient: self.sign.component_mul(&source.half_gradient),
+            strain: reflect(&source.strain),
             renormalisation: reflect(&source.renormalisation),
             stress: reflect(&source.stress),
             ..*source

@@ -41,8 +41,11 @@ impl<const D: usize> Simulation<D> {
                 continue;
             }
             for (sign, shift) in &reflections[body] {
-                let force = pad(&sign.component_mul(force));
-                let arm = pad(&(sign.component_mul(&ghost.position) + shift)) - centres[body];
+                let force = pad(&self.rings.axial(sign.component_mul(force)));
+                let arm = self
+                    .rings
+                    .axial(sign.component_mul(&ghost.position) + shift);
+                let arm = pad(&arm) - centres[body];
                 let moment = arm.cross(&force);
                 for k in 0..3 {
                     loads[body].force[k] += force[k];
@@ -90,7 +93,7 @@ impl<const D: usize> Simulation<D> {
             .sides
             .iter()
             .flatten()
-            .any(|side| *side == Side::Symmetry);
+            .any(|side| side.is_mirror());
         let is_open = self.case.has_open_sides();
         let mut impulse = Vector::<D>::zeros();
         let mut work = 0.0;
@@ -119,7 +122,7 @@ impl<const D: usize> Simulation<D> {
         self.received.energy += step * work;
     }
 
-    /// Force of the gas on each ghost.
+    /// Force of the gas on each ghost, all around an axis if there is one.
     fn ghost_forces(&self) -> Vec<Vector<D>> {
         let mut rates = vec![Rates::default(); self.walls.ghosts.len()];
         reactions(
@@ -133,7 +136,10 @@ impl<const D: usize> Simulation<D> {
         rates
             .iter()
             .zip(masses)
-            .map(|(rates, near)| rates.acceleration * near.mass)
+            .zip(&self.walls.ghosts)
+            .map(|((rates, near), ghost)| {
+                rates.acceleration * (near.mass * self.rings.circumference(&ghost.foot()))
+            })
             .collect()
     }
 

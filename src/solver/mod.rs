@@ -26,6 +26,8 @@ mod particle;
 mod reach;
 mod records;
 mod rigid;
+mod rings;
+mod shock_sensor;
 mod side_walls;
 mod snapshot;
 #[cfg(test)]
@@ -42,6 +44,8 @@ use pairs::shield::shield;
 use pairs::summation::densities;
 use particle::{Particle, Rates};
 use records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, OPEN, Records, State};
+use rings::Rings;
+use shock_sensor::spare_smooth_flow;
 use walls::{WallLists, Walls};
 
 pub use checkpoint::Memory;
@@ -61,6 +65,7 @@ pub struct Simulation<const D: usize> {
     /// The fluid at the start of the step.
     saved: Vec<Particle<D>>,
     open: OpenBoundaries<D>,
+    rings: Rings,
     walls: Walls<D>,
     flow_images: Images<D>,
     ghost_images: Images<D>,
@@ -109,6 +114,7 @@ impl<const D: usize> Simulation<D> {
             rates: Vec::new(),
             saved: Vec::new(),
             open,
+            rings: Rings::new(&case),
             walls,
             flow_images: Images::default(),
             ghost_images: Images::default(),
@@ -265,7 +271,7 @@ impl<const D: usize> Simulation<D> {
 
     /// Copies particles near symmetry planes and periodic sides to beyond them.
     fn make_images(&mut self, half_step: f64) {
-        let mirrors = |side: &Side| matches!(side, Side::Symmetry | Side::Periodic);
+        let mirrors = |side: &Side| side.is_mirror() || *side == Side::Periodic;
         if !self.case.domain.sides.iter().flatten().any(mirrors) {
             return;
         }
@@ -304,13 +310,15 @@ impl<const D: usize> Simulation<D> {
             self.lattice_sum,
             &mut self.densities,
         );
+        let rings = self.rings;
         self.fluid
             .par_iter_mut()
             .zip(&self.densities)
             .zip(widest)
             .for_each(|((particle, &density), widest)| {
                 particle.density = density;
-                let h = SMOOTHING_RATIO * (particle.mass / density).powf(1.0 / D as f64);
+                let mass = rings.spanned_mass(particle);
+                let h = SMOOTHING_RATIO * (mass / density).powf(1.0 / D as f64);
                 particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);
             });
     }
@@ -336,6 +344,12 @@ impl<const D: usize> Simulation<D> {
             self.case.scheme.shield,
             &mut self.rates,
         );
+        if self.case.scheme.limited_viscosity {
+            let gamma = self.case.gamma;
+            spare_smooth_flow(self.rings, gamma, &self.rates, &mut self.fluid);
+        }
+        self.rings
+            .stretch(&self.fluid, self.case.gamma, &mut self.rates);
     }
 
     /// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
@@ -393,16 +407,19 @@ impl<const D: usize> Simulation<D> {
 
     /// Writes the records of fluid, buffers and their images; buffers drift on by `ahead`.
     fn fill_gas(&mut self, ahead: f64) {
-        let gamma = self.case.gamma;
+        let (gamma, rings) = (self.case.gamma, self.rings);
         let count = self.fluid.len();
         let (near, state) = (&mut self.records.near, &mut self.records.state);
         near[..count]
             .par_iter_mut()
             .zip(&mut state[..count])
             .zip(&self.fluid)
-            .for_each(|((near, state), particle)| (*near, *state) = record(particle, gamma));
+            .for_each(|((near, state), particle)| {
+                (*near, *state) = record(particle, rings.plane_mass(particle), gamma)
+            });
         for (slot, open) in (count..).zip(&self.open.particles) {
-            let (mut place, mut open_state) = record(&open.particle, gamma);
+            let (mut place, mut open_state) =
+                record(&open.particle, rings.plane_mass(&open.particle), gamma);
             place.position += open.particle.velocity * ahead;
             open_state.renormalise(open.renormalisation, open.gradient, place.volume);
             near[slot] = place;
@@ -484,9 +501,7 @@ impl<const D: usize> Simulation<D> {
                     particle.position[axis] += high - low;
                 } else if x >= high && sides[1] == Side::Periodic {
                     particle.position[axis] -= high - low;
-                } else if (x < low && sides[0] == Side::Symmetry)
-                    || (x > high && sides[1] == Side::Symmetry)
-                {
+                } else if (x < low && sides[0].is_mirror()) || (x > high && sides[1].is_mirror()) {
                     let plane = if x < low { low } else { high };
                     particle.position[axis] = 2.0 * plane - x;
                     particle.velocity[axis] = -particle.velocity[axis];
@@ -501,19 +516,18 @@ fn permuted<T: Copy + Send + Sync>(elements: &[T], order: &[u32]) -> Vec<T> {
     order.par_iter().map(|&n| elements[n as usize]).collect()
 }
 
-/// The records of a gas particle.
-fn record<const D: usize>(particle: &Particle<D>, gamma: f64) -> (Near<D>, State<D>) {
+/// The records of a gas particle of plane mass `mass`.
+fn record<const D: usize>(particle: &Particle<D>, mass: f64, gamma: f64) -> (Near<D>, State<D>) {
     let pressure = (gamma - 1.0) * particle.density * particle.energy;
+    let mut state = State::new(pressure, particle.density, particle.energy, gamma);
+    state.strain = particle.strain;
     let near = Near {
         position: particle.position,
         half_h: 0.5 * particle.smoothing_length,
-        volume: particle.mass / particle.density,
-        mass: particle.mass,
+        volume: mass / particle.density,
+        mass,
         half_density: 0.5 * particle.density,
         velocity: particle.velocity,
     };
-    (
-        near,
-        State::new(pressure, particle.density, particle.energy, gamma),
-    )
+    (near, state)
 }

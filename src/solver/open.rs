@@ -12,6 +12,7 @@ use serde::{Deserialize, Serialize};
 use super::lattice;
 use super::particle::{OpenParticle, Particle};
 use super::records::Matrix;
+use super::rings::Rings;
 use crate::case::{Case, Side, State};
 use crate::frame::Totals;
 
@@ -91,13 +92,16 @@ impl<const D: usize> Case<D> {
 
     /// A particle of the starting lattice in `state`.
     pub fn particle(&self, position: Vector<D>, state: &State<D>, id: u64) -> Particle<D> {
+        let plane_mass = state.density * self.spacing.powi(D as i32);
         Particle {
             position,
             velocity: state.velocity,
             density: state.density,
             energy: state.pressure / ((self.gamma - 1.0) * state.density),
             smoothing_length: SMOOTHING_RATIO * self.spacing,
-            mass: state.density * self.spacing.powi(D as i32),
+            mass: plane_mass * Rings::new(self).circumference(&position),
+            first_plane_mass: plane_mass,
+            strain: Matrix::zeros(),
             id,
         }
     }

@@ -139,7 +139,7 @@ fn slab<const D: usize>(
         let margin = |side: Side| match side {
             Side::Inlet | Side::Outlet | Side::FreeStream => BUFFER as i64,
             Side::Wall { .. } | Side::Body => LAYERS as i64,
-            Side::Symmetry | Side::Periodic => 0,
+            Side::Symmetry | Side::Axis | Side::Periodic => 0,
         };
         (first[k], last[k]) = match (k == axis, end) {
             (true, 0) => (-(LAYERS as i64), 0),

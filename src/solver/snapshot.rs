@@ -87,6 +87,8 @@ impl<const D: usize> Simulation<D> {
                 energy: ghost.energy,
                 smoothing_length: ghost.smoothing_length,
                 mass: ghost.density * ghost.volume,
+                first_plane_mass: ghost.density * ghost.volume,
+                strain: ghost.strain,
                 id: number as u64,
             };
             push(&mut frame, &particle, gamma, Kind::Ghost);

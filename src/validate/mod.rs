@@ -4,6 +4,7 @@
 //! table; exact solutions and metrics are not here.
 
 mod biconvex;
+mod cone;
 mod cylinder;
 mod outcome;
 mod sod;
@@ -100,12 +101,13 @@ const ON_REQUEST: [(&str, Comparison); 5] = [
 ];
 
 /// All other cases, in the order in which they run.
-const CASES: [(&str, Comparison); 6] = [
+const CASES: [(&str, Comparison); 7] = [
     ("wedge", wedge::compare),
     ("sod", sod::compare),
     ("cylinder", cylinder::compare),
     ("step", step::compare),
     ("biconvex", biconvex::compare),
+    ("cone", cone::compare),
     ("sphere", sphere::compare),
 ];
 

@@ -8,7 +8,7 @@ use std::any::Any;
 use std::path::Path;
 use std::sync::Arc;
 
-use aero_geometry::{Placed, Placement, Shape};
+use aero_geometry::{GeometryError, Placed, Placement, Revolution, Shape};
 use aero_packer::{PackOptions, Packing, pack};
 use serde::Deserialize;
 
@@ -105,20 +105,42 @@ impl<const D: usize> Made<D> {
 }
 
 impl ShapeEntry {
-    /// The surface in dimension `D`, in place; relative paths start at `folder`.
+    /// The surface in dimension `D`, in place; relative paths start at `folder`. In an `axisymmetric`
+    /// flow a body of revolution is its section.
     pub(crate) fn make<const D: usize>(
         &self,
         place: Option<&PlaceEntry>,
         folder: &Path,
+        axisymmetric: bool,
     ) -> Result<Made<D>, String> {
-        let made = if D == 2 {
+        let made = if axisymmetric && let Some(round) = self.round() {
+            let section = round.and_then(|body| body.section());
+            let section = section.map_err(|error| error.to_string())?;
+            Made::exact(section.placed(&place_in_plane(place)?)).cast()
+        } else if D == 2 {
             self.in_plane(place, folder)?.and_then(Made::cast)
         } else {
             self.in_space(place, folder)?.and_then(Made::cast)
         };
         made.ok_or_else(|| {
             let other = if D == 2 { 3 } else { 2 };
-            format!("its shape is one of dimension {other}, but the scene has dimension {D}")
+            let round = match self.round() {
+                Some(_) => "; round bodies may be flown in dimension 2 with `y_min = \"axis\"`",
+                None => "",
+            };
+            format!("its shape is one of dimension {other}, but the scene has dimension {D}{round}")
+        })
+    }
+
+    /// The body of revolution about the x axis, if it is one.
+    fn round(&self) -> Option<Result<Revolution, GeometryError>> {
+        Some(match self {
+            Self::Sphere(entry) => entry.body(),
+            Self::Cone(entry) => entry.body(),
+            Self::RoundRod(entry) => entry.body(),
+            Self::Capsule(entry) => entry.body(),
+            Self::Profile(entry) => entry.body(),
+            _ => return None,
         })
     }
 
@@ -153,11 +175,6 @@ impl ShapeEntry {
         folder: &Path,
     ) -> Result<Option<Made<3>>, String> {
         let round = match self {
-            Self::Sphere(entry) => entry.body(),
-            Self::Cone(entry) => entry.body(),
-            Self::RoundRod(entry) => entry.body(),
-            Self::Capsule(entry) => entry.body(),
-            Self::Profile(entry) => entry.body(),
             Self::Cuboid(entry) => {
                 let block = entry.body().map_err(|error| error.to_string())?;
                 return Ok(Some(Made::exact(Placed::new(
@@ -167,7 +184,10 @@ impl ShapeEntry {
             }
             Self::Stl(entry) => return mesh::made(entry.mesh(folder), place).map(Some),
             Self::Tessellated(entry) => return mesh::made(entry.mesh(), place).map(Some),
-            _ => return Ok(None),
+            _ => match self.round() {
+                Some(round) => round,
+                None => return Ok(None),
+            },
         };
         let round = round.map_err(|error| error.to_string())?;
         Ok(Some(match place {

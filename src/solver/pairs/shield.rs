@@ -62,7 +62,7 @@ fn shift<const D: usize>(
             weight += w;
         }
     }
-    let spacing = (particle.mass / particle.density).powf(1.0 / D as f64);
+    let spacing = own.volume.powf(1.0 / D as f64);
     let length = normal.norm();
     if nearest >= spacing || length <= 0.0 {
         return Vector::zeros();

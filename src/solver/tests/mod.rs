@@ -3,6 +3,7 @@
 mod conservation;
 mod invariance;
 mod rest;
+mod rings;
 mod walls;
 
 use std::sync::Arc;
@@ -35,6 +36,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
             extrapolation: Extrapolation::Wom,
             shield: false,
             constant_ghost_volume: true,
+            limited_viscosity: true,
             cfl: 0.5,
         },
         domain: Domain {
