@@ -12,6 +12,7 @@ use aero_validation::table::{Check, Subject};
 
 use super::outcome::{Outcome, Source, run};
 use super::{Context, Level, ValidateError};
+use crate::frame::Frame;
 
 const SCENE: Source = Source {
     name: "wedge",
@@ -21,6 +22,8 @@ const THEORY: &str = "oblique shock theory (NACA 1135, 1953)";
 const GAMMA: f64 = 1.4;
 /// Distance from corner, wall and shock at which the flow is read, in smoothing lengths.
 const CLEARANCE: f64 = 6.0;
+/// Largest error of density and energy at the wall behind a strong shock, per cent.
+const WALL: f64 = 3.0;
 
 /// One run of the scene.
 #[derive(Clone, Copy, Debug)]
@@ -269,6 +272,18 @@ impl Variant {
             let source = "Villodi & Ramachandran 2024, table 1, against theory";
             checks.push(Subject::new(SCENE.name, &quantity, source).informs(angle, degrees));
         }
+        let strong = self.mach > 2.5;
+        if strong {
+            let heated = self.plateau.map(|_| WALL);
+            let energy = pressure / shock.density_ratio / (GAMMA - 1.0);
+            checks.push(row(
+                "density at the wall",
+                measured.wall[0],
+                shock.density_ratio,
+                heated,
+            ));
+            checks.push(row("energy at the wall", measured.wall[1], energy, heated));
+        }
         if self.plateau.is_some() {
             let quantity = format!("{label}: particles in the wall");
             let subject = Subject::new(SCENE.name, &quantity, "no penetration");
@@ -284,6 +299,26 @@ struct Measured {
     line: ShockLine,
     /// Shock angle by the steepest gradients, radians.
     published: f64,
+    /// Mean density and energy of the gas next to the wall.
+    wall: [f64; 2],
+}
+
+/// Mean density and energy of what lies within a spacing of the middle of the ramp, where errors that
+/// were made at its corner stay.
+fn next_to_the_wall(gas: &Frame, ramp: &Ramp, spacing: f64) -> [f64; 2] {
+    let (sin, cos) = ramp.angle.sin_cos();
+    let length = (ramp.end_x - ramp.corner[0]) / cos;
+    let (mut sums, mut count) = ([0.0; 2], 0.0);
+    for (n, position) in gas.position.iter().enumerate() {
+        let (x, y) = (position[0] - ramp.corner[0], position[1] - ramp.corner[1]);
+        let (along, above) = (x * cos + y * sin, y * cos - x * sin);
+        if above < spacing && (0.5 * length..0.75 * length).contains(&along) {
+            sums[0] += gas.density[n];
+            sums[1] += gas.energy[n];
+            count += 1.0;
+        }
+    }
+    sums.map(|sum| sum / count)
 }
 
 impl Measured {
@@ -328,6 +363,7 @@ impl Measured {
         let gradients = gradient(&cloud, &gas.density)?;
         Ok(Self {
             plateau: plateau(&stream, &ramp, shock.angle, h_behind)?,
+            wall: next_to_the_wall(gas, &ramp, variant.spacing()),
             line: fit_shock_line(&gas.position, &gas.density, &search)?,
             published: gradient_angle(&gas.position, &gradients, SHARE)?.angle,
         })
