@@ -1,6 +1,7 @@
 //! Packs bodies for their own sake: an STL file, or all bodies of a scene. Writes what came of it;
 //! prints nothing.
 
+mod picture;
 mod report;
 mod spacing;
 
@@ -91,8 +92,8 @@ impl<const D: usize> Packed<D> {
         PackFile::new(&self.spacing_reason, &self.bodies)
     }
 
-    /// Writes ghosts, conforming fluid if there is any, and report into `folder`; returns the
-    /// files.
+    /// Writes ghosts, conforming fluid if there is any, report and pictures into `folder`; returns
+    /// the files.
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, OutputError> {
         output::make_folder(folder)?;
         let file = |ending: &str| folder.join(format!("{}-{ending}", self.name));
@@ -106,6 +107,7 @@ impl<const D: usize> Packed<D> {
         }
         files.push(file("pack.json"));
         output::write_json(&files[files.len() - 1], &self.report())?;
+        files.extend(picture::draw(&self.bodies, &folder.join(&self.name))?);
         Ok(files)
     }
 }

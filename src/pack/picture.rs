@@ -7,6 +7,8 @@ use aero_packer::{Ghosts, Packing};
 use aero_validation::pictures::PictureError;
 use aero_validation::pictures::particles::{ParticlePicture, Slab};
 
+use crate::output::OutputError;
+
 /// The particles that a picture shows.
 #[derive(Default)]
 struct Set {
@@ -38,10 +40,18 @@ impl Set {
 pub(super) fn draw<const D: usize>(
     bodies: &[(String, Packing<D>)],
     stem: &Path,
-) -> Result<Vec<PathBuf>, PictureError> {
-    let file = |ending: &str| {
-        let name = stem.file_name().unwrap_or_default().to_string_lossy();
-        stem.with_file_name(format!("{name}-{ending}.png"))
+) -> Result<Vec<PathBuf>, OutputError> {
+    let name = stem.file_name().unwrap_or_default().to_string_lossy();
+    let mut files = Vec::new();
+    let mut draw = |picture: &ParticlePicture<'_>, ending: &str| {
+        let path = stem.with_file_name(format!("{name}-{ending}.png"));
+        match picture.save(&path) {
+            Ok(()) => files.push(path),
+            // A slice may pass through the hole of a ring.
+            Err(PictureError::Empty(_)) => {}
+            Err(error) => return Err(OutputError::new(&path, std::io::Error::other(error))),
+        }
+        Ok(())
     };
     let mut all = Set::default();
     let mut wall = Set::default();
@@ -50,41 +60,36 @@ pub(super) fn draw<const D: usize>(
         let ghosts = &packing.ghosts;
         all.add(ghosts, spacing, |_| true);
         all.add(&packing.fluid, spacing, |_| true);
-        wall.add(ghosts, spacing, |n| {
-            ghosts.layer[n] == 0 && D == 3 && ghosts.normal[n][D - 1] > 0.0
-        });
+        let seen = |n: usize| ghosts.layer[n] == 0 && ghosts.normal[n][D - 1] > 0.0;
+        wall.add(ghosts, spacing, |n| D == 3 && seen(n));
     }
     let label = "signed distance / Δx";
-    let name = stem.file_name().unwrap_or_default().to_string_lossy();
+    let slice = if D == 2 {
+        name.to_string()
+    } else {
+        format!("{name}: slice")
+    };
+    let mut picture = ParticlePicture::new(&slice, &all.position, &all.diameter, &all.value, label);
     if D == 2 {
-        let picture =
-            ParticlePicture::new(&name, &all.position, &all.diameter, &all.value, label);
-        picture.save(&file("pack"))?;
-        return Ok(vec![file("pack")]);
+        draw(&picture, "pack")?;
+        return Ok(files);
     }
+    let ends = (f64::INFINITY, f64::NEG_INFINITY);
     let (low, high) = all
         .position
         .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-            (low.min(p[2]), high.max(p[2]))
-        });
-    let thickest = all.diameter.iter().fold(0.0, |a: f64, &b| a.max(b));
-    let title = format!("{name}: slice");
-    let mut slice =
-        ParticlePicture::new(&title, &all.position, &all.diameter, &all.value, label);
-    slice.slab = Some(Slab {
+        .fold(ends, |(low, high), p| (low.min(p[2]), high.max(p[2])));
+    picture.slab = Some(Slab {
         axis: 2,
         centre: 0.5 * (low + high),
-        half: 0.5 * thickest,
+        half: 0.5 * all.diameter.iter().fold(0.0, |a: f64, &b| a.max(b)),
     });
-    slice.save(&file("slice"))?;
-    // What is nearer hides what is farther; the height tells the two apart.
-    let mut order: Vec<usize> = (0..wall.position.len()).collect();
-    order.sort_by(|&a, &b| wall.position[a][2].total_cmp(&wall.position[b][2]));
-    let position: Vec<[f64; 3]> = order.iter().map(|&n| wall.position[n]).collect();
-    let diameter: Vec<f64> = order.iter().map(|&n| wall.diameter[n]).collect();
-    let height: Vec<f64> = position.iter().map(|p| p[2]).collect();
+    draw(&picture, "slice")?;
+    let height: Vec<f64> = wall.position.iter().map(|p| p[2]).collect();
     let title = format!("{name}: wall layer");
-    ParticlePicture::new(&title, &position, &diameter, &height, "z").save(&file("wall"))?;
-    Ok(vec![file("slice"), file("wall")])
+    draw(
+        &ParticlePicture::new(&title, &wall.position, &wall.diameter, &height, "z"),
+        "wall",
+    )?;
+    Ok(files)
 }
