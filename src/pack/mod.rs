@@ -15,6 +15,9 @@ use crate::output::{self, OutputError};
 use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
 use crate::scene::{PackWishes, Scene, SceneError};
 
+/// A body longer than this, in metres, whose unit nobody has named is rather one in millimetres.
+const LARGE: f64 = 10.0;
+
 /// Packed bodies and the name that their files carry.
 #[derive(Clone, Debug)]
 pub struct Packed<const D: usize> {
@@ -50,7 +53,13 @@ pub fn pack_mesh(
         fluid_layers: wishes.fluid_layers,
         ..PackOptions::new(spacing)
     };
-    let packing = made.pack(&options).map_err(fail)?;
+    let mut packing = made.pack(&options).map_err(fail)?;
+    let size = bounds.size().max();
+    if unit.is_none() && size > LARGE {
+        packing.report.warnings.push(format!(
+            "the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`"
+        ));
+    }
     Ok(Packed {
         name: name.clone(),
         spacing_reason,
