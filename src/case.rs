@@ -15,6 +15,8 @@ pub struct Case<const D: usize> {
     pub spacing: f64,
     /// Time at which the run ends.
     pub end_time: f64,
+    /// Whether it may end before.
+    pub stop: Stop,
     /// Ratio of specific heats.
     pub gamma: f64,
     /// Equations and boundary treatment.
@@ -34,8 +36,17 @@ pub struct Case<const D: usize> {
     pub output: OutputPlan,
 }
 
+/// When a run ends.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stop {
+    /// At its end time.
+    EndTime,
+    /// As soon as the flow is steady, at its end time at the latest.
+    Steady,
+}
+
 /// Density, velocity and pressure at a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct State<const D: usize> {
     /// Density.
     pub density: f64,
@@ -104,6 +115,8 @@ pub struct Scheme {
     pub shield: bool,
     /// Ghost volumes stay constant; false only to show what happens otherwise.
     pub constant_ghost_volume: bool,
+    /// The artificial viscosity leaves flow alone that varies linearly; conservative scheme only.
+    pub limited_viscosity: bool,
     /// Courant number `C_CFL` of equation (33).
     pub cfl: f64,
 }
@@ -133,6 +146,9 @@ pub enum Side {
     Outlet,
     /// Buffer of free-stream particles along a side that the flow does not disturb.
     FreeStream,
+    /// Inlet at less than the speed of sound, from a reservoir at the free stream's stagnation state:
+    /// the flow inside decides how fast the gas enters.
+    Reservoir,
     /// Mirror plane.
     Symmetry,
     /// The axis that an axisymmetric flow is the same all around.
@@ -214,16 +230,42 @@ pub struct PackedFluid<const D: usize> {
 }
 
 /// Prescribed rigid motion; all zero for a body at rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Motion<const D: usize> {
     /// Velocity of the pivot at time zero.
     pub velocity: Vector<D>,
     /// Constant acceleration of the pivot.
     pub acceleration: Vector<D>,
-    /// Angular velocity about the pivot, rad/s: `z` component in 2D, vector in 3D, unused in 1D.
-    pub angular_velocity: nalgebra::Vector3<f64>,
+    /// Angular velocity about the pivot.
+    pub turning: Turning,
     /// Pivot at time zero.
     pub pivot: Vector<D>,
+}
+
+/// Angular velocity over time, rad/s, about an axis that keeps its direction: `z` component in 2D, vector
+/// in 3D, unused in 1D.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Turning {
+    /// Constant.
+    Steady(nalgebra::Vector3<f64>),
+    /// `amplitude cos(2 pi t / period + phase)`.
+    Cosine {
+        /// Greatest angular velocity.
+        amplitude: nalgebra::Vector3<f64>,
+        /// Period.
+        period: f64,
+        /// Phase at time zero, radians.
+        phase: f64,
+    },
+    /// Straight lines between points in time; the first and the last rate hold outside of them.
+    Table {
+        /// Unit vector along the axis.
+        axis: nalgebra::Vector3<f64>,
+        /// Times, increasing.
+        times: Vec<f64>,
+        /// Angular velocity about the axis at each of them.
+        rates: Vec<f64>,
+    },
 }
 
 /// When to write what.
@@ -233,4 +275,6 @@ pub struct OutputPlan {
     pub frame_interval: f64,
     /// Steps between rows of the history.
     pub history_every: usize,
+    /// Longest wall time between checkpoints, s.
+    pub checkpoint_seconds: f64,
 }

@@ -129,6 +129,36 @@ fn vectors_of_the_wrong_length_in_a_body_are_refused() {
 }
 
 #[test]
+fn angular_velocities_over_time_that_make_no_sense_are_refused() {
+    let spin = |table: &str| {
+        let motion = format!("[0.5, 0.25] }}\nmotion = {{ angular_velocity = {table} }}\n#");
+        circle_with("[0.5, 0.25]", &motion)
+    };
+    let table = |values: &str| spin(&format!("{{ table = {{ {values} }} }}"));
+    refused(
+        &table("times = [0.0, 1.0], rates = [1.0]"),
+        &["angular_velocity.table", "2 times and 1 rates"],
+    );
+    refused(
+        &table("times = [0.0, 0.0], rates = [1.0, 2.0]"),
+        &["angular_velocity.table.times", "must increase"],
+    );
+    refused(
+        &table("times = [0.0], rates = [1.0], axis = [0.0, 0.0, 1.0]"),
+        &["angular_velocity.table.axis", "left out in 2D"],
+    );
+    refused(
+        &spin("{ cosine = { amplitude = [0.0, 0.0, 1.0], period = 1.0 } }"),
+        &["angular_velocity.cosine.amplitude", "a number in 2D"],
+    );
+    refused(
+        &spin("{ cosine = { amplitude = 1.0, period = 0.0 } }"),
+        &["0 is not a positive number"],
+    );
+    refused(&spin("{ sine = { amplitude = 1.0 } }"), &["`cosine`"]);
+}
+
+#[test]
 fn a_name_that_cannot_be_a_file_name_is_refused() {
     refused(
         &circle_with("\"post\"", "\"a/b\""),

@@ -239,14 +239,26 @@ fn a_side_closed_by_no_body_is_refused() {
 }
 
 #[test]
-fn resuming_is_refused_until_it_is_built() {
-    Workplace::new()
-        .run(BOX, &["--resume"])
-        .refuses(&["--resume", "not supported yet"]);
-}
-
-#[test]
 fn zero_threads_are_refused() {
     let answer = Workplace::new().run(BOX, &["--threads", "0"]);
     assert_eq!(answer.status, 2);
+}
+
+#[test]
+fn a_reservoir_takes_a_slow_stream_that_comes_straight_in() {
+    let stream = |velocity: &str| {
+        let stream = format!(
+            "\n[free_stream]\ndensity = 1.0\npressure = 1.0\nvelocity = {velocity}\n[domain]\n"
+        );
+        box_with("x_min = \"wall\"", "x_min = \"reservoir\"").replace("\n[domain]\n", &stream)
+    };
+    for velocity in ["[2.0, 0.0]", "[-0.1, 0.0]", "[0.5, 0.5]"] {
+        refused(
+            &stream(velocity),
+            &["domain.sides.x_min", "below the speed of sound", "1.18"],
+        );
+    }
+    let two = stream("[0.3, 0.0]").replace("x_max = \"wall\"", "x_max = \"free-stream\"");
+    refused(&two, &["domain.sides.x_min", "close the others"]);
+    Workplace::new().run(&stream("[0.3, 0.0]"), &[]).succeeds();
 }

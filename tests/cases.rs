@@ -5,7 +5,8 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 10] = [
+const SMALL: [(&str, &[&str]); 14] = [
+    ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     (
         "biconvex",
@@ -17,6 +18,11 @@ const SMALL: [(&str, &[&str]); 10] = [
     ),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
+    ("double-mach", &["end_time=0.02", "spacing=0.05"]),
+    (
+        "nozzle",
+        &["end_time=0.0002", "spacing=0.002701713333333333"],
+    ),
     ("sod", &["end_time=0.005"]),
     ("sod-1d", &["end_time=0.01"]),
     ("sphere", &["end_time=0.2", "spacing=0.25"]),
@@ -28,6 +34,7 @@ const SMALL: [(&str, &[&str]); 10] = [
             "body.sphere.shape.tessellated.around=48",
         ],
     ),
+    ("square", &["end_time=0.00005"]),
     ("step", &["end_time=0.05", "spacing=0.05"]),
     ("wedge", &["end_time=0.1", "spacing=0.125"]),
 ];

@@ -55,6 +55,30 @@ fn frames_hold_every_array_for_every_particle() {
 }
 
 #[test]
+fn a_steady_run_ends_early_and_says_why() {
+    let place = Workplace::new();
+    let steady = format!("stop = \"steady\"\n{BOX}");
+    // A gas at rest is steady as soon as it can be told: after three windows, each as long as sound needs
+    // to cross the box.
+    let settings = [
+        "initial.riemann.right={ density = 1.0, pressure = 1.0 }",
+        "end_time=10",
+        "output.frames=1",
+    ];
+    place.run(&steady, &settings).succeeds();
+    let summary = place.json("results/summary.json");
+    let reason = summary["stop_reason"].as_str().unwrap();
+    assert!(reason.starts_with("steady: "), "{reason}");
+    let end = summary["end_time"].as_f64().unwrap();
+    assert!((2.5..2.7).contains(&end), "{end}");
+
+    place.run(&steady, &[]).succeeds();
+    let summary = place.json("results/summary.json");
+    let reason = summary["stop_reason"].as_str().unwrap();
+    assert!(reason.contains("too early to tell"), "{reason}");
+}
+
+#[test]
 fn the_collection_lists_the_frames_at_their_exact_times() {
     let place = Workplace::new();
     place.run(BOX, &[]).succeeds();

@@ -23,7 +23,7 @@ pub struct Summary {
     pub steps: u64,
     /// Time reached.
     pub end_time: f64,
-    /// `end time reached`, or why the run stopped before.
+    /// `end time reached`, or why the run stopped before; with `stop = "steady"`, how steady it was.
     pub stop_reason: String,
     /// Wall time of the run with its output, s.
     pub wall_seconds: f64,
@@ -90,6 +90,8 @@ pub struct BodySummary {
     pub cl_mean: Option<f64>,
     /// Force, time mean from `mean_from` to the end.
     pub force_mean: [f64; 3],
+    /// Standard deviation of the force's components over the same time.
+    pub force_spread: [f64; 3],
     /// Start of the time means.
     pub mean_from: f64,
     /// Area (3D) or length (2D) that the coefficients refer to.

@@ -43,7 +43,7 @@ pub(super) fn check_motion<const D: usize>(
     domain: &Domain<D>,
     motion: &Motion<D>,
 ) -> Result<(), SceneError> {
-    let stays = motion.angular_velocity.norm() == 0.0
+    let stays = !motion.is_turning()
         && (1..D).all(|k| motion.velocity[k] == 0.0 && motion.acceleration[k] == 0.0);
     if domain.is_axisymmetric() && !stays {
         return Err(SceneError::value(

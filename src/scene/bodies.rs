@@ -2,24 +2,23 @@
 
 use std::path::Path;
 
-use aero_geometry::{Bounds, Vector};
+use aero_geometry::Bounds;
 use aero_packer::{PackOptions, Packing};
-use nalgebra::Vector3;
 
 use super::axis;
 use super::budget;
 use super::cover::check_covered_sides;
 use super::domain::{AXES, BUFFER, ghost_region};
 use super::error::SceneError;
-use super::file::{BodyEntry, MotionEntry, SceneFile};
-use super::flow::{vector, vector_or_zero};
+use super::file::{BodyEntry, SceneFile};
+use super::flow::vector;
+use super::motion::motion;
 use super::number::Positive;
 use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::Made;
 use super::side::WallWord;
-use super::spin::Spin;
-use crate::case::{Body, Domain, Motion, State};
+use crate::case::{Body, Domain, State};
 
 /// Ghost layers: five cover the support of the kernel (Villodi & Ramachandran, section 4).
 const LAYERS: usize = 5;
@@ -83,7 +82,7 @@ pub(super) fn plans<const D: usize>(
                     "a scene of dimension 1 holds no bodies; close its ends with walls, or set dimension = 2",
                 ));
             }
-            check_spacing(entry, file)?;
+            check_spacing(entry, file, domain)?;
             let made = entry
                 .shape
                 .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric())
@@ -122,9 +121,24 @@ fn options<const D: usize>(
     }
 }
 
-/// Packed fluid is part of the flow, whose particles are all of one size.
-fn check_spacing(entry: &BodyEntry, file: &SceneFile) -> Result<(), SceneError> {
+/// Packed fluid is part of the flow, whose particles are all of one size; ghosts farther apart than the
+/// domain is wide are a slip of the pen.
+fn check_spacing<const D: usize>(
+    entry: &BodyEntry,
+    file: &SceneFile,
+    domain: &Domain<D>,
+) -> Result<(), SceneError> {
     let own = entry.spacing.unwrap_or(file.spacing);
+    let widest = domain.bounds.size().max();
+    if entry.spacing.is_some() && own.get() > widest {
+        return Err(SceneError::value(
+            format!("body.{}.spacing", entry.name.as_str()),
+            format!(
+                "is {}, more than the {widest} that the domain is wide; refine it",
+                own.get()
+            ),
+        ));
+    }
     if entry.packed_fluid != Some(true) || own.get() == file.spacing.get() {
         return Ok(());
     }
@@ -213,39 +227,6 @@ impl<const D: usize> BodyPlan<D> {
             moment_centre,
         })
     }
-}
-
-fn motion<const D: usize>(
-    name: &str,
-    entry: Option<&MotionEntry>,
-    moment_centre: Vector<D>,
-) -> Result<Motion<D>, SceneError> {
-    let place = |key: &str| format!("body.{name}.motion.{key}");
-    let spin = entry.and_then(|entry| entry.angular_velocity.as_ref());
-    let angular_velocity = match (spin, D) {
-        (None, _) => Vector3::zeros(),
-        (Some(Spin::Plane(rate)), 2) => Vector3::new(0.0, 0.0, *rate),
-        (Some(Spin::Vector(numbers)), 3) => vector::<3>(&place("angular_velocity"), numbers)?,
-        (Some(_), _) => {
-            return Err(SceneError::value(
-                place("angular_velocity"),
-                "is a number in 2D and a list of three numbers in 3D, in rad/s",
-            ));
-        }
-    };
-    let pivot = entry.and_then(|entry| entry.pivot.as_ref());
-    Ok(Motion {
-        velocity: vector_or_zero(
-            &place("velocity"),
-            entry.and_then(|entry| entry.velocity.as_ref()),
-        )?,
-        acceleration: vector_or_zero(
-            &place("acceleration"),
-            entry.and_then(|entry| entry.acceleration.as_ref()),
-        )?,
-        angular_velocity,
-        pivot: pivot.map_or(Ok(moment_centre), |point| vector(&place("pivot"), point))?,
-    })
 }
 
 /// A box, for people: `-1 to 3 in x, 0 to 3 in y`.

@@ -37,7 +37,7 @@ pub(super) fn domain<const D: usize>(file: &SceneFile) -> Result<Domain<D>, Scen
 /// The box that particles of the gas may lie in: the domain with its open boundaries' buffers.
 pub(super) fn region<const D: usize>(domain: &Domain<D>, spacing: f64) -> Bounds<D> {
     grown(domain, |side| match side {
-        Side::Inlet | Side::Outlet | Side::FreeStream => BUFFER * spacing,
+        Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir => BUFFER * spacing,
         Side::Body | Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } => 0.0,
     })
 }
@@ -46,7 +46,7 @@ pub(super) fn region<const D: usize>(domain: &Domain<D>, spacing: f64) -> Bounds
 /// body; not grown where a mirror, an image or a wall's own ghosts take over.
 pub(super) fn ghost_region<const D: usize>(domain: &Domain<D>, margin: f64) -> Bounds<D> {
     grown(domain, |side| match side {
-        Side::Inlet | Side::Outlet | Side::FreeStream | Side::Body => margin,
+        Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir | Side::Body => margin,
         Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } => 0.0,
     })
 }

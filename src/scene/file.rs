@@ -3,13 +3,14 @@
 
 use serde::Deserialize;
 
+use super::formula::Formula;
 use super::number::{
     Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
 };
 use super::shapes::ShapeEntry;
 use super::side::{SideEntry, WallWord};
 use super::spin::{Rotation, Spin};
-use crate::case::{Equations, Extrapolation};
+use crate::case::{Equations, Extrapolation, Stop};
 
 /// A whole scene.
 #[derive(Clone, Debug, Deserialize)]
@@ -23,6 +24,8 @@ pub struct SceneFile {
     pub spacing: Positive,
     /// Time at which the run ends.
     pub end_time: Positive,
+    /// `end-time` unless given.
+    pub stop: Option<StopWord>,
     /// The gas.
     #[serde(default)]
     pub gas: GasEntry,
@@ -64,8 +67,29 @@ pub struct SchemeEntry {
     pub shield: Option<bool>,
     /// On unless given.
     pub constant_ghost_volume: Option<bool>,
+    /// On unless given; of the conservative scheme.
+    pub limited_viscosity: Option<bool>,
     /// 0.5 unless given.
     pub cfl: Option<Courant>,
+}
+
+/// When a run ends, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum StopWord {
+    /// At the end time.
+    EndTime,
+    /// As soon as forces and shocks have settled, at the end time at the latest.
+    Steady,
+}
+
+impl From<StopWord> for Stop {
+    fn from(word: StopWord) -> Self {
+        match word {
+            StopWord::EndTime => Self::EndTime,
+            StopWord::Steady => Self::Steady,
+        }
+    }
 }
 
 /// Set of equations, as a scene spells it.
@@ -165,9 +189,24 @@ pub struct SidesEntry {
 pub struct InitialEntry {
     /// Two states beside a plane.
     pub riemann: Option<RiemannEntry>,
+    /// Formulas of position, in place of two states.
+    pub field: Option<FieldEntry>,
     /// Random displacement of the starting lattice, as a fraction of the spacing; none unless
     /// given.
     pub disorder: Option<Disorder>,
+}
+
+/// `[initial.field]`: numbers or formulas of position; what is left out is that of the free
+/// stream. Where the density is zero, there is no gas.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FieldEntry {
+    /// Density.
+    pub density: Option<Formula>,
+    /// Pressure.
+    pub pressure: Option<Formula>,
+    /// Velocity, one formula per axis.
+    pub velocity: Option<Vec<Formula>>,
 }
 
 /// `[initial.riemann]`
@@ -242,7 +281,7 @@ pub struct MotionEntry {
     pub velocity: Option<Vec<Finite>>,
     /// Constant acceleration of the pivot.
     pub acceleration: Option<Vec<Finite>>,
-    /// Angular velocity about the pivot, rad/s: a number in 2D, a vector in 3D.
+    /// Angular velocity about the pivot, rad/s: a number in 2D, a vector in 3D, or either over time.
     pub angular_velocity: Option<Spin>,
     /// Pivot at time zero; the moment centre unless given.
     pub pivot: Option<Vec<Finite>>,
@@ -258,4 +297,6 @@ pub struct OutputEntry {
     pub interval: Option<Positive>,
     /// Steps between rows of the history; 1 unless given.
     pub history_every: Option<Count>,
+    /// Longest time between checkpoints in seconds; 60 unless given.
+    pub checkpoint_seconds: Option<NonNegative>,
 }

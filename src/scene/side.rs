@@ -13,10 +13,11 @@ use crate::case::{Side, WallKind};
 pub struct SideEntry(pub Side);
 
 /// Words that name a side without further values.
-const WORDS: [&str; 8] = [
+const WORDS: [&str; 9] = [
     "inlet",
     "outlet",
     "free-stream",
+    "reservoir",
     "symmetry",
     "axis",
     "periodic",
@@ -79,6 +80,7 @@ impl<'de> Visitor<'de> for SideVisitor {
             "inlet" => Side::Inlet,
             "outlet" => Side::Outlet,
             "free-stream" => Side::FreeStream,
+            "reservoir" => Side::Reservoir,
             "symmetry" => Side::Symmetry,
             "axis" => Side::Axis,
             "periodic" => Side::Periodic,

@@ -7,10 +7,12 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
+use serde::{Deserialize, Serialize};
 
 use super::lattice;
 use super::particle::{OpenParticle, Particle};
 use super::records::Matrix;
+use super::reservoir::Reservoir;
 use super::rings::Rings;
 use crate::case::{Body, Case, Side, State};
 use crate::frame::Totals;
@@ -32,12 +34,17 @@ pub enum Zone {
 }
 
 /// The particles of all buffers.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct OpenBoundaries<const D: usize> {
     /// Particles, in no particular order.
     pub particles: Vec<OpenParticle<D>>,
     /// What has entered the fluid minus what has left it.
     pub inflow: Totals,
+    /// How far the lattice has drifted since the start.
+    drift: Vector<D>,
+    /// State of the lattice.
+    state: State<D>,
+    reservoir: Option<Reservoir>,
     next_id: u64,
 }
 
@@ -59,10 +66,8 @@ impl<const D: usize> Case<D> {
                     continue;
                 }
                 match self.domain.sides[axis][end] {
-                    Side::Inlet | Side::FreeStream | Side::Outlet if depth > buffer => {
-                        return Zone::Outside;
-                    }
-                    Side::Inlet | Side::FreeStream => zone = Zone::Prescribed,
+                    side if is_open(side) && depth > buffer => return Zone::Outside,
+                    Side::Inlet | Side::FreeStream | Side::Reservoir => zone = Zone::Prescribed,
                     Side::Outlet if zone == Zone::Interior => zone = Zone::Outlet,
                     _ => {}
                 }
@@ -107,6 +112,7 @@ impl<const D: usize> Case<D> {
             smoothing_length: SMOOTHING_RATIO * self.spacing,
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,
+            strain: Matrix::zeros(),
             id,
         }
     }
@@ -120,19 +126,18 @@ impl<const D: usize> Case<D> {
             .any(|side| is_open(*side))
     }
 
-    /// Place of lattice point `index` at `time`, drifting with the free stream.
-    fn lattice_position(&self, index: &[i64; D], time: f64) -> Vector<D> {
-        lattice::position(&self.domain.bounds.min, self.spacing, index)
-            + self.free_stream.velocity * time
+    /// Place of point `index` of the lattice after it has drifted.
+    fn lattice_position(&self, index: &[i64; D], drift: &Vector<D>) -> Vector<D> {
+        lattice::position(&self.domain.bounds.min, self.spacing, index) + drift
     }
 
-    /// First and last lattice index, at `time`, of the domain with its buffers.
-    fn lattice_range(&self, time: f64) -> ([i64; D], [i64; D]) {
+    /// First and last lattice index, after a drift, of the domain with its buffers.
+    fn lattice_range(&self, drift: &Vector<D>) -> ([i64; D], [i64; D]) {
         let mut first = [0; D];
         let mut last = [0; D];
         let size = self.domain.bounds.size();
         for k in 0..D {
-            let drift = self.free_stream.velocity[k] * time / self.spacing;
+            let drift = drift[k] / self.spacing;
             let margin = |side| if is_open(side) { BUFFER as i64 } else { 0 };
             let cells = (size[k] / self.spacing).round() as i64;
             let lower = margin(self.domain.sides[k][0]);
@@ -147,9 +152,9 @@ impl<const D: usize> Case<D> {
         (first, last)
     }
 
-    /// Slabs of lattice indices that cover all buffers at `time`, without overlap.
-    fn buffer_slabs(&self, time: f64) -> Vec<([i64; D], [i64; D])> {
-        let (mut first, mut last) = self.lattice_range(time);
+    /// Slabs of lattice indices that cover all buffers after a drift, without overlap.
+    fn buffer_slabs(&self, drift: &Vector<D>) -> Vec<([i64; D], [i64; D])> {
+        let (mut first, mut last) = self.lattice_range(drift);
         let mut slabs = Vec::new();
         let depth = BUFFER as i64 + 3;
         for k in 0..D {
@@ -170,23 +175,33 @@ impl<const D: usize> Case<D> {
     }
 }
 
-fn is_open(side: Side) -> bool {
-    matches!(side, Side::Inlet | Side::FreeStream | Side::Outlet)
+/// True of sides that let gas in or out.
+pub fn is_open(side: Side) -> bool {
+    matches!(
+        side,
+        Side::Inlet | Side::FreeStream | Side::Reservoir | Side::Outlet
+    )
 }
 
 impl<const D: usize> OpenBoundaries<D> {
     /// Fills the domain and its buffers; returns the fluid.
-    pub fn fill(case: &Case<D>) -> (Vec<Particle<D>>, Self) {
+    ///
+    /// # Errors
+    /// Where the gas cannot start as it should.
+    pub fn fill(case: &Case<D>) -> Result<(Vec<Particle<D>>, Self), String> {
         let mut fluid = Vec::new();
         let mut open = Self {
             particles: Vec::new(),
             inflow: Totals::default(),
+            drift: Vector::zeros(),
+            state: case.free_stream,
+            reservoir: Reservoir::of(case),
             next_id: 0,
         };
-        let (first, last) = case.lattice_range(0.0);
+        let (first, last) = case.lattice_range(&open.drift);
         let disorder = case.disorder * case.spacing;
         for index in lattice::points(first, last) {
-            let position = case.lattice_position(&index, 0.0);
+            let position = case.lattice_position(&index, &open.drift);
             match case.zone(&position) {
                 // Buffers go on as they are refilled, by the lattice.
                 Zone::Prescribed if case.is_free(&position) => {
@@ -198,7 +213,7 @@ impl<const D: usize> OpenBoundaries<D> {
                     if case.is_clear(&position, |body| body.starting_distance(case.spacing)) =>
                 {
                     let shift = lattice::displacement(&index) * disorder;
-                    open.place(case, (position, shift), zone, &mut fluid);
+                    open.place(case, (position, shift), zone, &mut fluid)?;
                 }
                 _ => {}
             }
@@ -207,10 +222,10 @@ impl<const D: usize> OpenBoundaries<D> {
         for &position in packed.flat_map(|packed| &packed.position) {
             let zone = case.zone(&position);
             if matches!(zone, Zone::Outlet | Zone::Interior) && case.is_clear(&position, |_| 0.0) {
-                open.place(case, (position, Vector::zeros()), zone, &mut fluid);
+                open.place(case, (position, Vector::zeros()), zone, &mut fluid)?;
             }
         }
-        (fluid, open)
+        Ok((fluid, open))
     }
 
     /// Puts a particle at `position`, displaced by `shift` if it is fluid, in the state of the start.
@@ -220,15 +235,18 @@ impl<const D: usize> OpenBoundaries<D> {
         (position, shift): (Vector<D>, Vector<D>),
         zone: Zone,
         fluid: &mut Vec<Particle<D>>,
-    ) {
+    ) -> Result<(), String> {
+        let Some(state) = case.initial_state(&position)? else {
+            return Ok(());
+        };
         let id = self.new_id();
-        let state = case.initial_state(&position);
         if zone == Zone::Outlet {
             self.particles
                 .push(still(case.particle(position, &state, id), None));
         } else {
             fluid.push(case.particle(position + shift, &state, id));
         }
+        Ok(())
     }
 
     /// After all particles have moved from `before` to `now`: turns lattice particles that
@@ -244,9 +262,15 @@ impl<const D: usize> OpenBoundaries<D> {
         frozen: impl Fn(usize) -> (Matrix<D>, Vector<D>),
     ) {
         let mut entering = Vec::new();
+        let earlier = self.drift;
+        self.drift = match self.reservoir {
+            Some(_) => earlier + self.state.velocity * (now - before),
+            None => self.state.velocity * now,
+        };
+        let drift = self.drift;
         self.particles.retain_mut(|open| {
             if let Some(index) = &open.lattice {
-                open.particle.position = case.lattice_position(index, now);
+                open.particle.position = case.lattice_position(index, &drift);
             }
             match (case.zone(&open.particle.position), open.lattice) {
                 (Zone::Interior, _) => {
@@ -288,24 +312,36 @@ impl<const D: usize> OpenBoundaries<D> {
             add(&mut self.inflow, &particle, 1.0);
             fluid.push(particle);
         }
-        self.refill(case, before, now);
+        if let Some(state) = self.reservoir.and_then(|r| r.inflow(case, fluid)) {
+            self.carry(case, state);
+        }
+        self.refill(case, &earlier);
     }
 
-    /// Adds the lattice points that came into a prescribed buffer between `before` and `now`.
-    fn refill(&mut self, case: &Case<D>, before: f64, now: f64) {
-        if case.free_stream.velocity == Vector::<D>::zeros() {
+    /// Gives all particles of the lattice a new state.
+    fn carry(&mut self, case: &Case<D>, state: State<D>) {
+        self.state = state;
+        for open in self.particles.iter_mut().filter(|o| o.lattice.is_some()) {
+            let old = open.particle;
+            open.particle = case.particle(old.position, &state, old.id);
+        }
+    }
+
+    /// Adds the lattice points that came into a prescribed buffer since the lattice stood at `earlier`.
+    fn refill(&mut self, case: &Case<D>, earlier: &Vector<D>) {
+        if self.drift == *earlier {
             return;
         }
-        for (first, last) in case.buffer_slabs(now) {
+        for (first, last) in case.buffer_slabs(&self.drift) {
             for index in lattice::points(first, last) {
-                let position = case.lattice_position(&index, now);
-                let earlier = case.lattice_position(&index, before);
+                let position = case.lattice_position(&index, &self.drift);
+                let earlier = case.lattice_position(&index, earlier);
                 if case.zone(&position) == Zone::Prescribed
                     && case.zone(&earlier) != Zone::Prescribed
                     && case.is_free(&position)
                 {
                     let id = self.new_id();
-                    let particle = case.particle(position, &case.free_stream, id);
+                    let particle = case.particle(position, &self.state, id);
                     self.particles.push(still(particle, Some(index)));
                 }
             }

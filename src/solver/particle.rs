@@ -1,11 +1,12 @@
 //! The particles themselves.
 
 use aero_geometry::Vector;
+use serde::{Deserialize, Serialize};
 
 use super::records::Matrix;
 
 /// A particle of gas.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Particle<const D: usize> {
     /// Position.
     pub position: Vector<D>,
@@ -21,6 +22,8 @@ pub struct Particle<const D: usize> {
     pub mass: f64,
     /// Mass that it stood for in the plane sums at the start: all of it, or what its ring had per length.
     pub first_plane_mass: f64,
+    /// Rate of strain at the last evaluation that the artificial viscosity leaves alone.
+    pub strain: Matrix<D>,
     /// Number that the particle keeps for life.
     pub id: u64,
 }
@@ -36,6 +39,8 @@ pub struct Rates<const D: usize> {
     pub density: f64,
     /// Rate of specific internal energy.
     pub energy: f64,
+    /// Gradient of the velocity, `du_a / dx_b`.
+    pub velocity_gradient: Matrix<D>,
     /// Transport velocity minus velocity, non-zero only under the penetration shield.
     pub shift: Vector<D>,
 }
@@ -47,6 +52,7 @@ impl<const D: usize> Default for Rates<D> {
             wall_acceleration: Vector::zeros(),
             density: 0.0,
             energy: 0.0,
+            velocity_gradient: Matrix::zeros(),
             shift: Vector::zeros(),
         }
     }
@@ -54,12 +60,13 @@ impl<const D: usize> Default for Rates<D> {
 
 /// A particle in the buffer of an inlet, a free-stream side or an outlet. It moves at its own
 /// constant velocity and its state does not change.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct OpenParticle<const D: usize> {
     /// State.
     pub particle: Particle<D>,
     /// Place in the moving free-stream lattice, if it carries the prescribed state. Otherwise it
     /// has left the domain through an outlet with its state frozen.
+    #[serde(with = "lattice_index")]
     pub lattice: Option<[i64; D]>,
     /// Renormalisation matrix when it was frozen.
     pub renormalisation: Matrix<D>,
@@ -67,8 +74,29 @@ pub struct OpenParticle<const D: usize> {
     pub gradient: Vector<D>,
 }
 
+/// Serde knows arrays of given length only, nalgebra's vectors of any.
+#[allow(clippy::ref_option)] // serde's `with` calls it so
+mod lattice_index {
+    use nalgebra::SVector;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer, const D: usize>(
+        index: &Option<[i64; D]>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        index.map(SVector::<i64, D>::from).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, T: Deserializer<'de>, const D: usize>(
+        deserializer: T,
+    ) -> Result<Option<[i64; D]>, T::Error> {
+        let index = Option::<SVector<i64, D>>::deserialize(deserializer)?;
+        Ok(index.map(Into::into))
+    }
+}
+
 /// A ghost: a fixed volume of a body or wall that takes its state from the gas.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Ghost<const D: usize> {
     /// Position now.
     pub position: Vector<D>,
@@ -104,6 +132,8 @@ pub struct Ghost<const D: usize> {
     pub coriolis: Vector<D>,
     /// Velocity given to the gas.
     pub velocity: Vector<D>,
+    /// Rate of strain given to the gas.
+    pub strain: Matrix<D>,
     /// Pressure.
     pub pressure: f64,
     /// Pressure at the surface above.

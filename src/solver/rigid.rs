@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 use nalgebra::Vector3;
 
 use super::records::Matrix;
-use crate::case::Motion;
+use crate::case::{Motion, Turning};
 
 /// Where a rigid body is at one time.
 #[derive(Clone, Copy, Debug)]
@@ -15,21 +15,22 @@ pub struct Pose<const D: usize> {
     velocity: Vector<D>,
     acceleration: Vector<D>,
     angular_velocity: Vector3<f64>,
+    angular_acceleration: Vector3<f64>,
 }
 
 impl<const D: usize> Pose<D> {
-    /// The pose at `time`: the pivot moves at constant acceleration, the body turns about it at
-    /// constant angular velocity.
+    /// The pose at `time`: the pivot moves at constant acceleration, the body turns about it.
     pub fn new(motion: &Motion<D>, time: f64) -> Self {
         Self {
-            rotation: rotation(&(motion.angular_velocity * time)),
+            rotation: rotation(&motion.turning.angle(time)),
             pivot: motion.pivot,
             pivot_now: motion.pivot
                 + motion.velocity * time
                 + motion.acceleration * (0.5 * time * time),
             velocity: motion.velocity + motion.acceleration * time,
             acceleration: motion.acceleration,
-            angular_velocity: motion.angular_velocity,
+            angular_velocity: motion.turning.rate(time),
+            angular_acceleration: motion.turning.acceleration(time),
         }
     }
 
@@ -65,10 +66,12 @@ impl<const D: usize> Pose<D> {
         self.velocity + cross(&self.angular_velocity, &(position - self.pivot_now))
     }
 
-    /// Acceleration of the body's point at `position`: `a + w x (w x r)`.
+    /// Acceleration of the body's point at `position`: `a + dw/dt x r + w x (w x r)`.
     pub fn acceleration(&self, position: &Vector<D>) -> Vector<D> {
         let arm = position - self.pivot_now;
-        self.acceleration + cross(&self.angular_velocity, &cross(&self.angular_velocity, &arm))
+        self.acceleration
+            + cross(&self.angular_acceleration, &arm)
+            + cross(&self.angular_velocity, &cross(&self.angular_velocity, &arm))
     }
 }
 
@@ -78,16 +81,21 @@ impl<const D: usize> Motion<D> {
         Self {
             velocity: Vector::zeros(),
             acceleration: Vector::zeros(),
-            angular_velocity: Vector3::zeros(),
+            turning: Turning::Steady(Vector3::zeros()),
             pivot: Vector::zeros(),
         }
+    }
+
+    /// True where the body ever turns.
+    pub fn is_turning(&self) -> bool {
+        self.turning != Turning::Steady(Vector3::zeros())
     }
 
     /// True where the body ever moves.
     pub fn is_moving(&self) -> bool {
         self.velocity != Vector::<D>::zeros()
             || self.acceleration != Vector::<D>::zeros()
-            || self.angular_velocity != Vector3::zeros()
+            || self.is_turning()
     }
 }
 

@@ -137,7 +137,7 @@ fn slab<const D: usize>(
     for k in 0..D {
         let cells = (domain.bounds.size()[k] / spacing).round() as i64;
         let margin = |side: Side| match side {
-            Side::Inlet | Side::Outlet | Side::FreeStream => BUFFER as i64,
+            Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir => BUFFER as i64,
             Side::Wall { .. } | Side::Body => LAYERS as i64,
             Side::Symmetry | Side::Axis | Side::Periodic => 0,
         };

@@ -3,19 +3,25 @@
 //! One file per case. A case runs its scene of `cases/` in several variants and returns rows of the
 //! table; exact solutions and metrics are not here.
 
+mod apollo;
 mod biconvex;
 mod cone;
 mod cylinder;
+mod double_mach;
+mod nozzle;
 mod outcome;
+pub mod report;
 mod sod;
 mod sphere;
+mod square;
 mod step;
+mod stress;
 mod wedge;
 
 use std::path::Path;
 
 use aero_validation::metrics::MetricError;
-use aero_validation::table::Check;
+use aero_validation::table::{Check, Subject};
 
 use crate::run::RunError;
 use crate::scene::SceneError;
@@ -82,6 +88,14 @@ pub enum ValidateError {
     /// There is no exact solution.
     #[error(transparent)]
     Exact(#[from] aero_validation::exact::ExactError),
+    /// The page that holds it all cannot be written.
+    #[error("cannot write `{}`: {source}", path.display())]
+    Report {
+        /// The page.
+        path: std::path::PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
     /// A picture cannot be written.
     #[error(transparent)]
     Picture(#[from] aero_validation::pictures::PictureError),
@@ -89,36 +103,64 @@ pub enum ValidateError {
 
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
-/// All cases, in the order in which they run.
-const CASES: [(&str, Comparison); 7] = [
+/// Cases that run only where they are named: they show where the method ends, and some of their rows
+/// fail.
+const ON_REQUEST: [(&str, Comparison); 5] = [
+    ("stress", stress::compare),
+    ("stress-tubes", stress::tubes),
+    ("stress-balls", stress::balls),
+    ("stress-smooth", stress::smooth),
+    ("stress-bodies", stress::bodies),
+];
+
+/// All other cases, in the order in which they run.
+const CASES: [(&str, Comparison); 11] = [
     ("wedge", wedge::compare),
     ("sod", sod::compare),
     ("cylinder", cylinder::compare),
+    ("nozzle", nozzle::compare),
     ("step", step::compare),
+    ("double-mach", double_mach::compare),
     ("biconvex", biconvex::compare),
+    ("square", square::compare),
     ("cone", cone::compare),
     ("sphere", sphere::compare),
+    ("apollo", apollo::compare),
 ];
 
-/// Runs the named cases, all of them where none is named, and returns their rows.
+/// Runs the named cases, all but those on request where none is named, and returns their rows; the page
+/// [`report::NAME`] about them grows with every case. A run that stops is a row that fails.
 ///
 /// # Errors
-/// A name that is not a case, before anything runs; a run that stops.
+/// A name that is not a case, before anything runs; a scene of the project that is wrong; files that
+/// cannot be written.
 pub fn validate(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
-    let known = || CASES.map(|(name, _)| name).join(", ");
-    if let Some(name) = names
-        .iter()
-        .find(|name| CASES.iter().all(|case| case.0 != **name))
-    {
+    let all = || CASES.iter().chain(&ON_REQUEST);
+    if let Some(name) = names.iter().find(|name| all().all(|case| case.0 != **name)) {
+        let known: Vec<&str> = all().map(|(name, _)| *name).collect();
         return Err(ValidateError::Unknown {
             name: name.clone(),
-            known: known(),
+            known: known.join(", "),
         });
     }
     let mut checks = Vec::new();
-    for (name, compare) in CASES {
-        if names.is_empty() || names.iter().any(|asked| asked == name) {
-            checks.extend(compare(context)?);
+    for (number, (name, compare)) in all().enumerate() {
+        let usual = names.is_empty() && number < CASES.len();
+        if usual || names.iter().any(|asked| asked == name) {
+            match compare(context) {
+                Ok(rows) => checks.extend(rows),
+                Err(error @ (ValidateError::Run { .. } | ValidateError::Metric { .. })) => {
+                    let what = error.to_string();
+                    checks.push(Subject::new(name, &what, "a run to its end").unmeasured(0.0));
+                }
+                Err(error) => return Err(error),
+            }
+            report::write(&checks, context.level, context.out).map_err(|source| {
+                ValidateError::Report {
+                    path: context.out.join(report::NAME),
+                    source,
+                }
+            })?;
         }
     }
     Ok(checks)

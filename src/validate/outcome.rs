@@ -1,10 +1,11 @@
 //! One run in memory, and its result as plain arrays.
 
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use super::{Context, ValidateError};
 use crate::case::Case;
-use crate::frame::{Frame, Kind, SurfaceFrame};
+use crate::frame::{Frame, Kind, Load, SurfaceFrame};
 use crate::output::{OutputError, Summary};
 use crate::run::{Recorder, Stopwatch, simulate};
 use crate::scene::{AnyCase, Scene};
@@ -30,10 +31,42 @@ pub struct Outcome {
     pub surface: SurfaceFrame,
     /// Counts, loads, cost.
     pub summary: Summary,
+    /// What was kept of the way there.
+    pub history: History,
 }
 
-/// Runs a scene with `settings` (`section.key=value`).
+/// What is kept of a run beside its end.
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Keep {
+    /// Loads on the first body after every step.
+    pub loads: bool,
+    /// Frames of the scene's `[output]` in the second half of the run.
+    pub frames: bool,
+}
+
+/// The way to the end of a run, as far as it was kept.
+#[derive(Clone, Debug, Default)]
+pub struct History {
+    /// Times of `loads`.
+    pub time: Vec<f64>,
+    /// Loads on the first body.
+    pub load: Vec<Load>,
+    /// Frames, the last one included.
+    pub frames: Vec<Frame>,
+}
+
+/// Runs a scene with `settings` (`section.key=value`) and keeps its end alone.
 pub fn run(
+    source: Source,
+    settings: &[String],
+    context: &Context<'_>,
+) -> Result<Outcome, ValidateError> {
+    run_keeping(Keep::default(), source, settings, context)
+}
+
+/// As [`run`], and keeps more than the end.
+pub fn run_keeping(
+    keep: Keep,
     source: Source,
     settings: &[String],
     context: &Context<'_>,
@@ -45,9 +78,9 @@ pub fn run(
     }
     let stopwatch = Stopwatch::start();
     let result = match scene.build_any()? {
-        AnyCase::One(case) => finish(*case, stopwatch),
-        AnyCase::Two(case) => finish(*case, stopwatch),
-        AnyCase::Three(case) => finish(*case, stopwatch),
+        AnyCase::One(case) => finish(*case, keep, stopwatch),
+        AnyCase::Two(case) => finish(*case, keep, stopwatch),
+        AnyCase::Three(case) => finish(*case, keep, stopwatch),
     };
     result.map_err(|error| ValidateError::Run {
         case: source.name.into(),
@@ -58,9 +91,15 @@ pub fn run(
 
 fn finish<const D: usize>(
     case: Case<D>,
+    keep: Keep,
     stopwatch: Stopwatch,
 ) -> Result<Outcome, crate::run::RunError> {
-    let (simulation, summary) = simulate(case, &mut Silent, stopwatch)?;
+    let mut keeper = Keeper {
+        keep,
+        frames_from: 0.5 * case.end_time,
+        history: History::default(),
+    };
+    let (simulation, summary) = simulate(case, &mut keeper, stopwatch)?;
     let frame = simulation.frame();
     let gas = gas(&frame);
     Ok(Outcome {
@@ -68,6 +107,7 @@ fn finish<const D: usize>(
         frame,
         surface: simulation.surface(),
         summary,
+        history: keeper.history,
     })
 }
 
@@ -95,15 +135,27 @@ fn pick<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
     chosen.iter().map(|&i| values[i]).collect()
 }
 
-/// Records nothing.
-struct Silent;
+/// Records what is to be kept.
+struct Keeper {
+    keep: Keep,
+    frames_from: f64,
+    history: History,
+}
 
-impl<const D: usize> Recorder<D> for Silent {
-    fn frame(&mut self, _: &Simulation<D>) -> Result<(), OutputError> {
+impl<const D: usize> Recorder<D> for Keeper {
+    fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError> {
+        if self.keep.frames && simulation.time() >= self.frames_from {
+            self.history.frames.push(simulation.frame());
+        }
         Ok(())
     }
 
-    fn step(&mut self, _: &Simulation<D>, _: f64) -> Result<(), OutputError> {
-        Ok(())
+    fn step(&mut self, simulation: &Simulation<D>, _: f64) -> Result<ControlFlow<()>, OutputError> {
+        if self.keep.loads {
+            self.history.time.push(simulation.time());
+            let first = simulation.loads().first().copied();
+            self.history.load.push(first.unwrap_or_default());
+        }
+        Ok(ControlFlow::Continue(()))
     }
 }

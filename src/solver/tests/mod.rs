@@ -29,6 +29,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
     Case {
         name: "cube".into(),
         spacing,
+        stop: crate::case::Stop::EndTime,
         end_time: 1.0,
         gamma: 1.4,
         scheme: Scheme {
@@ -36,6 +37,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
             extrapolation: Extrapolation::Wom,
             shield: false,
             constant_ghost_volume: true,
+            limited_viscosity: true,
             cfl: 0.5,
         },
         domain: Domain {
@@ -53,6 +55,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
         output: OutputPlan {
             frame_interval: 1.0,
             history_every: 1,
+            checkpoint_seconds: 60.0,
         },
     }
 }
