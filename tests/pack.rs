@@ -83,6 +83,18 @@ fn a_mesh_in_millimetres_is_packed_in_metres() {
 }
 
 #[test]
+fn a_body_as_large_as_a_house_is_asked_for_its_unit() {
+    let place = Workplace::new();
+    place.write("gem.stl", octahedron("gem").replace('1', "20"));
+    let answer = place.aero(&["pack", "gem.stl", "--spacing", "2", "--layers", "2"]);
+    answer.succeeds();
+    assert!(answer.out.contains("--unit mm"), "{}", answer.out);
+    for picture in ["slice", "wall"] {
+        assert!(place.path(&format!("out/gem/gem-{picture}.png")).exists());
+    }
+}
+
+#[test]
 fn all_bodies_of_a_scene_are_packed_into_one_file() {
     let place = Workplace::new();
     place.write("posts.toml", format!("{BOX}{TWO_POSTS}"));

@@ -38,7 +38,7 @@ impl<const D: usize> Cloud<D> {
     }
 
     /// Keeps the particles whose position is `wanted`.
-    pub fn retain(&mut self, wanted: impl Fn(&Vector<D>) -> bool) {
+    pub fn retain(&mut self, mut wanted: impl FnMut(&Vector<D>) -> bool) {
         let all = std::mem::take(self);
         for n in (0..all.len()).filter(|&n| wanted(&all.position[n])) {
             self.push(all.position[n], all.layer[n], all.lock[n], all.volume[n]);

@@ -3,6 +3,7 @@
 use std::time::Instant;
 
 use aero_geometry::Shape;
+use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
 use crate::finish::Finished;
@@ -47,6 +48,7 @@ pub fn pack<const D: usize>(
         target.densities(points, smoothing)
     });
     settle(&plan, &mut cloud, &target);
+    let strays = leave_out_strays(&plan, &mut cloud);
 
     let finished = Finished::new(&plan, &cloud);
     let kept = finished.kept(&plan);
@@ -63,6 +65,12 @@ pub fn pack<const D: usize>(
         report: quality.of_ghosts(&target, thinnest),
         ..Packing::default()
     };
+    if strays > 0 {
+        packing.report.warnings.push(format!(
+            "left out {strays} ghosts that found no place inside of the body: its surface is \
+             broken near them"
+        ));
+    }
     if options.fluid_layers > 0 {
         let fluid = pack_fluid(shape, options, &finished.all)?;
         let all_fluid = Finished::new(&fluid.plan, &fluid.cloud);
@@ -88,6 +96,23 @@ fn settle<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>, target: &Sou
     for run in ghost_steps::<D>() {
         relax(plan, cloud, &[], Some(target), run);
     }
+}
+
+/// Removes ghosts that relaxation has pushed through a broken surface; says how many.
+fn leave_out_strays<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) -> usize {
+    let before = cloud.len();
+    let slack = 1e-9 * plan.options.spacing;
+    let inside: Vec<bool> = cloud
+        .position
+        .par_iter()
+        .map(|point| plan.shape.signed_distance(point) <= slack)
+        .collect();
+    if inside.iter().all(|&is| is) {
+        return 0;
+    }
+    let mut is_inside = inside.into_iter();
+    cloud.retain(|_| is_inside.next().unwrap_or(true));
+    before - cloud.len()
 }
 
 /// Gives the ghosts off the lattice the shell's exact volume, where the rounding of their number

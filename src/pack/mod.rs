@@ -1,6 +1,7 @@
 //! Packs bodies for their own sake: an STL file, or all bodies of a scene. Writes what came of it;
 //! prints nothing.
 
+mod picture;
 mod report;
 mod spacing;
 
@@ -13,6 +14,9 @@ use aero_packer::{Ghosts, PackOptions, Packing};
 use crate::output::{self, OutputError};
 use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
 use crate::scene::{PackWishes, Scene, SceneError};
+
+/// A body longer than this, in metres, whose unit nobody has named is rather one in millimetres.
+const LARGE: f64 = 10.0;
 
 /// Packed bodies and the name that their files carry.
 #[derive(Clone, Debug)]
@@ -49,7 +53,13 @@ pub fn pack_mesh(
         fluid_layers: wishes.fluid_layers,
         ..PackOptions::new(spacing)
     };
-    let packing = made.pack(&options).map_err(fail)?;
+    let mut packing = made.pack(&options).map_err(fail)?;
+    let size = bounds.size().max();
+    if unit.is_none() && size > LARGE {
+        packing.report.warnings.push(format!(
+            "the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`"
+        ));
+    }
     Ok(Packed {
         name: name.clone(),
         spacing_reason,
@@ -91,8 +101,8 @@ impl<const D: usize> Packed<D> {
         PackFile::new(&self.spacing_reason, &self.bodies)
     }
 
-    /// Writes ghosts, conforming fluid if there is any, and report into `folder`; returns the
-    /// files.
+    /// Writes ghosts, conforming fluid if there is any, report and pictures into `folder`; returns
+    /// the files.
     pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, OutputError> {
         output::make_folder(folder)?;
         let file = |ending: &str| folder.join(format!("{}-{ending}", self.name));
@@ -106,6 +116,7 @@ impl<const D: usize> Packed<D> {
         }
         files.push(file("pack.json"));
         output::write_json(&files[files.len() - 1], &self.report())?;
+        files.extend(picture::draw(&self.bodies, &folder.join(&self.name))?);
         Ok(files)
     }
 }

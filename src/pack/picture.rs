@@ -1,11 +1,16 @@
-//! Pictures of a packing: in the plane all particles; in space a slice through the middle and the wall
-//! layer as seen along z.
+//! Pictures of a packing: in the plane all particles; in space a slice across the shortest extent and
+//! the wall layer as seen along it.
 
 use std::path::{Path, PathBuf};
 
 use aero_packer::{Ghosts, Packing};
 use aero_validation::pictures::PictureError;
 use aero_validation::pictures::particles::{ParticlePicture, Slab};
+
+use crate::output::OutputError;
+
+/// Diameter of the discs in spacings: small enough to see each by itself.
+const DISC: f64 = 0.7;
 
 /// The particles that a picture shows.
 #[derive(Default)]
@@ -27,64 +32,99 @@ impl Set {
         for n in (0..set.position.len()).filter(|&n| wanted(n)) {
             let coordinate = |k: usize| if k < D { set.position[n][k] } else { 0.0 };
             self.position.push(std::array::from_fn(coordinate));
-            self.diameter.push(set.volume[n].powf(1.0 / D as f64));
+            self.diameter.push(DISC * spacing);
             self.value.push(set.distance[n] / spacing);
         }
     }
+
+    /// Lowest and highest coordinate along an axis.
+    fn ends(&self, axis: usize) -> [f64; 2] {
+        let none = [f64::INFINITY, f64::NEG_INFINITY];
+        self.position
+            .iter()
+            .fold(none, |[low, high], p| [low.min(p[axis]), high.max(p[axis])])
+    }
 }
 
-/// Draws the packing of `bodies` into files `STEM-pack.png` or `STEM-slice.png` and
-/// `STEM-wall.png`; returns them.
+/// Draws the packing of `bodies` into `STEM-pack.png`, or `STEM-slice.png` and `STEM-wall.png`;
+/// returns the files.
 pub(super) fn draw<const D: usize>(
     bodies: &[(String, Packing<D>)],
     stem: &Path,
-) -> Result<Vec<PathBuf>, PictureError> {
-    let file = |ending: &str| {
-        let name = stem.file_name().unwrap_or_default().to_string_lossy();
-        stem.with_file_name(format!("{name}-{ending}.png"))
+) -> Result<Vec<PathBuf>, OutputError> {
+    let name = stem.file_name().unwrap_or_default().to_string_lossy();
+    let mut files = Vec::new();
+    let mut save = |picture: &ParticlePicture<'_>, ending: &str| {
+        let path = stem.with_file_name(format!("{name}-{ending}.png"));
+        match picture.save(&path) {
+            Ok(()) => files.push(path),
+            // A slice may pass through the hole of a ring.
+            Err(PictureError::Empty(_)) => {}
+            Err(error) => return Err(OutputError::new(&path, std::io::Error::other(error))),
+        }
+        Ok(())
     };
     let mut all = Set::default();
-    let mut wall = Set::default();
     for (_, packing) in bodies {
-        let spacing = packing.report.spacing;
-        let ghosts = &packing.ghosts;
-        all.add(ghosts, spacing, |_| true);
-        all.add(&packing.fluid, spacing, |_| true);
-        wall.add(ghosts, spacing, |n| {
-            ghosts.layer[n] == 0 && D == 3 && ghosts.normal[n][D - 1] > 0.0
-        });
+        all.add(&packing.ghosts, packing.report.spacing, |_| true);
+        all.add(&packing.fluid, packing.report.spacing, |_| true);
     }
     let label = "signed distance / Δx";
-    let name = stem.file_name().unwrap_or_default().to_string_lossy();
     if D == 2 {
-        let picture =
-            ParticlePicture::new(&name, &all.position, &all.diameter, &all.value, label);
-        picture.save(&file("pack"))?;
-        return Ok(vec![file("pack")]);
+        let picture = ParticlePicture::new(&name, &all.position, &all.diameter, &all.value, label);
+        save(&picture, "pack")?;
+        return Ok(files);
     }
-    let (low, high) = all
-        .position
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(low, high), p| {
-            (low.min(p[2]), high.max(p[2]))
-        });
-    let thickest = all.diameter.iter().fold(0.0, |a: f64, &b| a.max(b));
+    let extent = |k: usize| all.ends(k)[1] - all.ends(k)[0];
+    // Of equal extents the last is looked along.
+    let across = (0..3)
+        .rev()
+        .min_by(|&a, &b| extent(a).total_cmp(&extent(b)));
+    let across = across.unwrap_or(2);
+    let words = ["x", "y", "z"];
+    let axes = [[1, 2], [0, 2], [0, 1]][across];
+    let axis_labels = axes.map(|k| words[k]);
+
+    let [low, high] = all.ends(across);
     let title = format!("{name}: slice");
-    let mut slice =
-        ParticlePicture::new(&title, &all.position, &all.diameter, &all.value, label);
-    slice.slab = Some(Slab {
-        axis: 2,
-        centre: 0.5 * (low + high),
-        half: 0.5 * thickest,
-    });
-    slice.save(&file("slice"))?;
-    // What is nearer hides what is farther; the height tells the two apart.
+    let widest = all.diameter.iter().fold(0.0, |a: f64, &b| a.max(b));
+    let slice = ParticlePicture {
+        axes,
+        axis_labels,
+        slab: Some(Slab {
+            axis: across,
+            centre: 0.5 * (low + high),
+            half: 0.5 / DISC * widest,
+        }),
+        ..ParticlePicture::new(&title, &all.position, &all.diameter, &all.value, label)
+    };
+    save(&slice, "slice")?;
+
+    let mut wall = Set::default();
+    for (_, packing) in bodies {
+        let ghosts = &packing.ghosts;
+        wall.add(ghosts, packing.report.spacing, |n| {
+            ghosts.layer[n] == 0 && ghosts.normal[n][across] > 0.0
+        });
+    }
+    // What is nearer to the eye is drawn later.
     let mut order: Vec<usize> = (0..wall.position.len()).collect();
-    order.sort_by(|&a, &b| wall.position[a][2].total_cmp(&wall.position[b][2]));
-    let position: Vec<[f64; 3]> = order.iter().map(|&n| wall.position[n]).collect();
-    let diameter: Vec<f64> = order.iter().map(|&n| wall.diameter[n]).collect();
-    let height: Vec<f64> = position.iter().map(|p| p[2]).collect();
+    order.sort_by(|&a, &b| wall.position[a][across].total_cmp(&wall.position[b][across]));
+    wall.position = order.iter().map(|&n| wall.position[n]).collect();
+    wall.diameter = order.iter().map(|&n| wall.diameter[n]).collect();
+    let height: Vec<f64> = wall.position.iter().map(|p| p[across]).collect();
     let title = format!("{name}: wall layer");
-    ParticlePicture::new(&title, &position, &diameter, &height, "z").save(&file("wall"))?;
-    Ok(vec![file("slice"), file("wall")])
+    let seen = ParticlePicture {
+        axes,
+        axis_labels,
+        ..ParticlePicture::new(
+            &title,
+            &wall.position,
+            &wall.diameter,
+            &height,
+            words[across],
+        )
+    };
+    save(&seen, "wall")?;
+    Ok(files)
 }
