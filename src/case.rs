@@ -115,6 +115,8 @@ pub struct Scheme {
     pub shield: bool,
     /// Ghost volumes stay constant; false only to show what happens otherwise.
     pub constant_ghost_volume: bool,
+    /// The artificial viscosity leaves flow alone that varies linearly; conservative scheme only.
+    pub limited_viscosity: bool,
     /// Courant number `C_CFL` of equation (33).
     pub cfl: f64,
 }
@@ -195,6 +197,8 @@ pub struct Body<const D: usize> {
     pub motion: Motion<D>,
     /// Packed ghosts, at time zero.
     pub ghosts: Ghosts<D>,
+    /// Fluid around it at time zero, in place of the lattice.
+    pub packed_fluid: Option<PackedFluid<D>>,
     /// Quality of the packing.
     pub report: PackReport,
     /// Area (3D) or length (2D) to which force coefficients refer.
@@ -203,6 +207,26 @@ pub struct Body<const D: usize> {
     pub reference_length: f64,
     /// Point to which moments refer.
     pub moment_centre: Vector<D>,
+}
+
+impl<const D: usize> Body<D> {
+    /// Signed distance at which the lattice of the fluid begins.
+    pub fn starting_distance(&self, spacing: f64) -> f64 {
+        // The lattice may touch the half spacing exactly; round-off must not decide.
+        let bare = 0.5 * spacing * (1.0 - 1e-6);
+        self.packed_fluid
+            .as_ref()
+            .map_or(bare, |packed| packed.lattice_begins)
+    }
+}
+
+/// Fluid that conforms to a body's surface.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PackedFluid<const D: usize> {
+    /// Positions.
+    pub position: Vec<Vector<D>>,
+    /// It takes the place of all lattice points up to this signed distance.
+    pub lattice_begins: f64,
 }
 
 /// Prescribed rigid motion; all zero for a body at rest.

@@ -5,6 +5,8 @@
 
 mod build;
 mod edges;
+mod exposed;
+mod holes;
 mod orient;
 mod slivers;
 mod smooth;
@@ -15,12 +17,17 @@ mod weld;
 mod winding;
 
 use edges::NONE;
+use exposed::Exposed;
 use smooth::{Smooth, normal};
 use tree::Tree;
-use triangle::{Feature, closest_on};
+use triangle::{Feature, OnTriangle, closest_on};
 use winding::Winding;
 
 use crate::{Bounds, Closest, Shape, Vector};
+
+/// Sine of the angle between the way to the closest point and the normal above which that point is
+/// on a border.
+const ASLANT: f64 = 1e-3;
 
 /// A solid bounded by triangles. Several solids of one file are one body: their union.
 #[derive(Clone, Debug)]
@@ -31,6 +38,8 @@ pub struct Mesh {
     across: Vec<[u32; 3]>,
     /// Triangles that are no part of the surface: needles, and those inside of other solids.
     hidden: Vec<bool>,
+    /// The parts of triangles that bound the solid, where not all of them do.
+    exposed: Option<Exposed>,
     vertex_normals: Vec<Vector<3>>,
     smooth: Smooth,
     tree: Tree,
@@ -85,6 +94,22 @@ impl Mesh {
         self.facets[facet as usize].map(|v| self.vertices[v as usize])
     }
 
+    /// The closest triangle, the closest point on it, and whether that lies where the triangle is
+    /// cut off by others.
+    fn nearest(&self, p: &Vector<3>) -> (u32, OnTriangle, bool) {
+        if let Some((facet, piece)) = self.exposed.as_ref().and_then(|e| e.closest(p)) {
+            let on = closest_on(&self.corners(facet), &piece.point);
+            let cut = Exposed::is_cut(on.feature, piece.feature);
+            let point = piece.point;
+            return (facet, OnTriangle { point, ..on }, cut);
+        }
+        let hidden = |f: u32| self.hidden[f as usize];
+        let nearest = self.tree.closest(p, |f| self.corners(f), hidden);
+        // A mesh without any visible triangle is never made.
+        let (facet, _) = nearest.unwrap_or((0, 0.0));
+        (facet, closest_on(&self.corners(facet), p), false)
+    }
+
     /// The direction that tells the sides of a feature apart; not a unit vector.
     fn outward(&self, facet: u32, corners: &[Vector<3>; 3], feature: Feature) -> Vector<3> {
         match feature {
@@ -110,12 +135,8 @@ impl Shape<3> for Mesh {
     }
 
     fn closest(&self, p: &Vector<3>) -> Closest<3> {
-        let hidden = |f: u32| self.hidden[f as usize];
-        let nearest = self.tree.closest(p, |f| self.corners(f), hidden);
-        // A mesh without any visible triangle is never made.
-        let (facet, _) = nearest.unwrap_or((0, 0.0));
+        let (facet, on, cut) = self.nearest(p);
         let corners = self.corners(facet);
-        let on = closest_on(&corners, p);
         let outward = self.outward(facet, &corners, on.feature);
         let offset = p - on.point;
         let length = offset.norm();
@@ -125,8 +146,10 @@ impl Shape<3> for Mesh {
             self.winding_number(p) > 0.5
         };
         let sign = if inside { -1.0 } else { 1.0 };
-        let creased = self.smooth.on_crease(facet, on.feature);
         let size = self.bounds.size().max();
+        // The border of what is exposed is a crease, unless it is one between pieces of a triangle.
+        let aslant = || offset.cross(&outward).norm() > ASLANT * length * outward.norm();
+        let creased = self.smooth.on_crease(facet, on.feature) || cut && aslant();
         let normal = if creased && length > 1e-9 * size {
             sign / length * offset
         } else if creased {

@@ -6,8 +6,9 @@ use crate::outline::{Ends, Piece};
 use crate::stl::Facet;
 use crate::{Revolution, Vector};
 
-/// No arc is cut into pieces that turn more than this (radians), however short it is.
-const COARSEST_TURN: f64 = PI / 18.0;
+/// No arc is cut into pieces that turn more than this (radians; 4 degrees), however short it is:
+/// normals blended from the triangles are then within a degree of the arc's.
+const COARSEST_TURN: f64 = PI / 45.0;
 
 impl Revolution {
     /// Closed triangulation, outward normals, with `around` facets around the axis (at least 3)

@@ -453,6 +453,45 @@ fn overlapping_solids_are_united() {
 }
 
 #[test]
+fn triangles_that_reach_into_another_solid_end_where_they_enter_it() {
+    let mut facets = block([0.0; 3], [1.0; 3]);
+    facets.extend(block([0.5; 3], [1.5; 3]));
+    let pair = mesh(facets);
+    assert!(pair.repairs().iter().any(|r| r.contains("united")));
+    let gap = |p: Vector<3>, distance: f64| {
+        let found = pair.closest(&p);
+        assert!((found.distance - distance).abs() < 2e-3, "{p:?}: {found:?}");
+        found
+    };
+    // Above what is left of the first block's top, and of the second's bottom.
+    gap(at(0.25, 0.25, 1.2), 0.2);
+    gap(at(1.25, 1.25, 0.3), 0.2);
+    // In the common part the nearest surface is the corner where the blocks enter each other.
+    let found = gap(at(0.7, 0.7, 0.95), -(0.04_f64 + 0.0025).sqrt());
+    assert!(found.normal.dot(&at(-0.2, 0.0, 0.05).normalize()).abs() > 0.6);
+    assert!(pair.signed_distance(&at(0.75, 0.75, 0.75)) < 0.0);
+    assert_eq!(pair.closest(&at(0.25, 0.25, 1.2)).normal, at(0.0, 0.0, 1.0));
+}
+
+#[test]
+fn a_missing_triangle_among_many_is_filled_and_reported() {
+    let mut facets = sphere(1.0).unwrap().tessellate(24);
+    facets.remove(100);
+    let ball = mesh(facets);
+    assert!(ball.repairs()[0].starts_with("filled 1 holes or cracks"));
+    assert!(ball.measure().is_some());
+    // An edge that is cut on one side only is a crack without area.
+    let mut facets = unit_block();
+    let [a, b, c] = facets[0];
+    let middle = 0.4 * a + 0.6 * b;
+    facets[0] = [a, middle, c];
+    facets.push([middle, b, c]);
+    let cube = mesh(facets);
+    assert!(cube.repairs().iter().any(|r| r.starts_with("filled 1")));
+    assert_relative_eq!(cube.volume(), 1.0, max_relative = 1e-12);
+}
+
+#[test]
 fn blocks_that_share_a_face_or_an_edge_or_a_corner_are_one_body() {
     let beside = |offset: Vector<3>| {
         let mut facets = unit_block();

@@ -48,7 +48,7 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
     let begins = lattice_begins(options);
     let margin = (begins + support) / spacing + 1.0;
     let plan = Plan::new(shape, options, mirrors, Side::Fluid, margin)?;
-    let (mut cloud, left) = seed(&plan)?;
+    let (mut cloud, left) = seed(&plan);
 
     let grid = lattice_grid(&plan.mirrors, &options.anchor, spacing);
     let sites = grid.band(shape, &plan.bounds, (0.0, begins + support), spacing)?;
@@ -80,7 +80,7 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
     for cell in shell {
         let site = place(cell);
         let share = plan.mirrors.share(&site);
-        carry += share * (1.0 - cell.fraction_below(end, spacing));
+        carry += share * (1.0 - cell.fraction_below(end));
         if carry >= 0.5 * share {
             carry -= share;
             cloud.push(site, options.fluid_layers as u32, Lock::Free, volume);

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use crate::PackError;
 use crate::options::MAX_PARTICLES;
+use crate::thin::{Room, room};
 
 /// A distance that differs from the expected one by this part of the cell's edge tells of a ridge.
 const RIDGE: f64 = 0.05;
@@ -21,12 +22,18 @@ pub(crate) struct Grid<const D: usize> {
 /// One cell of the band.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Cell<const D: usize> {
-    /// Place in the grid.
+    /// Place in the grid; that of the whole cell if this is a part of one.
     pub index: [i64; D],
+    /// Centre.
+    pub centre: Vector<D>,
+    /// Edge length.
+    pub step: f64,
     /// Signed distance at the centre.
     pub distance: f64,
     /// Gradient of the signed distance at the centre.
     pub normal: Vector<D>,
+    /// How much room the layers have here.
+    pub room: Room,
     /// True where the cell straddles the face between two layers and a ridge of the distance, so
     /// that the face is not a plane in it.
     pub on_ridge: bool,
@@ -53,28 +60,27 @@ impl<const D: usize> Grid<D> {
         (low, high): (f64, f64),
         spacing: f64,
     ) -> Result<Vec<Cell<D>>, PackError> {
-        let first: [i64; D] = std::array::from_fn(|k| {
-            2 * cell_number(bounds.min[k] - self.origin[k], 2.0 * self.step)
-        });
+        let first: [i64; D] =
+            std::array::from_fn(|k| cell_number(bounds.min[k] - self.origin[k], self.step));
         let end: [i64; D] = std::array::from_fn(|k| {
             -cell_number(self.origin[k] - bounds.max[k], self.step).min(-first[k] - 1)
         });
-        // An even first cell makes the halvings agree with blocks of two.
         let longest = (0..D).map(|k| end[k] - first[k]).max().unwrap_or(1);
         let mut size = u64::try_from(longest).unwrap_or(1).next_power_of_two() as i64;
         let mut blocks = vec![first];
-        while size > 1 {
+        let reach = |size: i64| 0.5 * size as f64 * self.step * (D as f64).sqrt() + 1e-9 * spacing;
+        let near = |distance: f64, reach: f64| distance > low - reach && distance < high + reach;
+        while size > 2 {
             size /= 2;
-            let reach = 0.5 * size as f64 * self.step * (D as f64).sqrt() + 1e-9 * spacing;
             blocks = blocks
                 .par_iter()
                 .flat_map_iter(|block| children(block, size, &end))
                 .filter(|block| {
+                    let half = 0.5 * size as f64;
                     let centre = Vector::from_fn(|k, _| {
-                        self.origin[k] + (block[k] as f64 + 0.5 * size as f64) * self.step
+                        self.origin[k] + (block[k] as f64 + half) * self.step
                     });
-                    let distance = shape.signed_distance(&centre);
-                    distance > low - reach && distance < high + reach
+                    near(shape.signed_distance(&centre), reach(size))
                 })
                 .collect();
             let width = size as f64 * self.step / spacing;
@@ -90,37 +96,13 @@ impl<const D: usize> Grid<D> {
         }
         Ok(blocks
             .par_iter()
-            .map(|index| self.cell(shape, index, spacing))
+            .flat_map_iter(|block| {
+                children(block, 1, &end).take(if size == 1 { 1 } else { 1 << D })
+            })
+            .map(|index| Cell::new(shape, index, self.centre(&index), self.step))
+            .filter(|cell| near(cell.distance, reach(1)))
             .collect())
     }
-
-    /// The cell at `index`.
-    fn cell(&self, shape: &dyn Shape<D>, index: &[i64; D], spacing: f64) -> Cell<D> {
-        let centre = self.centre(index);
-        let closest = shape.closest(&centre);
-        let face = (closest.distance / spacing).round() * spacing;
-        let reach = 0.5 * self.step * closest.normal.abs().sum();
-        let away = reach.copysign(closest.distance);
-        let on_ridge = face != 0.0 && (face - closest.distance).abs() < reach && {
-            let end = shape.signed_distance(&(centre + away * closest.normal));
-            (end - closest.distance - away).abs() > RIDGE * self.step
-        };
-        Cell {
-            index: *index,
-            distance: closest.distance,
-            normal: closest.normal,
-            on_ridge,
-        }
-    }
-}
-
-/// Runs of cells that share a block of `size` cells per axis.
-pub(crate) fn blocks<const D: usize>(
-    band: &[Cell<D>],
-    size: i64,
-) -> impl Iterator<Item = &[Cell<D>]> {
-    let parent = move |cell: &Cell<D>| cell.index.map(|i| i.div_euclid(size));
-    band.chunk_by(move |a, b| parent(a) == parent(b))
 }
 
 /// Number of the cell that a length reaches, forgiving round-off at cell faces.
@@ -141,15 +123,59 @@ fn children<const D: usize>(
 }
 
 impl<const D: usize> Cell<D> {
-    /// Part of the cell, of edge `step`, where the signed distance is below `level`; exact where
-    /// the surface is flat.
-    pub fn fraction_below(&self, level: f64, step: f64) -> f64 {
+    /// A cell whose room has not been looked at.
+    fn new(shape: &dyn Shape<D>, index: [i64; D], centre: Vector<D>, step: f64) -> Self {
+        let closest = shape.closest(&centre);
+        Self {
+            index,
+            centre,
+            step,
+            distance: closest.distance,
+            normal: closest.normal,
+            room: Room::Clear,
+            on_ridge: false,
+        }
+    }
+
+    /// Looks at the room for layers in the cell and at ridges.
+    pub fn survey(&mut self, shape: &dyn Shape<D>, spacing: f64) {
+        self.room = room(shape, self, spacing);
+        self.on_ridge = self.room != Room::Clear && self.crosses_ridge(shape, spacing);
+    }
+
+    /// The cell cut into halves per axis, each surveyed by itself.
+    pub fn halves(&self, shape: &dyn Shape<D>, spacing: f64) -> impl Iterator<Item = Self> {
+        (0..1_usize << D).map(move |n| {
+            let quarter = 0.25 * self.step;
+            let centre = Vector::from_fn(|k, _| {
+                self.centre[k] + if n >> k & 1 == 1 { quarter } else { -quarter }
+            });
+            let mut half = Self::new(shape, self.index, centre, 0.5 * self.step);
+            half.survey(shape, spacing);
+            half
+        })
+    }
+
+    /// True where the cell straddles the face between two layers and a ridge of the distance.
+    fn crosses_ridge(&self, shape: &dyn Shape<D>, spacing: f64) -> bool {
+        let face = (self.distance / spacing).round() * spacing;
+        let reach = 0.5 * self.step * self.normal.abs().sum();
+        let away = reach.copysign(self.distance);
+        face != 0.0 && (face - self.distance).abs() < reach && {
+            let end = shape.signed_distance(&(self.centre + away * self.normal));
+            (end - self.distance - away).abs() > RIDGE * self.step
+        }
+    }
+
+    /// Part of the cell where the signed distance is below `level`; exact where the surface is
+    /// flat.
+    pub fn fraction_below(&self, level: f64) -> f64 {
         if self.on_ridge {
             return if self.distance < level { 1.0 } else { 0.0 };
         }
         let slopes: [f64; D] = std::array::from_fn(|k| self.normal[k].abs().max(1e-3));
         let total: f64 = slopes.iter().sum();
-        let reach = (level - self.distance) / step + 0.5 * total;
+        let reach = (level - self.distance) / self.step + 0.5 * total;
         if reach <= 0.0 {
             return 0.0;
         }

@@ -20,6 +20,8 @@ pub(crate) enum Factor {
     Value,
     /// `(dW/dr) / r`.
     Slope,
+    /// `(1 - r / R) / r` up to the support `R`: how much closer than `R` the points are.
+    Closeness,
 }
 
 /// `Σ V f` and `Σ V f (r_i - r_j)` over the sources in `runs`.
@@ -64,6 +66,7 @@ impl<const D: usize> WithSimd for KernelSum<'_, D> {
                     let weight = match self.factor {
                         Factor::Value => value(simd, r, self.smoothing),
                         Factor::Slope => slope(simd, r, self.smoothing),
+                        Factor::Closeness => closeness(simd, r, reach),
                     };
                     let weight = simd.mul_f64s(weight, simd.splat_f64s(*volume));
                     total = simd.add_f64s(total, weight);
@@ -72,11 +75,12 @@ impl<const D: usize> WithSimd for KernelSum<'_, D> {
                     }
                 }
             }
-            let scale = match self.factor {
-                Factor::Value => 1.0 / self.smoothing.powi(D as i32),
-                Factor::Slope => -5.0 / self.smoothing.powi(D as i32 + 1),
-            };
-            let scale = simd.splat_f64s(scale * QuinticSpline::<D>::NORMALISATION);
+            let norm = QuinticSpline::<D>::NORMALISATION;
+            let scale = simd.splat_f64s(match self.factor {
+                Factor::Value => norm / self.smoothing.powi(D as i32),
+                Factor::Slope => -5.0 * norm / self.smoothing.powi(D as i32 + 1),
+                Factor::Closeness => 1.0,
+            });
             S::as_mut_simd_f64s(&mut sum).0[group] = simd.mul_f64s(total, scale);
             for k in 0..D {
                 S::as_mut_simd_f64s(&mut moment[k]).0[group] = simd.mul_f64s(moments[k], scale);
@@ -129,4 +133,12 @@ fn slope<S: Simd>(simd: S, r: S::f64s, smoothing: f64) -> S::f64s {
     let c = fourth(simd, bracket(simd, 1.0, q));
     let sum = spline(simd, a, b, c);
     simd.div_f64s(sum, simd.max_f64s(r, simd.splat_f64s(1e-12 * smoothing)))
+}
+
+/// `(1 - r / reach) / r`, only where positive.
+#[inline(always)]
+fn closeness<S: Simd>(simd: S, r: S::f64s, reach: f64) -> S::f64s {
+    let part = simd.mul_f64s(r, simd.splat_f64s(1.0 / reach));
+    let part = bracket(simd, 1.0, part);
+    simd.div_f64s(part, simd.max_f64s(r, simd.splat_f64s(1e-12 * reach)))
 }

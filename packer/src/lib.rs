@@ -3,6 +3,7 @@
 mod cloud;
 mod contour;
 mod error;
+mod finish;
 mod fluid;
 mod ghosts;
 mod grid;
@@ -10,6 +11,7 @@ mod lanes;
 mod lattice;
 mod level;
 mod mirror;
+mod on_sheet;
 mod options;
 mod pack;
 mod plan;

@@ -4,18 +4,18 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Bounds, Shape, Vector};
 use rayon::prelude::*;
 
-use crate::grid::{Cell, Grid, blocks};
+use crate::grid::{Cell, Grid};
 use crate::lattice::lattice_grid;
 use crate::mirror::Mirrors;
-use crate::thin::thin_cells;
+use crate::thin::Room;
 use crate::{PackError, PackOptions};
 
 /// Spacings by which the packing reaches beyond the region, so that its cut ends do not show.
 const BEYOND_REGION: f64 = 6.0;
 
-/// Cells per spacing over which layer volumes are summed. In the plane, five puts the layers'
-/// middles between cell corners, and their faces on them.
-const FINENESS: [f64; 2] = [5.0, 2.0];
+/// Cells per spacing in the plane: five puts the layers' middles between cell corners, and their
+/// faces on them.
+const FINENESS: f64 = 5.0;
 
 /// Which side of the surface is packed.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -40,12 +40,12 @@ pub(crate) struct Plan<'a, const D: usize> {
     pub mirrors: Mirrors,
     /// The part of space that is packed, above all mirror planes.
     pub bounds: Bounds<D>,
-    /// Fine grid for volumes.
-    pub fine: Grid<D>,
-    /// Cells of the fine grid in and beside the layers.
+    /// Grid over the layers: in space the lattice's cells, in the plane finer ones.
+    pub grid: Grid<D>,
+    /// Its cells in the layers.
     pub band: Vec<Cell<D>>,
-    /// For each of them whether it is too thin there for its layer.
-    thin: Vec<bool>,
+    /// The same, cut up where layers are not smooth.
+    cut_band: Vec<Cell<D>>,
     /// How exactly a point has to meet its level.
     pub tolerance: f64,
 }
@@ -66,25 +66,30 @@ impl<'a, const D: usize> Plan<'a, D> {
             Side::Ghosts => options.layers,
             Side::Fluid => options.fluid_layers,
         };
-        let mut fine = lattice_grid(&mirrors, &options.anchor, spacing);
-        fine.step = spacing / FINENESS[D - 2];
+        let mut grid = lattice_grid(&mirrors, &options.anchor, spacing);
         if D == 2 {
             // The contours' grid has corners on the mirror planes and at the ends of the region.
-            fine.origin = Vector::from_fn(|k, _| {
+            grid.step = spacing / FINENESS;
+            grid.origin = Vector::from_fn(|k, _| {
                 let free = options
                     .region
                     .map_or(options.anchor[k], |region| region.min[k]);
                 mirrors.plane(k).unwrap_or(free)
             });
         }
-        let step = fine.step;
         let depth = layers as f64 * spacing;
         let range = match side {
-            Side::Ghosts => (-depth - step, step),
-            Side::Fluid => (-step, depth + step),
+            Side::Ghosts => (-depth, 0.0),
+            Side::Fluid => (0.0, depth),
         };
-        let band = fine.band(shape, &bounds, range, spacing)?;
-        let thin = thin_cells(shape, &fine, &band, block_size::<D>(), spacing);
+        let mut band = grid.band(shape, &bounds, range, spacing)?;
+        band.par_iter_mut()
+            .for_each(|cell| cell.survey(shape, spacing));
+        let cut_band = if D == 2 {
+            band.clone()
+        } else {
+            cut_up(shape, &band, spacing)
+        };
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
         });
@@ -95,9 +100,9 @@ impl<'a, const D: usize> Plan<'a, D> {
             layers,
             mirrors,
             bounds,
-            fine,
+            grid,
             band,
-            thin,
+            cut_band,
             tolerance: 1e-12 * spacing + 8.0 * f64::EPSILON * reach,
         })
     }
@@ -134,35 +139,30 @@ impl<'a, const D: usize> Plan<'a, D> {
         self.summed_volumes(|_| 1.0)
     }
 
-    /// All cells of the band, and whether each is too thin for its layer.
-    pub fn cells(&self) -> impl IndexedParallelIterator<Item = (&Cell<D>, bool)> {
-        self.band.par_iter().zip(self.thin.par_iter().copied())
-    }
-
-    /// The band in blocks of neighbouring cells, about a spacing wide in space and single cells in
-    /// the plane, and which cells are too thin.
-    pub fn blocks(&self) -> impl Iterator<Item = (&[Cell<D>], &[bool])> {
-        let mut start = 0;
-        blocks(&self.band, block_size::<D>()).map(move |cells| {
-            let first = start;
-            start += cells.len();
-            (cells, &self.thin[first..start])
-        })
+    /// The layers' cells, cut up where layers are not smooth; parts of one cell follow each other.
+    pub fn cells(&self) -> &[Cell<D>] {
+        &self.cut_band
     }
 
     /// Cells of the layers that are too thin for them.
     pub fn thin_cells(&self) -> Vec<Cell<D>> {
-        let cells = self.band.iter().zip(&self.thin);
+        let cells = self.cut_band.iter().copied();
         cells
-            .filter(|&(cell, &thin)| thin && self.is_inside_layers(cell))
-            .map(|(cell, _)| *cell)
+            .filter(|cell| cell.room == Room::Thin && self.is_inside_layers(cell))
             .collect()
+    }
+
+    /// Cells of the layers that have room for them.
+    pub fn roomy_cells(&self) -> impl Iterator<Item = &Cell<D>> {
+        let cells = self.cut_band.iter();
+        cells.filter(|cell| cell.room != Room::Thin && self.is_inside_layers(cell))
     }
 
     /// True where some part is too thin for its layers.
     pub fn has_thin_cells(&self) -> bool {
-        self.cells()
-            .any(|(cell, thin)| thin && self.is_inside_layers(cell))
+        self.cut_band
+            .iter()
+            .any(|cell| cell.room == Room::Thin && self.is_inside_layers(cell))
     }
 
     /// True for cells with their centre in one of the layers.
@@ -174,10 +174,10 @@ impl<'a, const D: usize> Plan<'a, D> {
     /// Volume of all layers inside the region, images included.
     pub fn shell_volume(&self) -> f64 {
         let volumes = self.summed_volumes(|cell| {
-            let centre = self.fine.centre(&cell.index);
-            let mut count = usize::from(self.keeps(&centre));
-            self.mirrors
-                .images(&centre, |_, image| count += usize::from(self.keeps(&image)));
+            let mut count = usize::from(self.keeps(&cell.centre));
+            self.mirrors.images(&cell.centre, |_, image| {
+                count += usize::from(self.keeps(&image));
+            });
             count as f64
         });
         volumes.iter().sum()
@@ -190,6 +190,24 @@ impl<'a, const D: usize> Plan<'a, D> {
             .is_none_or(|region| region.contains(point))
     }
 
+    /// How many particles inside the region a particle stands for: itself and its images, each
+    /// with the part of its cell that is inside.
+    pub fn part_in_region(&self, point: &Vector<D>) -> f64 {
+        let part = |point: &Vector<D>| {
+            self.options.region.map_or(1.0, |region| {
+                (0..D)
+                    .map(|k| {
+                        let room = (point[k] - region.min[k]).min(region.max[k] - point[k]);
+                        (room / self.options.spacing + 0.5).clamp(0.0, 1.0)
+                    })
+                    .product()
+            })
+        };
+        let mut sum = part(point);
+        self.mirrors.images(point, |_, image| sum += part(&image));
+        sum
+    }
+
     /// True for points inside the packed box or an image of it.
     pub fn inside(&self, point: &Vector<D>) -> bool {
         self.bounds.contains(&self.mirrors.folded(*point))
@@ -197,7 +215,7 @@ impl<'a, const D: usize> Plan<'a, D> {
 
     /// The parts of a cell that belong to each layer, as `(layer, volume)`.
     pub fn parts(&self, cell: &Cell<D>) -> impl Iterator<Item = (usize, f64)> {
-        let step = self.fine.step;
+        let step = cell.step;
         let spacing = self.options.spacing;
         let cell_volume = step.powi(D as i32);
         // A cell spans its own diagonal at most, so only few layers can share it.
@@ -206,8 +224,8 @@ impl<'a, const D: usize> Plan<'a, D> {
         let first = ((height - reach) / spacing).floor().max(0.0) as usize;
         let end = (((height + reach) / spacing).ceil().max(0.0) as usize).min(self.layers);
         (first..end).filter_map(move |layer| {
-            let near = cell.fraction_below(self.face(layer), step);
-            let far = cell.fraction_below(self.face(layer + 1), step);
+            let near = cell.fraction_below(self.face(layer));
+            let far = cell.fraction_below(self.face(layer + 1));
             let volume = (far - near).abs() * cell_volume;
             (volume > 0.0).then_some((layer, volume))
         })
@@ -215,7 +233,7 @@ impl<'a, const D: usize> Plan<'a, D> {
 
     fn summed_volumes(&self, weight: impl Fn(&Cell<D>) -> f64) -> Vec<f64> {
         let mut volumes = vec![0.0; self.layers];
-        for cell in &self.band {
+        for cell in &self.cut_band {
             let weight = weight(cell);
             for (layer, volume) in self.parts(cell) {
                 volumes[layer] += weight * volume;
@@ -252,7 +270,18 @@ fn packed_box<const D: usize>(
     Ok(bounds)
 }
 
-/// Cells per axis of a block.
-fn block_size<const D: usize>() -> i64 {
-    if D == 2 { 1 } else { 2 }
+/// Cells in which the layers are smooth stay whole, the others are halved twice.
+fn cut_up<const D: usize>(shape: &dyn Shape<D>, band: &[Cell<D>], spacing: f64) -> Vec<Cell<D>> {
+    let halved = |cells: Vec<Cell<D>>| -> Vec<Cell<D>> {
+        cells
+            .par_iter()
+            .flat_map_iter(|cell| {
+                let whole = cell.room == Room::Clear;
+                let kept = whole.then_some(*cell);
+                let halves = (!whole).then(|| cell.halves(shape, spacing));
+                kept.into_iter().chain(halves.into_iter().flatten())
+            })
+            .collect()
+    };
+    halved(band.to_vec())
 }

@@ -3,10 +3,12 @@
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 
+use crate::finish::Finished;
 use crate::fluid::Fluid;
-use crate::mirror::Mirrors;
+use crate::mirror::{Mirrors, reflect};
 use crate::plan::Plan;
 use crate::sources::Sources;
+use crate::thin::Thinnest;
 use crate::{Ghosts, PackReport};
 
 /// What is measured.
@@ -14,40 +16,49 @@ pub(crate) struct Quality<'a, const D: usize> {
     /// Frame of the packing.
     pub plan: &'a Plan<'a, D>,
     /// All ghosts, those just outside the region included.
-    pub ghosts: &'a Ghosts<D>,
+    pub ghosts: &'a Finished<D>,
+    /// Numbers of the ghosts inside.
+    pub kept: &'a [usize],
 }
 
 impl<const D: usize> Quality<'_, D> {
-    /// The report on the ghosts alone, `kept` being those inside the region.
-    pub fn of_ghosts(&self, kept: &Ghosts<D>, target: &Sources<D>) -> PackReport {
+    /// The report on the ghosts alone.
+    pub fn of_ghosts(&self, target: &Sources<D>, thinnest: Option<Thinnest>) -> PackReport {
         let plan = self.plan;
+        let all = &self.ghosts.all;
         let spacing = plan.options.spacing;
         let mut layer_counts = vec![0; plan.options.layers];
-        for &layer in &kept.layer {
-            layer_counts[layer as usize] += 1;
+        for &n in self.kept {
+            layer_counts[(all.layer[n] as usize).min(plan.options.layers - 1)] += 1;
         }
-        let exact = plan.shell_volume();
-        let packed: f64 = kept.volume.iter().sum();
-        let wall = kept.distance.iter().zip(&kept.layer);
-        let wall_offset_max = wall
-            .filter(|&(_, &layer)| layer == 0)
-            .map(|(distance, _)| (distance + 0.5 * spacing).abs() / spacing)
+        let wall = |&&n: &&usize| all.layer[n] == 0 && !self.ghosts.thin[n];
+        let wall_offset_max = self
+            .kept
+            .iter()
+            .filter(wall)
+            .map(|&n| (all.distance[n] + 0.5 * spacing).abs() / spacing)
             .fold(0.0, f64::max);
-        let sources = self.sources(self.ghosts, []);
-        let errors = self.at_wall(self.ghosts, &sources, |points, smoothing| {
+        let sources = self.sources([]);
+        let errors = self.at_wall(all, &sources, |points, smoothing| {
             let folded: Vec<Vector<D>> = points.iter().map(|p| plan.mirrors.folded(*p)).collect();
             target.densities(&folded, smoothing)
         });
         let (density_std_percent, density_max_percent) = spread(&errors);
+        let thin = self.kept.iter().filter(|&&n| self.ghosts.thin[n]).count();
+        let positions: Vec<Vector<D>> = self.kept.iter().map(|&n| all.position[n]).collect();
         PackReport {
             spacing,
-            ghosts: kept.position.len(),
+            ghosts: self.kept.len(),
             layer_counts,
             density_std_percent,
             density_max_percent,
-            shell_volume_error_percent: 100.0 * (packed - exact).abs() / exact,
+            shell_volume_error_percent: self.volume_error(),
             wall_offset_max,
-            min_gap: smallest_gap(kept, spacing),
+            min_gap: least(&sources.nearest(&positions, 2.0 * spacing, true)) / spacing,
+            hole_max: self.largest_hole(),
+            thin,
+            mirror_error_max: self.mirror_error(&positions),
+            warnings: thinnest.map(|found| found.warning()).into_iter().collect(),
             ..PackReport::default()
         }
     }
@@ -58,24 +69,26 @@ impl<const D: usize> Quality<'_, D> {
         let mut lattice: Vec<(Vector<D>, f64)> = Vec::new();
         for &site in &fluid.lattice {
             lattice.push((site, volume));
-            fluid
-                .plan
-                .mirrors
-                .images(&site, |_, image| lattice.push((image, volume)));
+            let mirrors = &fluid.plan.mirrors;
+            mirrors.images(&site, |_, image| lattice.push((image, volume)));
         }
-        let sources = self.sources(self.ghosts, particles(all_fluid).chain(lattice));
-        let mut errors = self.at_wall(self.ghosts, &sources, |points, _| vec![1.0; points.len()]);
-        errors.extend(self.at_wall(all_fluid, &sources, |points, _| vec![1.0; points.len()]));
+        let sources = self.sources(particles(all_fluid).chain(lattice));
+        let one = |points: &[Vector<D>], _: f64| vec![1.0; points.len()];
+        let mut errors = self.at_wall(&self.ghosts.all, &sources, one);
+        errors.extend(self.at_wall(all_fluid, &sources, one));
         (report.density_std_percent, report.density_max_percent) = spread(&errors);
+        if fluid.plan.mirrors.planes().len() < self.plan.mirrors.planes().len() {
+            report.warnings.push(
+                "the lattice is not symmetric about all of the body's mirror planes, nor is the \
+                 packed fluid; move the lattice by a quarter of a spacing or less to mend that"
+                    .to_owned(),
+            );
+        }
     }
 
-    /// All of two sets of particles; images are among them already.
-    fn sources(
-        &self,
-        set: &Ghosts<D>,
-        more: impl IntoIterator<Item = (Vector<D>, f64)>,
-    ) -> Sources<D> {
-        let points = particles(set).chain(more);
+    /// The ghosts and more; images are among them already.
+    fn sources(&self, more: impl IntoIterator<Item = (Vector<D>, f64)>) -> Sources<D> {
+        let points = particles(&self.ghosts.all).chain(more);
         Sources::new(&Mirrors::default(), points, self.plan.support())
     }
 
@@ -97,6 +110,69 @@ impl<const D: usize> Quality<'_, D> {
             .map(|(sum, wanted)| sum - wanted)
             .collect()
     }
+
+    /// The ghosts' volume against that of the layers, in per cent.
+    fn volume_error(&self) -> f64 {
+        let mirrors = &self.plan.mirrors;
+        let packed: f64 = particles(&self.ghosts.all)
+            .filter(|(point, _)| mirrors.above(point))
+            .map(|(point, volume)| volume * self.plan.part_in_region(&point))
+            .sum();
+        let exact = self.plan.shell_volume();
+        100.0 * (packed - exact).abs() / exact
+    }
+
+    /// Largest distance from a place on the wall layer's middle to the nearest ghost, in spacings.
+    fn largest_hole(&self) -> f64 {
+        let plan = self.plan;
+        let spacing = plan.options.spacing;
+        let level = plan.level(0);
+        let places: Vec<Vector<D>> = plan
+            .roomy_cells()
+            .filter(|cell| (cell.distance - level).abs() < 0.5 * cell.step)
+            .flat_map(|cell| {
+                // A few places around the centre, brought onto the level's plane.
+                (0..1_usize << D).map(move |n| {
+                    let quarter = 0.25 * cell.step;
+                    let off =
+                        Vector::<D>::from_fn(
+                            |k, _| if n >> k & 1 == 1 { quarter } else { -quarter },
+                        );
+                    let distance = cell.distance + off.dot(&cell.normal);
+                    cell.centre + off - (distance - level) * cell.normal
+                })
+            })
+            .filter(|place| plan.keeps(place))
+            .collect();
+        let mirrors = &plan.mirrors;
+        let ghosts = particles(&self.ghosts.all).filter(|(point, _)| mirrors.above(point));
+        let sources = Sources::new(mirrors, ghosts, 2.0 * spacing);
+        let gaps = sources.nearest(&places, 2.0 * spacing, false);
+        gaps.into_iter().fold(0.0, f64::max) / spacing
+    }
+
+    /// Largest distance from a ghost's mirror image to the nearest ghost, in spacings, over the
+    /// planes.
+    fn mirror_error(&self, positions: &[Vector<D>]) -> Option<f64> {
+        let spacing = self.plan.options.spacing;
+        let planes = self.plan.mirrors.planes();
+        let sources = self.sources([]);
+        planes
+            .iter()
+            .map(|&(axis, position)| {
+                let images: Vec<Vector<D>> = positions
+                    .iter()
+                    .map(|point| {
+                        let mut image = *point;
+                        image[axis] = reflect(image[axis], position);
+                        image
+                    })
+                    .collect();
+                let errors = sources.nearest(&images, spacing, false);
+                errors.into_iter().fold(0.0, f64::max) / spacing
+            })
+            .reduce(f64::max)
+    }
 }
 
 fn particles<const D: usize>(set: &Ghosts<D>) -> impl Iterator<Item = (Vector<D>, f64)> {
@@ -112,10 +188,6 @@ fn spread(errors: &[f64]) -> (f64, f64) {
     (100.0 * variance.sqrt(), 100.0 * largest)
 }
 
-/// Smallest distance between two particles, in spacings; at most two.
-fn smallest_gap<const D: usize>(set: &Ghosts<D>, spacing: f64) -> f64 {
-    let reach = 2.0 * spacing;
-    let sources = Sources::new(&Mirrors::default(), particles(set), reach);
-    let gaps = sources.nearest(&set.position, reach);
-    gaps.into_iter().fold(reach, f64::min) / spacing
+fn least(values: &[f64]) -> f64 {
+    values.iter().fold(f64::INFINITY, |a, &b| a.min(b))
 }

@@ -1,14 +1,15 @@
 //! Velocity-free relaxation: particles move down the gradient of the summed density, by bounded
 //! steps, with a fixed number of them. No time step, hence the same result everywhere.
 
-use aero_geometry::kernel::{QuinticSpline, SUPPORT};
-use aero_geometry::{Pencils, Shape, Vector};
+use aero_geometry::kernel::SUPPORT;
+use aero_geometry::{Shape, Vector};
 use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
-use crate::level::project;
 use crate::mirror::Mirrors;
+use crate::on_sheet::OnSheet;
 use crate::plan::Plan;
+use crate::sheets::Seed;
 use crate::sources::Sources;
 
 /// Longest displacement in one step, in spacings.
@@ -17,11 +18,25 @@ const LONGEST_STEP: f64 = 0.15;
 /// Nearest that a particle off a mirror plane may come to it, in spacings.
 const PLANE_CLEARANCE: f64 = 0.35;
 
+/// Below this distance, in spacings, two particles are pushed apart: the kernel's gradient vanishes
+/// at its centre and would let a pair stay together. Above the smallest gap aimed at, 0.7, because
+/// the push sets in softly.
+const CROWDED: f64 = 0.75;
+
+/// Displacement, in spacings, of a particle that sits on another one.
+const REPULSION: f64 = 0.2;
+
 /// Particles in thin parts keep this part of the wall layer's distance from the surface.
 const CLEARANCE: f64 = 0.3;
 
 /// Steps between corrections of the drift off a level.
 const STEPS_BETWEEN_PROJECTIONS: usize = 4;
+
+/// Drift off a level, in spacings, that one step along the gradient makes up for.
+const SMALL_DRIFT: f64 = 0.05;
+
+/// Newton's method gives up after this many steps: there is no such place.
+const MOST_NEWTON_STEPS: usize = 30;
 
 /// Steps between new evaluations of the wanted gradient, which is smooth, in the plane and in space.
 const STEPS_BETWEEN_TARGETS: [usize; 2] = [1, 5];
@@ -52,7 +67,7 @@ pub(crate) fn relax<const D: usize>(
     let smoothing = run.smoothing * spacing;
     let reach = SUPPORT * smoothing;
     let mut wanted = vec![Vector::zeros(); cloud.len()];
-    let mut normals = vec![Vector::zeros(); cloud.len()];
+    let mut normals = normals_of_locked(shape, cloud);
     for step in 0..run.steps {
         let everything = cloud.particles().chain(fixed.iter().copied());
         let sources = Sources::new(mirrors, everything, reach);
@@ -62,41 +77,94 @@ pub(crate) fn relax<const D: usize>(
             wanted = target.gradients(&cloud.position, smoothing);
         }
         let slopes = sources.gradients(&cloud.position, smoothing);
-        let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
-        if step % STEPS_BETWEEN_PROJECTIONS == 0 {
-            normals = normals_of_locked(shape, cloud);
-        }
-        let moved: Vec<Vector<D>> = (0..cloud.len())
+        let crowding = sources.crowding(&cloud.position, CROWDED * spacing);
+        let settle = Settle::at(step, run.steps);
+        let moved: Vec<(Vector<D>, Vector<D>)> = (0..cloud.len())
             .into_par_iter()
             .map(|n| {
                 let point = cloud.position[n];
                 if cloud.lock[n] == Lock::Frozen {
-                    return point;
+                    return (point, normals[n]);
                 }
                 let slope = slopes[n] - wanted[n];
                 let mut push = -run.strength * spacing * spacing * slope;
+                push += REPULSION * spacing / plan.particle_volume() * crowding[n];
                 push -= normals[n] * normals[n].dot(&push);
-                let moved = confined(mirrors, &point, &push, spacing);
+                let moved = displaced(mirrors, &point, &push, spacing);
                 match cloud.lock[n] {
-                    Lock::Level(level) if settle => {
-                        onto_level(shape, mirrors, &moved, level, sizes)
-                            .filter(|on| (on - moved).norm() < spacing)
-                            .unwrap_or(point)
+                    Lock::Level(level) => {
+                        let last = (&point, &normals[n]);
+                        settle.onto(plan, &moved, last, level)
                     }
-                    Lock::Thin if settle => {
+                    Lock::Thin if settle != Settle::Not => {
                         let nearest = CLEARANCE * plan.level(0);
                         let distance = shape.signed_distance(&moved);
-                        if distance * nearest.signum() < nearest.abs() {
+                        let inside = if distance * nearest.signum() < nearest.abs() {
                             onto_level(shape, mirrors, &moved, nearest, sizes).unwrap_or(point)
                         } else {
                             moved
-                        }
+                        };
+                        (inside, normals[n])
                     }
-                    _ => moved,
+                    _ => (moved, normals[n]),
                 }
             })
             .collect();
-        cloud.position = moved;
+        (cloud.position, normals) = moved.into_iter().unzip();
+    }
+}
+
+/// Whether particles are brought back onto their level after a step.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+enum Settle {
+    Not,
+    Nearly,
+    Exactly,
+}
+
+impl Settle {
+    fn at(step: usize, steps: usize) -> Self {
+        if step + 1 == steps {
+            Self::Exactly
+        } else if (step + 1).is_multiple_of(STEPS_BETWEEN_PROJECTIONS) {
+            Self::Nearly
+        } else {
+            Self::Not
+        }
+    }
+
+    /// Place and normal of a particle on a level that has moved to `moved`; `last` are those of
+    /// before the step.
+    fn onto<const D: usize>(
+        self,
+        plan: &Plan<'_, D>,
+        moved: &Vector<D>,
+        (point, normal): (&Vector<D>, &Vector<D>),
+        level: f64,
+    ) -> (Vector<D>, Vector<D>) {
+        let spacing = plan.options.spacing;
+        if self == Self::Not {
+            return (*moved, *normal);
+        }
+        if self == Self::Nearly {
+            // One search is enough for a small drift over a smooth surface.
+            let closest = plan.shape.closest(moved);
+            let drift = closest.distance - level;
+            if drift.abs() < SMALL_DRIFT * spacing {
+                let on = moved - drift * closest.normal;
+                let on = clear_of_planes(&plan.mirrors, moved, on, spacing);
+                return (on, closest.normal);
+            }
+        }
+        onto_level(
+            plan.shape,
+            &plan.mirrors,
+            moved,
+            level,
+            (spacing, plan.tolerance),
+        )
+        .filter(|on| (on - moved).norm() < spacing)
+        .map_or((*point, *normal), |on| (on, plan.shape.closest(&on).normal))
     }
 }
 
@@ -127,7 +195,7 @@ pub(crate) fn relax_thin<const D: usize>(
     let others = rest.iter().map(|&n| (cloud.position[n], cloud.volume[n]));
     let others: Vec<(Vector<D>, f64)> = others.chain(fixed.iter().copied()).collect();
     let places: Vec<Vector<D>> = others.iter().map(|other| other.0).collect();
-    let gaps = near.nearest(&places, reach);
+    let gaps = near.nearest(&places, reach, false);
     let others: Vec<(Vector<D>, f64)> = others
         .into_iter()
         .zip(gaps)
@@ -151,120 +219,72 @@ fn normals_of_locked<const D: usize>(shape: &dyn Shape<D>, cloud: &Cloud<D>) -> 
         .collect()
 }
 
-/// Spreads points evenly on the sheet `distance = level`, each seeing the others of its sheet only.
+/// Spreads seeds evenly on the sheet `distance = level`, each seeing the others of its sheet only;
+/// those that are `fixed` stay.
 pub(crate) fn spread_on_sheet<const D: usize>(
     plan: &Plan<'_, D>,
-    points: &mut [Vector<D>],
+    seeds: &mut [Seed<D>],
     level: f64,
     run: Relaxation,
 ) {
-    let (shape, mirrors) = (plan.shape, &plan.mirrors);
     let spacing = plan.options.spacing;
-    let sizes = (spacing, plan.tolerance);
-    let mut normals: Vec<Vector<D>> = points.par_iter().map(|p| shape.closest(p).normal).collect();
     let smoothing = run.smoothing * spacing;
     for step in 0..run.steps {
-        let sheet = OnSheet::new(mirrors, points, SUPPORT * smoothing);
-        let settle = (step + 1) % STEPS_BETWEEN_PROJECTIONS == 0 || step + 1 == run.steps;
-        let moved: Vec<(Vector<D>, Vector<D>)> = points
-            .par_iter()
-            .zip(&normals)
-            .map(|(point, normal)| {
-                let slope = sheet.sum(point, smoothing).1;
-                let mut push = -run.strength * spacing.powi(4) * slope;
-                push -= normal * normal.dot(&push);
-                let target = confined(mirrors, point, &push, spacing);
-                if !settle {
-                    return (target, *normal);
-                }
-                match onto_level(shape, mirrors, &target, level, sizes) {
-                    Some(on) if (on - target).norm() < spacing => (on, shape.closest(&on).normal),
-                    _ => (*point, *normal),
-                }
-            })
-            .collect();
-        for (n, (point, normal)) in moved.into_iter().enumerate() {
-            points[n] = point;
-            normals[n] = normal;
-        }
-    }
-}
-
-/// Points of one sheet, whose density is per area.
-pub(crate) struct OnSheet<const D: usize> {
-    points: Vec<Vector<D>>,
-    pencils: Pencils<D>,
-}
-
-impl<const D: usize> OnSheet<D> {
-    /// The points and those of their images that are within `reach` of a mirror plane.
-    pub fn new(mirrors: &Mirrors, points: &[Vector<D>], reach: f64) -> Self {
-        let mut all = points.to_vec();
-        for point in points {
-            mirrors.images_within(point, reach, |_, image| all.push(image));
-        }
-        let pencils = Pencils::new(&all, 0.5 * reach);
-        Self {
-            points: pencils.order().iter().map(|&n| all[n as usize]).collect(),
-            pencils,
-        }
-    }
-
-    /// Distance to the nearest point, at most `reach`.
-    pub fn nearest(&self, centre: &Vector<D>, reach: f64) -> f64 {
-        let mut nearest = reach;
-        let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
-        self.pencils.for_each_run(&low, &high, |slots| {
-            for point in &self.points[slots] {
-                nearest = nearest.min((centre - point).norm());
+        // Relaxation in space follows, so a little drift off the sheet does no harm.
+        let places: Vec<Vector<D>> = seeds.iter().map(|seed| seed.place).collect();
+        let sheet = OnSheet::new(&plan.mirrors, &places, SUPPORT * smoothing);
+        let settle = Settle::at(step, run.steps).min(Settle::Nearly);
+        seeds.par_iter_mut().enumerate().for_each(|(n, seed)| {
+            if seed.fixed {
+                return;
             }
+            let slope = sheet.sum(&seed.place, smoothing).1;
+            let mut push = -run.strength * spacing.powi(4) * slope;
+            push += REPULSION * spacing * sheet.crowding(n, &seed.place, CROWDED * spacing);
+            push -= seed.normal * seed.normal.dot(&push);
+            let moved = displaced(&plan.mirrors, &seed.place, &push, spacing);
+            let last = (&seed.place, &seed.normal);
+            (seed.place, seed.normal) = settle.onto(plan, &moved, last, level);
         });
-        nearest
-    }
-
-    /// Number of points per area, and its gradient, with the kernel of the plane.
-    pub fn sum(&self, centre: &Vector<D>, smoothing: f64) -> (f64, Vector<D>) {
-        let reach = SUPPORT * smoothing;
-        let mut density = 0.0;
-        let mut slope = Vector::zeros();
-        let (low, high) = (centre.add_scalar(-reach), centre.add_scalar(reach));
-        self.pencils.for_each_run(&low, &high, |slots| {
-            for point in &self.points[slots] {
-                let offset = centre - point;
-                let r = offset.norm();
-                if r < reach {
-                    density += QuinticSpline::<2>::value(r, smoothing);
-                    slope += QuinticSpline::<2>::gradient_factor(r, smoothing) * offset;
-                }
-            }
-        });
-        (density, slope)
     }
 }
 
-/// The nearest place on a level that respects the mirror planes.
+/// A place on a level near `start`, by Newton's method along the gradient, or along what the mirror
+/// planes leave of it.
 fn onto_level<const D: usize>(
     shape: &dyn Shape<D>,
     mirrors: &Mirrors,
-    point: &Vector<D>,
+    start: &Vector<D>,
     level: f64,
     (spacing, tolerance): (f64, f64),
 ) -> Option<Vector<D>> {
-    let mut position = *point;
-    // Where the level meets a plane at an angle the two conditions are met in turns.
-    for _ in 0..20 {
-        let on = project(shape, &position, level, tolerance)?;
-        position = confined(mirrors, point, &(on - point), spacing);
-        if (position - on).norm() <= tolerance {
-            return Some(on);
+    let mut place = *start;
+    for _ in 0..MOST_NEWTON_STEPS {
+        let closest = shape.closest(&place);
+        let error = closest.distance - level;
+        if error.abs() <= tolerance {
+            return Some(place);
         }
+        let mut gradient = closest.normal;
+        let step = place - error * gradient;
+        let allowed = clear_of_planes(mirrors, start, step, spacing);
+        for &(axis, _) in mirrors.planes() {
+            if allowed[axis] != step[axis] && place[axis] == allowed[axis] {
+                gradient[axis] = 0.0;
+            }
+        }
+        let slope = gradient.norm_squared();
+        if slope < 1e-3 {
+            return None;
+        }
+        let step = place - error / slope * gradient;
+        place = clear_of_planes(mirrors, start, step, spacing);
     }
-    Some(position)
+    None
 }
 
-/// `point` displaced by at most the longest step, staying on the mirror planes on which it lies and
-/// clear of the others.
-fn confined<const D: usize>(
+/// `point` displaced by at most the longest step.
+fn displaced<const D: usize>(
     mirrors: &Mirrors,
     point: &Vector<D>,
     push: &Vector<D>,
@@ -272,19 +292,29 @@ fn confined<const D: usize>(
 ) -> Vector<D> {
     let length = push.norm();
     let longest = LONGEST_STEP * spacing;
-    let mut moved = point
-        + push
-            * if length > longest {
-                longest / length
-            } else {
-                1.0
-            };
+    let part = if length > longest {
+        longest / length
+    } else {
+        1.0
+    };
+    clear_of_planes(mirrors, point, point + part * push, spacing)
+}
+
+/// Where a particle that was at `start` ends: on the mirror planes on which it lay, and clear of the
+/// others.
+fn clear_of_planes<const D: usize>(
+    mirrors: &Mirrors,
+    start: &Vector<D>,
+    mut end: Vector<D>,
+    spacing: f64,
+) -> Vector<D> {
     for &(axis, position) in mirrors.planes() {
-        moved[axis] = if point[axis] == position {
+        end[axis] = if start[axis] == position {
             position
         } else {
-            moved[axis].max(position + (PLANE_CLEARANCE * spacing).min(point[axis] - position))
+            let nearest = (PLANE_CLEARANCE * spacing).min(start[axis] - position);
+            end[axis].max(position + nearest)
         };
     }
-    moved
+    end
 }

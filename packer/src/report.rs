@@ -3,6 +3,12 @@
 use serde::Serialize;
 
 /// What `NAME-pack.json` holds; percentages and degrees as named.
+///
+/// Densities are sums `Σ V W` with the flow's kernel, the quintic spline at `h = 1.5 dx`, at the
+/// wall layers' particles inside the region. Where fluid was packed they are sums over ghosts,
+/// fluid and lattice at the wall layers of both sides, and one is perfect. Without fluid half of
+/// the kernel's support is empty; the ghosts' sum is then compared with that of ideal layers, in
+/// which each layer's exact volume is spread evenly over its middle level.
 #[derive(Clone, Debug, Default, Serialize)]
 pub struct PackReport {
     /// Spacing packed at.
@@ -15,21 +21,29 @@ pub struct PackReport {
     pub layer_counts: Vec<usize>,
     /// Standard deviation of the summed density, per cent.
     pub density_std_percent: f64,
-    /// Largest deviation of the summed density from one, per cent.
+    /// Largest deviation of the summed density, per cent.
     pub density_max_percent: f64,
-    /// Ghosts' summed volume against the exact shell volume, per cent.
+    /// Ghosts' summed volume against the exact shell volume, per cent; ghosts at the region's
+    /// border count with the part of their cell that is inside.
     pub shell_volume_error_percent: f64,
-    /// Largest distance of a wall-layer ghost from depth dx/2, in dx.
+    /// Largest distance of a wall-layer ghost from depth dx/2, in dx; those in thin parts aside.
     pub wall_offset_max: f64,
-    /// Largest angle between a ghost's normal and the exact one, where the exact one is known.
+    /// Largest angle between a ghost's normal and the exact one, where the exact one is known: the
+    /// packer takes its normals from the shape, so only who knows a better shape can fill this in.
     pub normal_error_max_deg: Option<f64>,
     /// Smallest distance between two ghosts, in dx.
     pub min_gap: f64,
+    /// Largest distance from the wall layer's middle level to the nearest ghost, in dx: 0.5 for an
+    /// even row, 0.62 to 0.71 for an even sheet. Thin parts aside.
+    pub hole_max: f64,
+    /// Number of ghosts in parts too thin for the layers of both sides (tips, fins), where ghosts
+    /// lie wherever the volume asks for them.
+    pub thin: usize,
     /// Largest mirror error over the body's symmetry planes, in dx; none without a plane.
     pub mirror_error_max: Option<f64>,
     /// Wall time of the packing.
     pub wall_seconds: f64,
-    /// What was wrong with the body and what was done.
+    /// What was wrong with the body and what was done; for the reader of the body to fill in.
     pub repairs: Vec<String>,
     /// What the user should know.
     pub warnings: Vec<String>,

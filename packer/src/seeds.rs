@@ -1,9 +1,7 @@
 //! First positions of the ghosts, layer by layer.
 
-use crate::PackError;
 use crate::cloud::{Cloud, Lock};
 use crate::contour::Corners;
-use crate::lattice::lattice_grid;
 use crate::level::project;
 use crate::plan::Plan;
 use crate::rows::RowPlan;
@@ -12,16 +10,16 @@ use crate::thin::fits;
 
 /// Particles of all layers in the packed part of space, each on the middle of its layer, where
 /// that has room; and the volume that they leave.
-pub(crate) fn seed<const D: usize>(plan: &Plan<'_, D>) -> Result<(Cloud<D>, f64), PackError> {
+pub(crate) fn seed<const D: usize>(plan: &Plan<'_, D>) -> (Cloud<D>, f64) {
     let cloud = if D == 2 {
         in_the_plane(plan)
     } else {
-        in_space(plan)?
+        in_space(plan)
     };
     let shares = cloud.position.iter().map(|point| plan.mirrors.share(point));
     let used = shares.sum::<f64>() * plan.particle_volume();
     let left = plan.layer_volumes().iter().sum::<f64>() - used;
-    Ok((cloud, left))
+    (cloud, left)
 }
 
 /// Equidistant along the contours.
@@ -30,7 +28,7 @@ fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
     let corners = Corners::new(
         plan.shape,
         &plan.mirrors,
-        plan.fine,
+        plan.grid,
         &plan.band,
         plan.tolerance,
     );
@@ -62,18 +60,8 @@ fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
 }
 
 /// Lattice points projected onto the level surfaces.
-fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<Cloud<D>, PackError> {
-    let spacing = plan.options.spacing;
-    let grid = lattice_grid(&plan.mirrors, &plan.options.anchor, spacing);
-    let ends = [plan.level(0), plan.level(plan.layers - 1)];
-    let half = 0.5 * spacing;
-    let range = (ends[0].min(ends[1]) - half, ends[0].max(ends[1]) + half);
-    let band = grid.band(plan.shape, &plan.bounds, range, spacing)?;
-    let sheets = Sheets {
-        plan,
-        grid,
-        band: &band,
-    };
+fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
+    let sheets = Sheets { plan };
     let mut cloud = Cloud::default();
     let mut carry = 0.0;
     for (layer, wanted) in BlockVolumes::of_layers(plan).iter().enumerate() {
@@ -82,5 +70,5 @@ fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Result<Cloud<D>, PackError> {
             cloud.push(point, layer as u32, lock, plan.particle_volume());
         }
     }
-    Ok(cloud)
+    cloud
 }

@@ -7,12 +7,13 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
 use rayon::prelude::*;
 
-use crate::grid::{Cell, Grid};
+use crate::grid::Cell;
 use crate::lattice::around;
 use crate::level::project;
+use crate::on_sheet::OnSheet;
 use crate::plan::Plan;
-use crate::relax::{OnSheet, Relaxation, spread_on_sheet};
-use crate::thin::fits;
+use crate::relax::{Relaxation, spread_on_sheet};
+use crate::thin::Room;
 
 /// Evens out what projection and repair leave; a short smoothing length acts on single gaps.
 const SPREADING: Relaxation = Relaxation {
@@ -27,14 +28,10 @@ const BLOCK: i64 = 8;
 /// Rounds of repairs before the rest is left to relaxation.
 const MOST_REPAIRS: usize = 20;
 
-/// The lattice that seeds come from.
+/// Lays the sheets of one packing.
 pub(crate) struct Sheets<'a, const D: usize> {
-    /// Frame of the packing.
+    /// Its frame.
     pub plan: &'a Plan<'a, D>,
-    /// Lattice of cells of one spacing.
-    pub grid: Grid<D>,
-    /// Its cells near the surface.
-    pub band: &'a [Cell<D>],
 }
 
 impl<const D: usize> Sheets<'_, D> {
@@ -42,23 +39,27 @@ impl<const D: usize> Sheets<'_, D> {
     /// up to rounding, which is carried from block to block.
     pub fn seeds(&self, layer: usize, wanted: &BlockVolumes<D>, carry: &mut f64) -> Vec<Vector<D>> {
         let level = self.plan.level(layer);
-        let half = 0.5 * self.grid.step;
+        let half = 0.5 * self.step();
+        let perfect = self.perfect(level);
         let mut points: Vec<Seed<D>> = self
+            .plan
             .band
             .par_iter()
             .filter(|cell| cell.distance >= level - half && cell.distance < level + half)
-            .filter(|cell| {
-                let centre = self.grid.centre(&cell.index);
-                let seen = (&centre, cell.distance, &cell.normal);
-                fits(self.plan.shape, seen, layer, self.grid.step)
-            })
+            .filter(|cell| cell.room != Room::Thin)
             .filter_map(|cell| {
-                let centre = self.grid.centre(&cell.index);
-                let centre = self.plan.mirrors.snapped(centre, 1e-6 * self.grid.step);
-                let place = project(self.plan.shape, &centre, level, self.plan.tolerance)?;
-                ((place - centre).norm() < 1.01 * self.grid.step).then(|| Seed {
+                let mirrors = &self.plan.mirrors;
+                let centre = mirrors.snapped(cell.centre, 1e-6 * self.step());
+                let place = if cell.room == Room::Clear {
+                    centre - (cell.distance - level) * cell.normal
+                } else {
+                    project(self.plan.shape, &centre, level, self.plan.tolerance)?
+                };
+                ((place - centre).norm() < 1.01 * self.step()).then(|| Seed {
                     place: self.keep_on_planes(place, &centre),
-                    block: block_of(&cell.index, 1),
+                    normal: cell.normal,
+                    block: block_of(&cell.index),
+                    fixed: perfect.contains(&cell.index),
                 })
             })
             .collect();
@@ -69,9 +70,35 @@ impl<const D: usize> Sheets<'_, D> {
                 break;
             }
         }
-        let mut places: Vec<Vector<D>> = points.into_iter().map(|seed| seed.place).collect();
-        spread_on_sheet(self.plan, &mut places, level, SPREADING);
-        places
+        spread_on_sheet(self.plan, &mut points, level, SPREADING);
+        points.into_iter().map(|seed| seed.place).collect()
+    }
+
+    fn step(&self) -> f64 {
+        self.plan.grid.step
+    }
+
+    /// Lattice cells on the middle of their layer whose neighbours in the body are so too: there the
+    /// lattice itself is the best packing.
+    fn perfect(&self, level: f64) -> HashSet<[i64; D]> {
+        let exact = |cell: &Cell<D>| {
+            let layer = cell.distance.abs() / self.step() - 0.5;
+            (layer - layer.round()).abs() < 1e-9
+        };
+        let flaws: HashSet<[i64; D]> = self
+            .plan
+            .band
+            .iter()
+            .filter(|cell| cell.distance * level > 0.0 && !exact(cell))
+            .map(|cell| cell.index)
+            .collect();
+        self.plan
+            .band
+            .par_iter()
+            .filter(|cell| (cell.distance - level).abs() < 1e-9 * self.step())
+            .filter(|cell| around(cell.index, 1).all(|other| !flaws.contains(&other)))
+            .map(|cell| cell.index)
+            .collect()
     }
 
     /// One round of removing and adding seeds; true where something is left to do. Neighbours are
@@ -84,17 +111,17 @@ impl<const D: usize> Sheets<'_, D> {
         carry: &mut f64,
     ) -> bool {
         let places: Vec<Vector<D>> = points.iter().map(|seed| seed.place).collect();
-        let sheet = OnSheet::new(&self.plan.mirrors, &places, SUPPORT * self.grid.step);
+        let sheet = OnSheet::new(&self.plan.mirrors, &places, SUPPORT * self.step());
         let mut crowds: HashMap<[i64; D], Vec<(f64, usize, Vector<D>)>> = HashMap::new();
         let sums: Vec<(f64, Vector<D>)> = places
             .par_iter()
-            .map(|place| sheet.sum(place, self.grid.step))
+            .map(|place| sheet.sum(place, self.step()))
             .collect();
         for (n, (density, slope)) in sums.into_iter().enumerate() {
             let crowd = crowds.entry(points[n].block).or_default();
             crowd.push((density, n, -slope));
         }
-        let mut touched = Touched::new(self.grid.step);
+        let mut touched = Touched::new(self.step());
         let mut gone = vec![false; points.len()];
         let mut added = Vec::new();
         let mut unfinished = false;
@@ -103,12 +130,15 @@ impl<const D: usize> Sheets<'_, D> {
             crowd.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let share = |n: usize| self.plan.mirrors.share(&places[n]);
             let mut have: f64 = crowd.iter().map(|&(_, n, _)| share(n)).sum();
+            if !crowd.is_empty() && crowd.iter().all(|&(_, n, _)| points[n].fixed) {
+                continue;
+            }
             let goal = volume + *carry;
             for &(_, n, _) in crowd.iter().rev() {
                 if have - goal <= 0.5 * share(n) {
                     break;
                 }
-                if touched.claim(&places[n]) {
+                if !points[n].fixed && touched.claim(&places[n]) {
                     gone[n] = true;
                     have -= share(n);
                 }
@@ -122,7 +152,9 @@ impl<const D: usize> Sheets<'_, D> {
                 {
                     added.push(Seed {
                         place,
+                        normal: self.plan.shape.closest(&place).normal,
                         block: *block,
+                        fixed: false,
                     });
                     have += 1.0;
                 }
@@ -147,7 +179,7 @@ impl<const D: usize> Sheets<'_, D> {
         level: f64,
         sheet: &OnSheet<D>,
     ) -> Option<Vector<D>> {
-        let step = self.grid.step;
+        let step = self.step();
         let away = if away.norm() > 1e-9 {
             away.normalize()
         } else {
@@ -171,15 +203,21 @@ impl<const D: usize> Sheets<'_, D> {
     }
 }
 
-/// A seed and the block of space that it counts for.
-struct Seed<const D: usize> {
-    place: Vector<D>,
+/// A seed on a sheet.
+pub(crate) struct Seed<const D: usize> {
+    /// Where it lies.
+    pub place: Vector<D>,
+    /// Normal of the sheet there, or near there.
+    pub normal: Vector<D>,
+    /// Block of space for which it counts.
     block: [i64; D],
+    /// True where the lattice itself is the best packing.
+    pub fixed: bool,
 }
 
-/// The block of a cell of which `fineness` make a spacing.
-fn block_of<const D: usize>(index: &[i64; D], fineness: i64) -> [i64; D] {
-    index.map(|i| i.div_euclid(BLOCK * fineness))
+/// The block of a lattice cell.
+fn block_of<const D: usize>(index: &[i64; D]) -> [i64; D] {
+    index.map(|i| i.div_euclid(BLOCK))
 }
 
 /// How many particles of one layer each block of space holds.
@@ -189,7 +227,7 @@ pub(crate) struct BlockVolumes<const D: usize> {
 }
 
 impl<const D: usize> BlockVolumes<D> {
-    /// Sums the roomy cells of `plan`, whose grid has two cells per spacing, for every layer.
+    /// Sums the roomy cells of `plan` for every layer.
     pub fn of_layers(plan: &Plan<'_, D>) -> Vec<Self> {
         let mut layers: Vec<Self> = (0..plan.layers)
             .map(|_| Self {
@@ -197,17 +235,15 @@ impl<const D: usize> BlockVolumes<D> {
                 volume: HashMap::new(),
             })
             .collect();
-        for (cells, thin) in plan.blocks() {
-            for (cell, _) in cells.iter().zip(thin).filter(|&(_, &thin)| !thin) {
-                let block = block_of(&cell.index, 2);
-                for (layer, volume) in plan.parts(cell) {
-                    let blocks = &mut layers[layer];
-                    let sum = blocks.volume.entry(block).or_insert_with(|| {
-                        blocks.order.push(block);
-                        0.0
-                    });
-                    *sum += volume / plan.particle_volume();
-                }
+        for cell in plan.cells().iter().filter(|cell| cell.room != Room::Thin) {
+            let block = block_of(&cell.index);
+            for (layer, volume) in plan.parts(cell) {
+                let blocks = &mut layers[layer];
+                let sum = blocks.volume.entry(block).or_insert_with(|| {
+                    blocks.order.push(block);
+                    0.0
+                });
+                *sum += volume / plan.particle_volume();
             }
         }
         layers

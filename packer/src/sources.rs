@@ -59,22 +59,31 @@ impl<const D: usize> Sources<D> {
         })
     }
 
-    /// Distance from each point to the nearest other one, at most `reach`; a source at the very
-    /// place of a point is the point itself.
-    pub fn nearest(&self, points: &[Vector<D>], reach: f64) -> Vec<f64> {
+    /// `Σ V (1 - r / reach) e` over the sources nearer than `reach`, where `e` is the direction away
+    /// from the source.
+    pub fn crowding(&self, points: &[Vector<D>], reach: f64) -> Vec<Vector<D>> {
+        self.near_each(points, reach, |cluster, runs| {
+            let (_, moment) = self.summed(cluster, runs, reach / SUPPORT, Factor::Closeness);
+            std::array::from_fn(|l| Vector::from_fn(|k, _| moment[k][l]))
+        })
+    }
+
+    /// Distance from each point to the nearest source, at most `reach`. If the points are `among`
+    /// the sources, one source at the very place of a point is the point itself.
+    pub fn nearest(&self, points: &[Vector<D>], reach: f64, among: bool) -> Vec<f64> {
         self.near_each(points, reach, |cluster, runs| {
             cluster.map(|point| {
                 let mut nearest = reach;
-                let mut same = 0;
+                let mut itself = among;
                 for (source, _) in runs.iter().flat_map(|run| &self.sorted[run.clone()]) {
                     let r = (point - source).norm();
-                    if r > 0.0 {
-                        nearest = nearest.min(r);
+                    if r == 0.0 && itself {
+                        itself = false;
                     } else {
-                        same += 1;
+                        nearest = nearest.min(r);
                     }
                 }
-                if same > 1 { 0.0 } else { nearest }
+                nearest
             })
         })
     }

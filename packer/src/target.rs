@@ -14,27 +14,25 @@ use crate::grid::Cell;
 use crate::level::project;
 use crate::plan::Plan;
 use crate::sources::Sources;
+use crate::thin::Room;
 
 /// Cells farther than this from the middle of their layer (in spacings) stay where they are: they
 /// are in a tip that the middle does not reach.
 const FARTHEST: f64 = 1.0;
 
 /// Cuts the layers of `plan` into small pieces and moves each to the middle of its layer; what is
-/// too thin for its layer stays in place. In space, the pieces of a block are then joined.
+/// too thin for its layer stays in place. The pieces of a cell that was cut up are
+/// then joined.
 pub(crate) fn ideal_layers<const D: usize>(plan: &Plan<'_, D>) -> Sources<D> {
     let spacing = plan.options.spacing;
-    let blocks: Vec<(&[Cell<D>], &[bool])> = plan.blocks().collect();
+    let blocks: Vec<&[Cell<D>]> = plan.cells().chunk_by(|a, b| a.index == b.index).collect();
     let pieces: Vec<(Vector<D>, f64)> = blocks
         .par_iter()
-        .flat_map_iter(|(cells, thin)| {
+        .flat_map_iter(|cells| {
             let mut joined: Vec<(usize, Vector<D>, f64)> = Vec::new();
-            for (cell, &thin) in cells.iter().zip(*thin) {
+            for cell in *cells {
                 for (layer, volume) in plan.parts(cell) {
-                    let place = if thin {
-                        plan.fine.centre(&cell.index)
-                    } else {
-                        on_middle(plan, cell, layer)
-                    };
+                    let place = place(plan, cell, layer);
                     match joined.iter_mut().find(|piece| piece.0 == layer) {
                         Some(piece) => {
                             piece.1 += volume * place;
@@ -53,12 +51,15 @@ pub(crate) fn ideal_layers<const D: usize>(plan: &Plan<'_, D>) -> Sources<D> {
 }
 
 /// The centre of a cell moved to the middle of a layer, if that is near.
-fn on_middle<const D: usize>(plan: &Plan<'_, D>, cell: &Cell<D>, layer: usize) -> Vector<D> {
+fn place<const D: usize>(plan: &Plan<'_, D>, cell: &Cell<D>, layer: usize) -> Vector<D> {
     let spacing = plan.options.spacing;
-    let centre = plan.fine.centre(&cell.index);
     let level = plan.level(layer);
-    let guess = centre - (cell.distance - level) * cell.normal;
-    project(plan.shape, &guess, level, 1e-3 * spacing)
-        .filter(|p| (p - centre).norm() < FARTHEST * spacing)
-        .unwrap_or(centre)
+    let guess = cell.centre - (cell.distance - level) * cell.normal;
+    match cell.room {
+        Room::Clear => guess,
+        Room::Ridge => project(plan.shape, &guess, level, 1e-3 * spacing)
+            .filter(|p| (p - cell.centre).norm() < FARTHEST * spacing)
+            .unwrap_or(cell.centre),
+        Room::Thin => cell.centre,
+    }
 }

@@ -10,13 +10,20 @@ use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::{Pencils, Shape, Vector};
 use rayon::prelude::*;
 
+use crate::PackError;
 use crate::cloud::{Cloud, Lock};
-use crate::grid::{Cell, Grid, blocks};
+use crate::grid::Cell;
 use crate::plan::Plan;
 use crate::sources::Sources;
 
 /// A layer fits where the body is at least this much of twice its depth thick.
 const FITS: f64 = 0.95;
+
+/// A distance that differs by this much, in spacings, from the one expected tells of a ridge.
+const RIDGE: f64 = 0.01;
+
+/// How far behind the last layer, in spacings, a ridge still counts.
+const BEYOND: f64 = 0.2;
 
 /// Steps of the ray that measures thickness; a ray along a wall takes many and has room.
 const RAY_STEPS: usize = 60;
@@ -79,26 +86,81 @@ fn thickness<const D: usize>(
     enough
 }
 
-/// For every cell of a band whether its layer lacks room. Cells that share a block of `size` cells
-/// per axis are tested once.
-pub(crate) fn thin_cells<const D: usize>(
-    shape: &dyn Shape<D>,
-    grid: &Grid<D>,
-    band: &[Cell<D>],
-    size: i64,
-    spacing: f64,
-) -> Vec<bool> {
-    let blocks: Vec<&[Cell<D>]> = blocks(band, size).collect();
-    blocks
-        .par_iter()
-        .flat_map_iter(|cells| {
-            let cell = &cells[0];
-            let seen = (&grid.centre(&cell.index), cell.distance, &cell.normal);
-            let layer = (cell.distance.abs() / spacing).floor() as usize;
-            let thin = !fits(shape, seen, layer, spacing);
-            cells.iter().map(move |_| thin)
-        })
-        .collect()
+/// How much room a layer has.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub(crate) enum Room {
+    /// The layer lies below a smooth part of the surface.
+    Clear,
+    /// A ridge of the distance runs through it, as below a corner.
+    Ridge,
+    /// Too little.
+    Thin,
+}
+
+/// How much room the layers in a cell have.
+pub(crate) fn room<const D: usize>(shape: &dyn Shape<D>, cell: &Cell<D>, spacing: f64) -> Room {
+    let reach = 0.5 * cell.step * cell.normal.abs().sum();
+    let last = ((cell.distance.abs() + reach) / spacing).ceil() * spacing;
+    let end = (last + BEYOND * spacing).copysign(cell.distance);
+    let there = cell.centre + (end - cell.distance) * cell.normal;
+    if (shape.signed_distance(&there) - end).abs() < RIDGE * spacing {
+        return Room::Clear;
+    }
+    let layer = (cell.distance.abs() / spacing).floor() as usize;
+    let seen = (&cell.centre, cell.distance, &cell.normal);
+    if fits(shape, seen, layer, spacing) {
+        Room::Ridge
+    } else {
+        Room::Thin
+    }
+}
+
+/// Thickness, in spacings, below which a part cannot be represented.
+const THINNEST: f64 = 0.3;
+
+/// The least of the local thicknesses.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Thinnest {
+    /// In spacings.
+    thickness: f64,
+    at: Vec<f64>,
+}
+
+impl Thinnest {
+    /// What to tell the user.
+    pub fn warning(&self) -> String {
+        format!(
+            "the body is only {:.2} spacings thick near {:?}: gas may pass through; choose a \
+             smaller spacing",
+            self.thickness, self.at
+        )
+    }
+}
+
+/// Refuses bodies that are too thin everywhere, and returns the thinnest place if that is too thin.
+pub(crate) fn least_thickness<const D: usize>(
+    plan: &Plan<'_, D>,
+) -> Result<Option<Thinnest>, PackError> {
+    let cells = plan.thin_cells();
+    let spacing = plan.options.spacing;
+    let sizes = local_thickness(plan, &cells);
+    let Some(least) = (0..cells.len()).min_by(|&a, &b| sizes[a].total_cmp(&sizes[b])) else {
+        return Ok(None);
+    };
+    let found = Thinnest {
+        thickness: sizes[least] / spacing,
+        at: cells[least].centre.iter().copied().collect(),
+    };
+    let thick_somewhere =
+        plan.roomy_cells().next().is_some() || sizes.iter().any(|&size| size >= THINNEST * spacing);
+    if thick_somewhere {
+        return Ok((found.thickness < THINNEST).then_some(found));
+    }
+    Err(PackError::Thin {
+        thickness: found.thickness,
+        at: found.at,
+        spacing,
+    })
 }
 
 /// Adds particles in the thin parts until `volume` is used up. `wanted(points, smoothing)` is
@@ -116,7 +178,7 @@ pub(crate) fn fill_thin<const D: usize>(
     let mut front = Front::new(plan);
     let spacing = plan.options.spacing;
     let points: Vec<Vector<D>> = front.places.iter().map(|place| place.point).collect();
-    let gaps = placed.nearest(&points, SMOOTHING * spacing);
+    let gaps = placed.nearest(&points, SMOOTHING * spacing, false);
     let present = placed.densities(&points, SMOOTHING * spacing);
     let wanted = wanted(&points, SMOOTHING * spacing);
     front.missing = (0..points.len())
@@ -246,7 +308,7 @@ impl<const D: usize> Front<D> {
 /// rows beside a plane keep off it; a single row lies on it.
 fn start<const D: usize>(plan: &Plan<'_, D>, cell: &Cell<D>) -> Option<Vector<D>> {
     let spacing = plan.options.spacing;
-    let centre = plan.fine.centre(&cell.index);
+    let centre = cell.centre;
     let seen = (&centre, cell.distance, &cell.normal);
     // What the layers above leave of the thickness.
     let above = (cell.distance.abs() / spacing).floor() * 2.0 * spacing;
@@ -280,7 +342,7 @@ fn local_thickness<const D: usize>(plan: &Plan<'_, D>, cells: &[Cell<D>]) -> Vec
         .par_iter()
         .filter(|cell| plan.is_inside_layers(cell))
         .map(|cell| {
-            let centre = plan.fine.centre(&cell.index);
+            let centre = cell.centre;
             let seen = (&centre, cell.distance, &cell.normal);
             // Half way through lies the centre of the largest ball that fits in here.
             let half = 0.5 * thickness(plan.shape, seen, spacing) - cell.distance.abs();
@@ -296,7 +358,7 @@ fn local_thickness<const D: usize>(plan: &Plan<'_, D>, cells: &[Cell<D>]) -> Vec
     cells
         .iter()
         .map(|cell| {
-            let home = block(&plan.fine.centre(&cell.index));
+            let home = block(&cell.centre);
             (0..3_usize.pow(D as u32))
                 .filter_map(|code| {
                     let key: [i64; D] = std::array::from_fn(|k| {

@@ -136,13 +136,21 @@ fn lines(file: &PackFile, files: &[PathBuf]) -> String {
         }
         let _ = writeln!(
             text,
-            "  density {:.2} % std, {:.2} % at most; shell volume {:+.3} %\n  wall layer off by {:.1e} dx, smallest gap {:.2} dx",
+            "  density {:.2} % std, {:.2} % at most; shell volume {:+.3} %\n  wall layer off by {:.1e} dx, smallest gap {:.2} dx, largest hole {:.2} dx",
             report.density_std_percent,
             report.density_max_percent,
             report.shell_volume_error_percent,
             report.wall_offset_max,
-            report.min_gap
+            report.min_gap,
+            report.hole_max
         );
+        if report.thin > 0 {
+            let _ = writeln!(
+                text,
+                "  {} ghosts in parts too thin for their layer lie where the volume asks for them",
+                report.thin
+            );
+        }
         if let Some(error) = report.mirror_error_max {
             let _ = writeln!(text, "  mirror error {error:.1e} dx");
         }

@@ -68,6 +68,8 @@ fn worse(a: PackReport, b: PackReport) -> PackReport {
         wall_offset_max: a.wall_offset_max.max(b.wall_offset_max),
         normal_error_max_deg: either(a.normal_error_max_deg, b.normal_error_max_deg),
         min_gap: a.min_gap.min(b.min_gap),
+        hole_max: a.hole_max.max(b.hole_max),
+        thin: a.thin + b.thin,
         mirror_error_max: either(a.mirror_error_max, b.mirror_error_max),
         wall_seconds: a.wall_seconds + b.wall_seconds,
         repairs: [a.repairs, b.repairs].concat(),

@@ -14,6 +14,7 @@ use super::file::{BodyEntry, SceneFile};
 use super::flow::vector;
 use super::motion::motion;
 use super::number::Positive;
+use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::Made;
 use super::side::WallWord;
@@ -81,6 +82,7 @@ pub(super) fn plans<const D: usize>(
                     "a scene of dimension 1 holds no bodies; close its ends with walls, or set dimension = 2",
                 ));
             }
+            check_spacing(entry, file)?;
             let made = entry
                 .shape
                 .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric())
@@ -108,11 +110,32 @@ fn options<const D: usize>(
     let margin = BUFFER.max(wishes.layers as f64 + 1.0) * spacing.max(file.spacing.get());
     PackOptions {
         layers: wishes.layers,
-        fluid_layers: wishes.fluid_layers,
+        fluid_layers: if entry.packed_fluid == Some(true) {
+            wishes.fluid_layers.max(packed::LAYERS)
+        } else {
+            wishes.fluid_layers
+        },
         region: Some(ghost_region(domain, margin)),
         anchor: domain.bounds.min,
         ..PackOptions::new(spacing)
     }
+}
+
+/// Packed fluid is part of the flow, whose particles are all of one size.
+fn check_spacing(entry: &BodyEntry, file: &SceneFile) -> Result<(), SceneError> {
+    let own = entry.spacing.unwrap_or(file.spacing);
+    if entry.packed_fluid != Some(true) || own.get() == file.spacing.get() {
+        return Ok(());
+    }
+    Err(SceneError::body(
+        entry.name.as_str(),
+        format!(
+            "packed_fluid goes with the scene's own spacing, {}, but the body's is {}; leave one \
+             of the two out",
+            file.spacing.get(),
+            own.get()
+        ),
+    ))
 }
 
 fn check_inside<const D: usize>(
@@ -180,6 +203,7 @@ impl<const D: usize> BodyPlan<D> {
             shape: self.made.shape.clone(),
             wall: entry.wall.unwrap_or(WallWord::Slip).into(),
             motion,
+            packed_fluid: packed::fluid(&packing),
             ghosts: packing.ghosts,
             report: packing.report,
             reference_area: area

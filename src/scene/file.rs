@@ -66,6 +66,8 @@ pub struct SchemeEntry {
     pub shield: Option<bool>,
     /// On unless given.
     pub constant_ghost_volume: Option<bool>,
+    /// On unless given; of the conservative scheme.
+    pub limited_viscosity: Option<bool>,
     /// 0.5 unless given.
     pub cfl: Option<Courant>,
 }
@@ -229,6 +231,8 @@ pub struct BodyEntry {
     pub wall: Option<WallWord>,
     /// Ghost spacing; that of the scene unless given.
     pub spacing: Option<Positive>,
+    /// Conforming fluid around it at the start, in place of the lattice; off unless given.
+    pub packed_fluid: Option<bool>,
     /// Where it stands.
     pub place: Option<PlaceEntry>,
     /// How it moves.

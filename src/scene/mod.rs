@@ -47,6 +47,7 @@ mod flow;
 mod motion;
 pub mod number;
 mod overrides;
+mod packed;
 mod reference;
 pub mod shapes;
 pub mod side;
@@ -170,6 +171,7 @@ impl Scene {
             .into_iter()
             .map(|plan| plan.body(&domain, &free_stream))
             .collect::<Result<Vec<_>, _>>()?;
+        packed::check(&bodies, &domain, spacing)?;
         Ok(Case {
             name: self.name.clone(),
             spacing,
@@ -216,6 +218,7 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         extrapolation: entry.extrapolation.map_or(Extrapolation::Wom, Into::into),
         shield: entry.shield.unwrap_or(false),
         constant_ghost_volume: entry.constant_ghost_volume.unwrap_or(true),
+        limited_viscosity: entry.limited_viscosity.unwrap_or(true),
         cfl: entry.cfl.map_or(CFL, Courant::get),
     }
 }

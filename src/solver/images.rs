@@ -150,6 +150,7 @@ impl<const D: usize> Image<D> {
             |m: &Matrix<D>| Matrix::from_fn(|a, b| self.sign[a] * self.sign[b] * m[(a, b)]);
         State {
             half_gradient: self.sign.component_mul(&source.half_gradient),
+            strain: reflect(&source.strain),
             renormalisation: reflect(&source.renormalisation),
             stress: reflect(&source.stress),
             ..*source

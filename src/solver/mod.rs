@@ -25,6 +25,7 @@ mod records;
 mod reservoir;
 mod rigid;
 mod rings;
+mod shock_sensor;
 mod side_walls;
 mod snapshot;
 #[cfg(test)]
@@ -43,6 +44,7 @@ use pairs::summation::densities;
 use particle::{Particle, Rates};
 use records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, OPEN, Records, State};
 use rings::Rings;
+use shock_sensor::spare_smooth_flow;
 use walls::{WallLists, Walls};
 
 pub use side_walls::wall_sides;
@@ -343,6 +345,10 @@ impl<const D: usize> Simulation<D> {
             self.case.scheme.shield,
             &mut self.rates,
         );
+        if self.case.scheme.limited_viscosity {
+            let gamma = self.case.gamma;
+            spare_smooth_flow(self.rings, gamma, &self.rates, &mut self.fluid);
+        }
         self.rings
             .stretch(&self.fluid, self.case.gamma, &mut self.rates);
     }
@@ -514,6 +520,8 @@ fn permuted<T: Copy + Send + Sync>(elements: &[T], order: &[u32]) -> Vec<T> {
 /// The records of a gas particle of plane mass `mass`.
 fn record<const D: usize>(particle: &Particle<D>, mass: f64, gamma: f64) -> (Near<D>, State<D>) {
     let pressure = (gamma - 1.0) * particle.density * particle.energy;
+    let mut state = State::new(pressure, particle.density, particle.energy, gamma);
+    state.strain = particle.strain;
     let near = Near {
         position: particle.position,
         half_h: 0.5 * particle.smoothing_length,
@@ -522,8 +530,5 @@ fn record<const D: usize>(particle: &Particle<D>, mass: f64, gamma: f64) -> (Nea
         half_density: 0.5 * particle.density,
         velocity: particle.velocity,
     };
-    (
-        near,
-        State::new(pressure, particle.density, particle.energy, gamma),
-    )
+    (near, state)
 }

@@ -13,7 +13,7 @@ use super::particle::{OpenParticle, Particle};
 use super::records::Matrix;
 use super::reservoir::Reservoir;
 use super::rings::Rings;
-use crate::case::{Case, Side, State};
+use crate::case::{Body, Case, Side, State};
 use crate::frame::Totals;
 
 /// Depth of a buffer in spacings: the support at `h = 1.5 dx` and what a step moves, rounded up.
@@ -75,11 +75,16 @@ impl<const D: usize> Case<D> {
         zone
     }
 
-    /// True where a gas particle may start: not behind a side that is not open, not in a body
+    /// True where a gas particle may be put: not behind a side that is not open, not in a body
     /// nor nearer to it than half a spacing.
     pub fn is_free(&self, position: &Vector<D>) -> bool {
         // The lattice may touch the half spacing exactly; round-off must not decide.
         let least = 0.5 * self.spacing * (1.0 - 1e-6);
+        self.is_clear(position, |_| least)
+    }
+
+    /// As [`Self::is_free`], with the distance that each body wants.
+    fn is_clear(&self, position: &Vector<D>, least: impl Fn(&Body<D>) -> f64) -> bool {
         let bounds = &self.domain.bounds;
         let behind_closed_side = (0..D).any(|axis| {
             let [lower, upper] = self.domain.sides[axis];
@@ -88,7 +93,9 @@ impl<const D: usize> Case<D> {
         });
         !behind_closed_side
             && self.bodies.iter().all(|body| {
-                !body.shape.bounds().grown(self.spacing).contains(position)
+                let least = least(body);
+                let reach = least.max(self.spacing);
+                !body.shape.bounds().grown(reach).contains(position)
                     || body.shape.signed_distance(position) >= least
             })
     }
@@ -104,6 +111,7 @@ impl<const D: usize> Case<D> {
             smoothing_length: SMOOTHING_RATIO * self.spacing,
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,
+            strain: Matrix::zeros(),
             id,
         }
     }
@@ -189,29 +197,48 @@ impl<const D: usize> OpenBoundaries<D> {
         let disorder = case.disorder * case.spacing;
         for index in lattice::points(first, last) {
             let position = case.lattice_position(&index, &open.drift);
-            let zone = case.zone(&position);
-            if zone == Zone::Outside || !case.is_free(&position) {
-                continue;
-            }
-            let id = open.new_id();
-            match zone {
-                Zone::Prescribed => {
+            match case.zone(&position) {
+                // Buffers go on as they are refilled, by the lattice.
+                Zone::Prescribed if case.is_free(&position) => {
+                    let id = open.new_id();
                     let particle = case.particle(position, &case.free_stream, id);
                     open.particles.push(still(particle, Some(index)));
                 }
-                Zone::Outlet => {
-                    let state = case.initial_state(&position);
-                    open.particles
-                        .push(still(case.particle(position, &state, id), None));
+                zone @ (Zone::Outlet | Zone::Interior)
+                    if case.is_clear(&position, |body| body.starting_distance(case.spacing)) =>
+                {
+                    let shift = lattice::displacement(&index) * disorder;
+                    open.place(case, (position, shift), zone, &mut fluid);
                 }
-                _ => {
-                    let state = case.initial_state(&position);
-                    let position = position + lattice::displacement(&index) * disorder;
-                    fluid.push(case.particle(position, &state, id));
-                }
+                _ => {}
+            }
+        }
+        let packed = case.bodies.iter().filter_map(|b| b.packed_fluid.as_ref());
+        for &position in packed.flat_map(|packed| &packed.position) {
+            let zone = case.zone(&position);
+            if matches!(zone, Zone::Outlet | Zone::Interior) && case.is_clear(&position, |_| 0.0) {
+                open.place(case, (position, Vector::zeros()), zone, &mut fluid);
             }
         }
         (fluid, open)
+    }
+
+    /// Puts a particle at `position`, displaced by `shift` if it is fluid, in the state of the start.
+    fn place(
+        &mut self,
+        case: &Case<D>,
+        (position, shift): (Vector<D>, Vector<D>),
+        zone: Zone,
+        fluid: &mut Vec<Particle<D>>,
+    ) {
+        let id = self.new_id();
+        let state = case.initial_state(&position);
+        if zone == Zone::Outlet {
+            self.particles
+                .push(still(case.particle(position, &state, id), None));
+        } else {
+            fluid.push(case.particle(position + shift, &state, id));
+        }
     }
 
     /// After all particles have moved from `before` to `now`: turns lattice particles that

@@ -21,6 +21,8 @@ pub struct Particle<const D: usize> {
     pub mass: f64,
     /// Mass that it stood for in the plane sums at the start: all of it, or what its ring had per length.
     pub first_plane_mass: f64,
+    /// Rate of strain at the last evaluation that the artificial viscosity leaves alone.
+    pub strain: Matrix<D>,
     /// Number that the particle keeps for life.
     pub id: u64,
 }
@@ -36,6 +38,8 @@ pub struct Rates<const D: usize> {
     pub density: f64,
     /// Rate of specific internal energy.
     pub energy: f64,
+    /// Gradient of the velocity, `du_a / dx_b`.
+    pub velocity_gradient: Matrix<D>,
     /// Transport velocity minus velocity, non-zero only under the penetration shield.
     pub shift: Vector<D>,
 }
@@ -47,6 +51,7 @@ impl<const D: usize> Default for Rates<D> {
             wall_acceleration: Vector::zeros(),
             density: 0.0,
             energy: 0.0,
+            velocity_gradient: Matrix::zeros(),
             shift: Vector::zeros(),
         }
     }
@@ -104,6 +109,8 @@ pub struct Ghost<const D: usize> {
     pub coriolis: Vector<D>,
     /// Velocity given to the gas.
     pub velocity: Vector<D>,
+    /// Rate of strain given to the gas.
+    pub strain: Matrix<D>,
     /// Pressure.
     pub pressure: f64,
     /// Pressure at the surface above.

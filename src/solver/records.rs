@@ -37,6 +37,8 @@ pub struct State<const D: usize> {
     pub pressure: f64,
     /// Half the density gradient.
     pub half_gradient: Vector<D>,
+    /// Rate of strain.
+    pub strain: Matrix<D>,
     /// Renormalisation matrix `L`.
     pub renormalisation: Matrix<D>,
     /// `V p L`.
@@ -63,6 +65,7 @@ impl<const D: usize> State<D> {
             energy,
             pressure,
             half_gradient: Vector::zeros(),
+            strain: Matrix::zeros(),
             renormalisation: Matrix::identity(),
             stress: Matrix::zeros(),
         }

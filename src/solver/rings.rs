@@ -69,6 +69,14 @@ impl Rings {
         self.plane_mass(particle).max(particle.first_plane_mass)
     }
 
+    /// Rate at which the ring of `particle` grows, `v / r`; zero without an axis.
+    pub fn growth<const D: usize>(&self, particle: &Particle<D>) -> f64 {
+        match self.narrowest {
+            Some(narrowest) => particle.velocity[RADIAL] / particle.position[RADIAL].max(narrowest),
+            None => 0.0,
+        }
+    }
+
     /// Adds the growth of the rings, `v / r`, to the divergence that the rates of density and energy come from.
     pub fn stretch<const D: usize>(
         &self,
@@ -76,11 +84,11 @@ impl Rings {
         gamma: f64,
         rates: &mut [Rates<D>],
     ) {
-        let Some(narrowest) = self.narrowest else {
+        if !self.are_real() {
             return;
-        };
+        }
         for (particle, rates) in particles.iter().zip(rates) {
-            let growth = particle.velocity[RADIAL] / particle.position[RADIAL].max(narrowest);
+            let growth = self.growth(particle);
             rates.density -= particle.density * growth;
             rates.energy -= (gamma - 1.0) * particle.energy * growth;
         }

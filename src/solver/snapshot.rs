@@ -95,6 +95,7 @@ impl<const D: usize> Simulation<D> {
                 smoothing_length: ghost.smoothing_length,
                 mass: ghost.density * ghost.volume,
                 first_plane_mass: ghost.density * ghost.volume,
+                strain: ghost.strain,
                 id: number as u64,
             };
             push(&mut frame, &particle, gamma, Kind::Ghost);

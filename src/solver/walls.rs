@@ -270,6 +270,7 @@ impl<const D: usize> Walls<D> {
                     velocity: ghost.velocity,
                 };
                 *state = State::new(ghost.pressure, ghost.density, ghost.energy, self.gamma);
+                state.strain = ghost.strain;
                 state.renormalise(even, Vector::zeros(), ghost.volume);
             });
     }
@@ -317,6 +318,7 @@ fn blank<const D: usize>(
         curvature: Matrix::zeros(),
         coriolis: Vector::zeros(),
         velocity: Vector::zeros(),
+        strain: Matrix::zeros(),
         pressure: gas.pressure,
         wall_pressure: gas.pressure,
         energy: gas.pressure / ((case.gamma - 1.0) * gas.density),
@@ -343,6 +345,15 @@ fn show<const D: usize>(
             gas.velocity - ghost.normal * (2.0 * (gas.velocity - wall).dot(&ghost.normal))
         }
         WallKind::NoSlip => wall * 2.0 - gas.velocity,
+    };
+    // Beyond a slip wall the flow is the mirror image; beyond the other kind it is none, and the viscosity
+    // there stays whole.
+    ghost.strain = match kind {
+        WallKind::Slip => {
+            let mirror = Matrix::identity() - ghost.normal * ghost.normal.transpose() * 2.0;
+            mirror * gas.strain * mirror
+        }
+        WallKind::NoSlip => Matrix::zeros(),
     };
     // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure; gas
     // that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.

@@ -5,15 +5,16 @@ use std::path::Path;
 use rayon::prelude::*;
 
 use super::edges::{half_edges, neighbours, parts};
+use super::exposed::{Exposed, Surface};
 use super::slivers::is_sliver;
 use super::smooth::{Smooth, normal, vertex_normals};
 use super::tree::Tree;
 use super::weld::{BackToBack, Indexed, drop_duplicates, weld};
 use super::winding::Winding;
 use super::{Mesh, orient, slivers, symmetry, weld as welding};
-use crate::Bounds;
 use crate::error::GeometryError;
 use crate::stl::{self, Facet, Soup, Unit};
+use crate::{Bounds, Vector};
 
 /// A mesh encloses no solid whose volume is below this part of its bounding cube.
 const NO_VOLUME: f64 = 1e-9;
@@ -87,6 +88,7 @@ impl Mesh {
         let mut mesh = Self {
             simple: !hidden.contains(&true),
             hidden,
+            exposed: None,
             vertex_normals: vertex_normals(vertices, facets),
             vertices: closed.vertices,
             facets: closed.facets,
@@ -110,14 +112,13 @@ impl Mesh {
         Ok(mesh)
     }
 
-    /// Hides the triangles that have the solid, or the outside, on both sides: those of solids
-    /// inside of others, and where the surface folds through itself.
+    /// Leaves of the surface what has the solid on one side and the outside on the other: solids
+    /// may lie inside of others or overlap, and the surface may fold through itself.
     fn hide_buried(&mut self, tolerance: f64) {
         let step = 10.0 * tolerance;
-        let parting = |f: u32| {
-            let corners = self.corners(f);
+        let parting = |corners: &[Vector<3>; 3]| {
             let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-            let offset = step * normal(&corners);
+            let offset = step * normal(corners);
             self.winding_number(&(middle + offset)) < 0.5
                 && self.winding_number(&(middle - offset)) >= 0.5
         };
@@ -128,22 +129,30 @@ impl Mesh {
         } else {
             count.div_ceil(PROBES)
         };
-        let sound = |f: &usize| self.hidden[*f] || parting(*f as u32);
-        if (0..count)
-            .into_par_iter()
-            .step_by(stride)
-            .all(|f| sound(&f))
-        {
+        let sound = |f: usize| self.hidden[f] || parting(&self.corners(f as u32));
+        let surface = Surface {
+            tree: &self.tree,
+            vertices: &self.vertices,
+            facets: &self.facets,
+            tolerance,
+            bounds: self.bounds,
+        };
+        let all_sound = (0..count).into_par_iter().step_by(stride).all(sound);
+        if all_sound && (part_count == 1 || !surface.crosses_itself(&self.hidden)) {
             return;
         }
-        let buried: Vec<bool> = (0..count).into_par_iter().map(|f| !sound(&f)).collect();
-        let number = buried.iter().filter(|&&b| b).count();
-        for (hidden, buried) in self.hidden.iter_mut().zip(buried) {
-            *hidden |= buried;
+        let exposed = Exposed::new(&surface, &self.hidden, parting);
+        let mut buried = vec![true; count];
+        for owner in exposed.iter().flat_map(Exposed::owners) {
+            buried[owner as usize] = false;
         }
+        let number = (0..count).filter(|&f| buried[f] && !self.hidden[f]).count();
+        self.hidden = buried;
+        self.exposed = exposed;
         self.simple = false;
         self.repairs.push(format!(
-            "ignored {number} triangles inside of the solid; overlapping parts are united"
+            "ignored {number} triangles inside of the solid, and parts of those that cross; \
+             overlapping parts are united"
         ));
     }
 }

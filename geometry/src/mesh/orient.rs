@@ -1,12 +1,13 @@
 //! One orientation for the whole surface: outwards, and inwards around cavities.
 
 use super::edges::{NONE, by_edge, half_edges, neighbours, parts};
+use super::holes;
 use super::weld::{Indexed, bounds};
 use super::winding::solid_angle;
 use crate::error::GeometryError;
 use crate::{Bounds, Vector};
 
-/// Turns triangles so that neighbours agree and the solid is inside, and refuses what is open.
+/// Turns triangles so that neighbours agree and the solid is inside, and fills small holes.
 pub(super) fn orient(mesh: &mut Indexed, repairs: &mut Vec<String>) -> Result<(), GeometryError> {
     let half_edges = half_edges(&mesh.facets);
     let across = neighbours(&mesh.facets, &half_edges);
@@ -14,6 +15,13 @@ pub(super) fn orient(mesh: &mut Indexed, repairs: &mut Vec<String>) -> Result<()
     if flipped > 0 {
         repairs.push(format!("turned {flipped} triangles to agree with the rest"));
     }
+    let whole = mesh.facets.len();
+    holes::fill(mesh, repairs);
+    let across = if mesh.facets.len() > whole {
+        neighbours(&mesh.facets, &self::half_edges(&mesh.facets))
+    } else {
+        across
+    };
     let (part, count) = parts(&across);
     turn_outwards(mesh, &part, count, repairs);
     Ok(())

@@ -19,6 +19,12 @@ pub(super) fn mirrors(mesh: &Mesh, tolerance: f64) -> Vec<(usize, f64)> {
             visible[vertex as usize] = true;
         }
     }
+    let gap = |p: &Vector<3>| (mesh.closest(p).point - p).norm();
+    if mesh.exposed.is_some() {
+        // A triangle that others cross has corners inside of the solid.
+        let on_surface = |v: usize| visible[v] && gap(&mesh.vertices[v]) <= tolerance;
+        visible = (0..visible.len()).into_par_iter().map(on_surface).collect();
+    }
     (0..3)
         .map(|axis| {
             let near_zero = middle[axis].abs() <= tolerance;
@@ -28,8 +34,7 @@ pub(super) fn mirrors(mesh: &Mesh, tolerance: f64) -> Vec<(usize, f64)> {
             let on_surface = |p: &Vector<3>| {
                 let mut image = *p;
                 image[axis] = 2.0 * position - image[axis];
-                let gap = (mesh.closest(&image).point - image).norm();
-                gap <= SLACK * tolerance
+                gap(&image) <= SLACK * tolerance
             };
             let vertices = mesh.vertices.par_iter().zip(&visible);
             vertices

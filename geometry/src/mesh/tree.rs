@@ -138,6 +138,25 @@ impl Tree {
     }
 }
 
+impl Tree {
+    /// Calls `visit` with all triangles of leaves whose boxes meet the given one.
+    pub fn for_each_in(&self, low: &Vector<3>, high: &Vector<3>, mut visit: impl FnMut(u32)) {
+        let mut stack = vec![0_u32];
+        while let Some(index) = stack.pop() {
+            let node = &self.nodes[index as usize];
+            let apart = (0..3).any(|k| node.min[k] > high[k] || node.max[k] < low[k]);
+            if apart {
+                continue;
+            }
+            if node.count > 0 {
+                (node.first..node.first + node.count).for_each(&mut visit);
+            } else {
+                stack.extend([node.first + 1, node.first]);
+            }
+        }
+    }
+}
+
 fn around(items: &[Item]) -> Node {
     let empty = (
         Vector::<3>::repeat(f64::INFINITY),

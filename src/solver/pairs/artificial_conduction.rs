@@ -1,4 +1,4 @@
-//! Artificial conduction of heat.
+//! Artificial conduction of heat, and the heat flux that keeps walls from overheating.
 
 use pulp::Simd;
 
@@ -8,6 +8,19 @@ use super::Pair;
 /// Coefficient (Villodi & Ramachandran 2024, below eq. 14).
 pub const KAPPA: f64 = 0.1;
 
+/// Coefficient of the flux in compressed gas: `g_2 = 1` of `g_2 h^2 (|div u| - div u)`, whose bracket is twice
+/// the rate of compression (Fulk 1994; Monaghan 1995; Liu & Liu 2003, eq. 4.74).
+const COMPRESSED: f64 = 2.0;
+
+/// Speed at which a pair exchanges heat, over [`KAPPA`]: that of sound and, in the conservative scheme, what
+/// Noh [1987] adds in a shock. Where gas first meets a wall the artificial viscosity heats it too much,
+/// and its density is then too low for good; as long as it is compressed, its neighbours share that heat. `closing` is the
+/// viscosity's `mu`, `sound` is `c_ij`.
+#[inline(always)]
+pub fn exchange_speed<S: Simd>(simd: S, closing: Lane<S>, sound: Lane<S>) -> Lane<S> {
+    closing.mul_add(Lane::splat(simd, -COMPRESSED / KAPPA), sound)
+}
+
 /// `kappa c_ij h_ij E_ij.grad_i W_ij` with `E_ij = 2 (e_j - e_i) r_ji / r_ij^2` [Villodi &
 /// Ramachandran 2024, eqs 14-15]; the caller weighs it by `m_j / rho_j` (as printed) or by
 /// `m_j / rho_ij`, which exchanges energy pairwise and so conserves it.
@@ -16,8 +29,8 @@ pub fn heat_flow<S: Simd, const D: usize>(
     simd: S,
     pair: &Pair<S, D>,
     energy_difference: Lane<S>,
-    sound: Lane<S>,
+    speed: Lane<S>,
 ) -> Lane<S> {
     // r_ji . grad_i W_ij / r_ij^2 = -F.
-    Lane::splat(simd, -2.0 * KAPPA) * sound * pair.h * energy_difference * pair.gradient_factor
+    Lane::splat(simd, -2.0 * KAPPA) * speed * pair.h * energy_difference * pair.gradient_factor
 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use super::super::lanes::{Lane, MAX_LANES};
 use super::super::neighbours::{Chunk, Lists, Seeker};
-use super::super::records::Records;
+use super::super::records::{Matrix, Records};
 use super::{LaneVector, Separation, Target, kernel_value, unlane, zeros};
 
 /// A mirror point with less than this share of a full neighbourhood's volume is short of
@@ -22,6 +22,8 @@ const LEAST_CONDITION: f64 = 1e-3;
 pub struct Interpolated<const D: usize> {
     /// Velocity.
     pub velocity: Vector<D>,
+    /// Rate of strain, by Shepard's sum in either case.
+    pub strain: Matrix<D>,
     /// Pressure.
     pub pressure: f64,
     /// Specific internal energy.
@@ -88,6 +90,8 @@ struct Moments<S: Simd, const D: usize> {
     velocity_sum: LaneVector<S, D>,
     scalars: [LaneVector<S, D>; 3],
     scalar_sums: [Lane<S>; 3],
+    /// `sum w E_j`, on and above the diagonal.
+    strain: [LaneVector<S, D>; D],
 }
 
 impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
@@ -123,6 +127,7 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
                 velocity_sum: zeros(simd),
                 scalars: [zeros(simd); 3],
                 scalar_sums: [zero; 3],
+                strain: [zeros(simd); D],
             };
             for &j in neighbours {
                 let near = &self.records.near[j as usize];
@@ -134,6 +139,12 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
                     weight = weight * Lane::splat(simd, near.volume);
                 }
                 let scalars = [state.pressure, state.energy, near.smoothing_length()];
+                for a in 0..D {
+                    for b in a..D {
+                        let strain = Lane::splat(simd, state.strain[(a, b)]);
+                        moments.strain[a][b] = weight.mul_add(strain, moments.strain[a][b]);
+                    }
+                }
                 moments.add(
                     simd,
                     weight,
@@ -203,6 +214,7 @@ struct Numbers<const D: usize> {
     velocity_sum: [Lanes; D],
     scalars: [[Lanes; D]; 3],
     scalar_sums: [Lanes; 3],
+    strain: [[Lanes; D]; D],
 }
 
 impl<const D: usize> Numbers<D> {
@@ -216,13 +228,19 @@ impl<const D: usize> Numbers<D> {
             velocity_sum: moments.velocity_sum.map(Lane::to_array),
             scalars: moments.scalars.map(|row| row.map(Lane::to_array)),
             scalar_sums: moments.scalar_sums.map(Lane::to_array),
+            strain: moments.strain.map(|row| row.map(Lane::to_array)),
         }
+    }
+
+    fn strain(&self, l: usize) -> Matrix<D> {
+        Matrix::from_fn(|a, b| self.strain[a.min(b)][a.max(b)][l] / self.weight[l])
     }
 
     fn shepard(&self, l: usize) -> Option<Interpolated<D>> {
         let weight = self.weight[l];
         (weight > 0.0).then(|| Interpolated {
             velocity: unlane(&self.velocity_sum, l) / weight,
+            strain: self.strain(l),
             pressure: self.scalar_sums[0][l] / weight,
             energy: self.scalar_sums[1][l] / weight,
             smoothing_length: self.scalar_sums[2][l] / weight,
@@ -261,6 +279,7 @@ impl<const D: usize> Numbers<D> {
             velocity: Vector::from_fn(|a, _| {
                 value(self.velocity_sum[a][l], unlane(&self.velocity[a], l))
             }),
+            strain: self.strain(l),
             pressure: scalar(0),
             energy: scalar(1),
             smoothing_length: scalar(2),

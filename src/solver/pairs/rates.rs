@@ -10,8 +10,10 @@ use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
 use super::super::particle::Rates;
 use super::super::records::{GHOSTS, Matrix, Near, Records, State};
-use super::artificial_conduction::heat_flow;
-use super::artificial_viscosity::viscous_pressure;
+use super::artificial_conduction::{exchange_speed, heat_flow};
+use super::artificial_viscosity::{
+    bare_closing_speed, closing_speed, unresolved, viscous_pressure,
+};
 use super::density_diffusion::diffusion;
 use super::{LaneVector, Pair, Target, dot, unlane, zeros};
 
@@ -95,6 +97,8 @@ struct Own<S: Simd, const D: usize> {
     half_sound: Lane<S>,
     energy: Lane<S>,
     half_gradient: LaneVector<S, D>,
+    /// Rate of strain, on and above the diagonal.
+    strain: [LaneVector<S, D>; D],
 }
 
 /// Running sums, one per lane.
@@ -127,6 +131,9 @@ impl<S: Simd, const D: usize> Own<S, D> {
             energy: Lane::gather(simd, |l| state(l).energy),
             half_gradient: std::array::from_fn(|k| {
                 Lane::gather(simd, |l| state(l).half_gradient[k])
+            }),
+            strain: std::array::from_fn(|a| {
+                std::array::from_fn(|b| Lane::gather(simd, |l| state(l).strain[(a, b)]))
             }),
         }
     }
@@ -165,9 +172,21 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             std::array::from_fn(|k| Lane::splat(simd, near.velocity[k]) - i.velocity[k]);
         let approach = -dot(&jump, &pair.separation);
         let sound = i.half_sound + Lane::splat(simd, state.half_sound);
-        let viscous = pairwise
-            * viscous_pressure::<S, D, CONSERVATIVE>(simd, &pair, approach, sound)
-            * pair.gradient_factor;
+        let closing = if CONSERVATIVE {
+            let (mut own, mut other) = (Lane::splat(simd, 0.0), Lane::splat(simd, 0.0));
+            for a in 0..D {
+                for b in a..D {
+                    let twice = Lane::splat(simd, if a == b { 1.0 } else { 2.0 });
+                    let product = pair.separation[a] * pair.separation[b] * twice;
+                    own = i.strain[a][b].mul_add(product, own);
+                    other = Lane::splat(simd, state.strain[(a, b)]).mul_add(product, other);
+                }
+            }
+            closing_speed(simd, &pair, unresolved(simd, approach, own, other))
+        } else {
+            bare_closing_speed(simd, &pair, approach)
+        };
+        let viscous = pairwise * viscous_pressure(simd, closing, sound) * pair.gradient_factor;
         let energy = Lane::splat(simd, state.energy) - i.energy;
 
         let density = i.target.half_density + i.target.half_density;
@@ -192,9 +211,13 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             }
         }
         if GAS {
-            let weight = if CONSERVATIVE { pairwise } else { volume };
+            let (weight, speed) = if CONSERVATIVE {
+                (pairwise, exchange_speed(simd, closing, sound))
+            } else {
+                (volume, sound)
+            };
             self.conduction =
-                heat_flow(simd, &pair, energy, sound).mul_add(weight, self.conduction);
+                heat_flow(simd, &pair, energy, speed).mul_add(weight, self.conduction);
             let slopes: LaneVector<S, D> = std::array::from_fn(|k| {
                 i.half_gradient[k] + Lane::splat(simd, state.half_gradient[k])
             });
@@ -249,6 +272,7 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
                 let slope = Matrix::<D>::from_fn(|a, b| velocity_gradient[a][b][l]);
                 let divergence = slope.component_mul(renormalisation).sum();
                 let total = forces.acceleration(l, near, state);
+                rates.velocity_gradient = slope * renormalisation;
                 rates.acceleration = by_gas.acceleration(l, near, state);
                 rates.wall_acceleration = total - rates.acceleration;
                 rates.density = diffusion[l] - near.density() * divergence;

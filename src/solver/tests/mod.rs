@@ -37,6 +37,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
             extrapolation: Extrapolation::Wom,
             shield: false,
             constant_ghost_volume: true,
+            limited_viscosity: true,
             cfl: 0.5,
         },
         domain: Domain {
