@@ -46,7 +46,7 @@ pub enum Stop {
 }
 
 /// Density, velocity and pressure at a point.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct State<const D: usize> {
     /// Density.
     pub density: f64,
@@ -275,4 +275,6 @@ pub struct OutputPlan {
     pub frame_interval: f64,
     /// Steps between rows of the history.
     pub history_every: usize,
+    /// Longest wall time between checkpoints, s.
+    pub checkpoint_seconds: f64,
 }

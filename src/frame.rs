@@ -1,5 +1,7 @@
 //! Snapshots of a run as plain arrays, whatever the dimension: what output and validation read.
 
+use serde::{Deserialize, Serialize};
+
 /// Kinds of particles, as written to the `kind` array.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[repr(u8)]
@@ -69,7 +71,7 @@ pub struct Load {
 }
 
 /// Conserved totals over the fluid.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
 pub struct Totals {
     /// Mass.
     pub mass: f64,

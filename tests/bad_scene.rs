@@ -239,13 +239,6 @@ fn a_side_closed_by_no_body_is_refused() {
 }
 
 #[test]
-fn resuming_is_refused_until_it_is_built() {
-    Workplace::new()
-        .run(BOX, &["--resume"])
-        .refuses(&["--resume", "not supported yet"]);
-}
-
-#[test]
 fn zero_threads_are_refused() {
     let answer = Workplace::new().run(BOX, &["--threads", "0"]);
     assert_eq!(answer.status, 2);

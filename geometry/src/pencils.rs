@@ -48,7 +48,8 @@ impl<const D: usize> Default for Pencils<D> {
 }
 
 impl<const D: usize> Pencils<D> {
-    /// Sorts `points` into columns of about `width`; all coordinates must be finite.
+    /// Sorts `points` into columns of about `width`; a point whose coordinates are not finite is
+    /// never found again.
     pub fn new(points: &[Vector<D>], width: f64) -> Self {
         let mut pencils = Self::default();
         pencils.rebuild(points, width);
@@ -157,7 +158,8 @@ impl<const D: usize> Pencils<D> {
         let mut width = width;
         let most = 4.0 * points.len() as f64 + 64.0;
         loop {
-            let count = |k: usize| ((max[k] - min[k]) / width).floor() + 1.0;
+            // One where coordinates that are not finite leave no number at all.
+            let count = |k: usize| (((max[k] - min[k]) / width).floor() + 1.0).max(1.0);
             let total: f64 = (0..D - 1).map(count).product();
             if total <= most {
                 for k in 0..D - 1 {
@@ -266,6 +268,16 @@ mod tests {
         pencils.for_each_run(&Vector::zeros(), &Vector::repeat(1.0), |_| {
             panic!("no run expected")
         });
+    }
+
+    #[test]
+    fn points_that_are_nowhere_do_no_harm() {
+        for bad in [f64::NAN, f64::INFINITY, f64::NEG_INFINITY] {
+            let mut points = scattered::<3>(10);
+            points.push(Vector::repeat(bad));
+            assert_eq!(Pencils::new(&points, 0.1).order().len(), 11);
+            assert_eq!(Pencils::<2>::new(&[Vector::repeat(bad)], 0.1).order(), [0]);
+        }
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! What can be typed, and what becomes of it.
 
 mod error;
+mod interrupt;
 mod pack;
 mod progress;
 mod run;

@@ -18,8 +18,10 @@ pub enum Display {
     Bar(ProgressBar),
     /// Lines; with the time of start and that of the last line.
     Lines {
-        /// When the run began.
+        /// When the run began, and how far it was: a resumed run is not at its beginning.
         start: Instant,
+        /// Part of the run that was done by then.
+        done: Option<f64>,
         /// When the last line was printed.
         last: Instant,
     },
@@ -36,6 +38,7 @@ impl Display {
             }
             _ => Self::Lines {
                 start: now,
+                done: None,
                 last: now,
             },
         }
@@ -47,15 +50,21 @@ impl Display {
         let text = format!("step {}, t = {:.4e}", progress.steps, progress.time);
         match self {
             Self::Bar(bar) => {
+                let first = bar.position() == 0;
                 bar.set_position((part * TICKS as f64) as u64);
+                if first {
+                    bar.reset_eta();
+                }
                 bar.set_message(text);
             }
-            Self::Lines { start, last } => {
+            Self::Lines { start, done, last } => {
+                let done = *done.get_or_insert(part);
                 if last.elapsed() < BETWEEN_LINES {
                     return;
                 }
                 *last = Instant::now();
-                let left = start.elapsed().as_secs_f64() * (1.0 - part) / part.max(f64::EPSILON);
+                let speed = (part - done).max(f64::EPSILON) / start.elapsed().as_secs_f64();
+                let left = (1.0 - part) / speed;
                 eprintln!(
                     "{:5.1} %  {text}, dt = {:.3e}, about {left:.0} s left",
                     100.0 * part,

@@ -2,12 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use aero::case::Case;
-use aero::output::Summary;
-use aero::run::{RunError, Stopwatch};
+use aero::output::{CHECKPOINT, Summary};
+use aero::run::{Place, RunError, Stopwatch, run_any};
 use aero::scene::{AnyCase, Scene};
 use clap::Args;
 
+use super::interrupt::Interrupt;
 use super::progress::Display;
 use super::{CommandError, on_threads};
 
@@ -25,7 +25,7 @@ pub struct RunArgs {
     /// Number of threads; all processors unless given
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     threads: Option<u16>,
-    /// Go on from the last frame
+    /// Go on from the last checkpoint in the folder, where there is one
     #[arg(long)]
     resume: bool,
 }
@@ -33,11 +33,6 @@ pub struct RunArgs {
 /// Runs a scene.
 pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     let stopwatch = Stopwatch::start();
-    if args.resume {
-        return Err(CommandError::wrong(
-            "`--resume` is not supported yet; leave it out to start from the beginning",
-        ));
-    }
     let mut scene = Scene::load(&args.scene).map_err(CommandError::wrong)?;
     for setting in &args.set {
         scene.set(setting).map_err(CommandError::wrong)?;
@@ -46,45 +41,65 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
         Some(folder) => folder.clone(),
         None => Path::new("out").join(scene.name()),
     };
-    on_threads(args.threads, || {
-        match scene.build_any().map_err(CommandError::wrong)? {
-            AnyCase::One(case) => run_case(*case, &out, stopwatch),
-            AnyCase::Two(case) => run_case(*case, &out, stopwatch),
-            AnyCase::Three(case) => run_case(*case, &out, stopwatch),
+    if args.resume && !out.join(CHECKPOINT).exists() {
+        if out.join("summary.json").exists() {
+            println!(
+                "the run in `{}` came to its end; leave out `--resume` to run it anew",
+                out.display()
+            );
+            return Ok(());
         }
+        eprintln!(
+            "no checkpoint in `{}` yet: starting from the beginning",
+            out.display()
+        );
+    }
+    let scene_lines = scene.lines();
+    let place = Place {
+        folder: &out,
+        scene: &scene_lines,
+        resume: args.resume,
+    };
+    on_threads(args.threads, || {
+        let case = scene.build_any().map_err(CommandError::wrong)?;
+        run_case(case, place, stopwatch)
     })
 }
 
-fn run_case<const D: usize>(
-    case: Case<D>,
-    out: &Path,
-    stopwatch: Stopwatch,
-) -> Result<(), CommandError> {
-    for body in &case.bodies {
-        for line in body.report.repairs.iter().chain(&body.report.warnings) {
-            eprintln!("body `{}`: {line}", body.name);
-        }
+fn run_case(case: AnyCase, place: Place<'_>, stopwatch: Stopwatch) -> Result<(), CommandError> {
+    for line in case.remarks() {
+        eprintln!("{line}");
     }
+    let interrupt = Interrupt::listen()?;
     let mut display = Display::new();
-    let result = aero::run::run(case, out, stopwatch, &mut |progress| display.show(progress));
+    let result = run_any(case, place, stopwatch, &mut |progress| {
+        display.show(progress);
+        interrupt.wish()
+    });
     display.finish();
+    let folder = place.folder.display();
+    let go_on = if place.folder.join(CHECKPOINT).exists() {
+        "; the last checkpoint is kept: go on from it with `--resume`"
+    } else {
+        ""
+    };
     match result {
         Ok(summary) => {
-            print!("{}", lines(&summary, out));
+            print!("{}", lines(&summary, place.folder));
             if summary.stop_reason != "end time reached" {
                 println!("{}", summary.stop_reason);
             }
             Ok(())
         }
-        Err(error @ RunError::SetUp(_)) => Err(CommandError::wrong(error)),
         Err(RunError::Stopped { reason, summary }) => {
-            print!("{}", lines(&summary, out));
+            print!("{}", lines(&summary, place.folder));
+            let go_on = if interrupt.came() { go_on } else { "" };
             Err(CommandError::failed(format!(
-                "the run stopped: {reason}; its last frame and summary are in `{}`",
-                out.display()
+                "the run stopped: {reason}; its last frame and summary are in `{folder}`{go_on}"
             )))
         }
-        Err(error @ RunError::Output(_)) => Err(CommandError::failed(error)),
+        Err(RunError::Output(error)) => Err(CommandError::failed(format!("{error}{go_on}"))),
+        Err(error @ (RunError::SetUp(_) | RunError::Resume(_))) => Err(CommandError::wrong(error)),
     }
 }
 

@@ -2,7 +2,7 @@
 
 use std::fmt::Write as _;
 use std::fs::File;
-use std::io::{BufWriter, Write as _};
+use std::io::{self, BufWriter, Seek, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
@@ -30,6 +30,7 @@ pub struct History {
     path: PathBuf,
     writer: BufWriter<File>,
     loads: usize,
+    bytes: u64,
 }
 
 impl History {
@@ -50,7 +51,35 @@ impl History {
             path: path.to_owned(),
             writer,
             loads: names.len(),
+            bytes: header.len() as u64,
         })
+    }
+
+    /// Goes on with the file after its first `bytes`; what came later is cut off.
+    pub fn resume(path: &Path, loads: usize, bytes: u64) -> Result<Self, OutputError> {
+        let open = || {
+            let mut file = File::options().write(true).open(path)?;
+            if file.metadata()?.len() < bytes {
+                return Err(io::Error::other(
+                    "it is shorter than it was at the checkpoint",
+                ));
+            }
+            file.set_len(bytes)?;
+            file.seek(SeekFrom::End(0))?;
+            Ok(file)
+        };
+        let file = open().map_err(|source| OutputError::new(path, source))?;
+        Ok(Self {
+            path: path.to_owned(),
+            writer: BufWriter::new(file),
+            loads,
+            bytes,
+        })
+    }
+
+    /// Length of the file once all rows so far are on disk.
+    pub fn bytes(&self) -> u64 {
+        self.bytes
     }
 
     /// Adds a row.
@@ -69,6 +98,7 @@ impl History {
             let _ = write!(line, ",{value:?}");
         }
         line.push('\n');
+        self.bytes += line.len() as u64;
         let written = self.writer.write_all(line.as_bytes());
         written.map_err(|source| OutputError::new(&self.path, source))
     }

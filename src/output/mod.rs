@@ -2,6 +2,7 @@
 //! own state, and decides nothing about when to write.
 
 mod atomic;
+mod checkpoint;
 mod ghosts;
 mod history;
 mod particles;
@@ -11,6 +12,9 @@ mod surface;
 mod vtp;
 
 pub use atomic::write_json;
+pub use checkpoint::{
+    CHECKPOINT, CheckpointError, read_checkpoint, remove_checkpoint, write_checkpoint,
+};
 pub use ghosts::write_ghosts;
 pub use history::{History, HistoryRow};
 pub use particles::write_frame;

@@ -29,11 +29,21 @@ impl Collection {
 
     /// Adds `file`, a name in the collection's own folder, and rewrites the collection.
     pub fn add(&mut self, time: f64, file: &str) -> Result<(), OutputError> {
+        self.note(time, file);
+        self.write()
+    }
+
+    /// Adds `file` without writing yet.
+    pub fn note(&mut self, time: f64, file: &str) {
         // Writing to a string cannot fail.
         let _ = writeln!(
             self.entries,
             "    <DataSet timestep=\"{time:?}\" part=\"0\" file=\"{file}\"/>"
         );
+    }
+
+    /// Writes the collection.
+    pub fn write(&self) -> Result<(), OutputError> {
         atomic::write(&self.path, |writer| {
             write!(
                 writer,

@@ -1,19 +1,24 @@
 //! Drives a run from its start to its end: when frames are due, what is recorded, what is summed
 //! up. Knows neither the equations nor the formats of the files.
 
+mod checkpoint;
 mod recorder;
 mod steady;
 mod stopwatch;
 mod tally;
 
+pub use checkpoint::Checkpoint;
 pub use recorder::{FileRecorder, Recorder};
 pub use stopwatch::Stopwatch;
 
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use crate::case::{Case, Stop};
-use crate::output::{self, OutputError, Summary};
+use crate::output::{self, CheckpointError, OutputError, Summary};
+use crate::scene::AnyCase;
 use crate::solver::Simulation;
+use checkpoint::Pace;
 use steady::Monitor;
 use tally::Tally;
 
@@ -54,31 +59,76 @@ pub enum RunError {
     /// A file cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// There is nothing to go on from.
+    #[error(transparent)]
+    Resume(#[from] CheckpointError),
 }
 
-/// Runs `case` to its end on the current thread pool, with frames, history and summary in the
-/// folder `out`.
+/// Where a run writes, and whether it goes on from what is there.
+#[derive(Clone, Copy, Debug)]
+pub struct Place<'a> {
+    /// Folder for frames, history, summary and checkpoint.
+    pub folder: &'a Path,
+    /// The scene as [`Scene::lines`](crate::scene::Scene::lines) tells it.
+    pub scene: &'a str,
+    /// Go on from the checkpoint, where there is one.
+    pub resume: bool,
+}
+
+/// Runs a case of any dimension; see [`run`]. Whoever calls this one need not compile the solver
+/// once more.
+pub fn run_any(
+    case: AnyCase,
+    place: Place<'_>,
+    stopwatch: Stopwatch,
+    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
+) -> Result<Summary, RunError> {
+    match case {
+        AnyCase::One(case) => run(*case, place, stopwatch, watch),
+        AnyCase::Two(case) => run(*case, place, stopwatch, watch),
+        AnyCase::Three(case) => run(*case, place, stopwatch, watch),
+    }
+}
+
+/// Runs `case` to its end on the current thread pool, with frames, history, checkpoints and summary
+/// in a folder.
 ///
 /// `stopwatch` was started where the cost of the run begins, packing included; `watch` is called
-/// after every step.
+/// after every step, and may ask the run to stop there.
 ///
 /// # Errors
-/// A run that fails leaves its last good frame and its summary in `out` all the same.
+/// A run that fails leaves its last good frame and its summary in the folder all the same.
 pub fn run<const D: usize>(
     case: Case<D>,
-    out: &Path,
+    place: Place<'_>,
     stopwatch: Stopwatch,
-    watch: &mut dyn FnMut(Progress),
+    watch: &mut dyn FnMut(Progress) -> ControlFlow<()>,
 ) -> Result<Summary, RunError> {
-    output::make_folder(out)?;
-    let mut recorder = FileRecorder::create(out, &case, watch)?;
-    let result = simulate(case, &mut recorder, stopwatch).map(|(_, summary)| summary);
+    let Place { folder, scene, .. } = place;
+    output::make_folder(folder)?;
+    let earlier = if place.resume {
+        checkpoint::read(folder, scene)?
+    } else {
+        None
+    };
+    let result = if let Some((written, checkpoint)) = earlier {
+        let mut recorder = FileRecorder::resume(folder, &case, scene, written, watch)?;
+        let under_way = UnderWay::resume(case, checkpoint, stopwatch);
+        let mut under_way = under_way.map_err(|reason| CheckpointError::new(folder, reason))?;
+        under_way.finish(&mut recorder)
+    } else {
+        let mut recorder = FileRecorder::create(folder, &case, scene, watch)?;
+        UnderWay::start(case, &mut recorder, stopwatch)?.finish(&mut recorder)
+    };
     let summary = match &result {
         Ok(summary) => summary,
         Err(RunError::Stopped { summary, .. }) => summary.as_ref(),
         Err(_) => return result,
     };
-    output::write_json(&out.join("summary.json"), summary)?;
+    output::write_json(&folder.join("summary.json"), summary)?;
+    if result.is_ok() {
+        output::remove_checkpoint(folder)?;
+    }
     result
 }
 
@@ -89,80 +139,137 @@ pub fn simulate<const D: usize>(
     recorder: &mut dyn Recorder<D>,
     stopwatch: Stopwatch,
 ) -> Result<(Simulation<D>, Summary), RunError> {
-    let end = case.end_time;
-    let interval = case.output.frame_interval;
-    let mut monitor = (case.stop == Stop::Steady).then(|| Monitor::new(&case));
-    let mut simulation = Simulation::new(case).map_err(RunError::SetUp)?;
-    let mut tally = Tally::start(&simulation, stopwatch);
-    recorder.frame(&simulation)?;
-
-    let mut frames = 1;
-    let mut framed_step = 0;
-    let mut tiny_steps = 0;
-    while simulation.time() < end {
-        let due = frame_time(frames, interval, end);
-        let dt = match simulation.step(due) {
-            Ok(dt) => dt,
-            Err(failure) => {
-                let framed = simulation.steps() == framed_step;
-                return Err(stop(
-                    &simulation,
-                    recorder,
-                    &tally,
-                    framed,
-                    failure.to_string(),
-                ));
-            }
-        };
-        tally.add(&simulation, dt);
-        recorder.step(&simulation, dt)?;
-        let framed = simulation.time() >= due;
-        if framed {
-            recorder.frame(&simulation)?;
-            framed_step = simulation.steps();
-            frames += 1;
-        }
-        tiny_steps = if dt < TINY_STEP * end {
-            tiny_steps + 1
-        } else {
-            0
-        };
-        if tiny_steps > PATIENCE {
-            let reason = format!(
-                "the time step collapsed to {dt:.1e} (step {}, time {:.3e}); the end is out of reach",
-                simulation.steps(),
-                simulation.time()
-            );
-            return Err(stop(&simulation, recorder, &tally, framed, reason));
-        }
-        let steady = monitor.as_mut().and_then(|m| m.add(&simulation, dt));
-        if let Some((reason, window)) = steady {
-            if !framed {
-                recorder.frame(&simulation)?;
-            }
-            tally.settle(window);
-            let summary = tally.summary(&simulation, &reason);
-            return Ok((simulation, summary));
-        }
-    }
-    let reason = monitor.map_or_else(|| "end time reached".into(), |m| m.verdict());
-    let summary = tally.summary(&simulation, &reason);
-    Ok((simulation, summary))
+    let mut under_way = UnderWay::start(case, recorder, stopwatch)?;
+    let summary = under_way.finish(recorder)?;
+    Ok((under_way.simulation, summary))
 }
 
-/// Ends a run early, after the frame of where it stands unless that was written already.
-fn stop<const D: usize>(
-    simulation: &Simulation<D>,
-    recorder: &mut dyn Recorder<D>,
-    tally: &Tally,
-    framed: bool,
-    reason: String,
-) -> RunError {
-    if !framed && let Err(error) = recorder.frame(simulation) {
-        return error.into();
+/// A run between two steps.
+struct UnderWay<const D: usize> {
+    simulation: Simulation<D>,
+    tally: Tally,
+    pace: Pace,
+    /// Only where the run may end early.
+    monitor: Option<Monitor>,
+}
+
+impl<const D: usize> UnderWay<D> {
+    fn start(
+        case: Case<D>,
+        recorder: &mut dyn Recorder<D>,
+        stopwatch: Stopwatch,
+    ) -> Result<Self, RunError> {
+        let monitor = (case.stop == Stop::Steady).then(|| Monitor::new(&case));
+        let simulation = Simulation::new(case).map_err(RunError::SetUp)?;
+        recorder.frame(&simulation)?;
+        let this = Self {
+            tally: Tally::start(&simulation, stopwatch),
+            simulation,
+            pace: Pace {
+                frames: 1,
+                framed_step: 0,
+                tiny_steps: 0,
+            },
+            monitor,
+        };
+        recorder.checkpoint(&|| this.checkpoint())?;
+        Ok(this)
     }
-    let summary = Box::new(tally.summary(simulation, &reason));
-    RunError::Stopped { reason, summary }
+
+    fn resume(
+        case: Case<D>,
+        checkpoint: Checkpoint<D>,
+        stopwatch: Stopwatch,
+    ) -> Result<Self, String> {
+        let simulation = Simulation::resume(case, checkpoint.simulation)?;
+        Ok(Self {
+            tally: Tally::resume(&simulation, checkpoint.sums, stopwatch),
+            simulation,
+            pace: checkpoint.pace,
+            monitor: checkpoint.monitor,
+        })
+    }
+
+    fn checkpoint(&self) -> Checkpoint<D> {
+        Checkpoint {
+            simulation: self.simulation.memory(),
+            sums: self.tally.sums(),
+            pace: self.pace,
+            monitor: self.monitor.clone(),
+        }
+    }
+
+    /// Steps to the end.
+    fn finish(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
+        let end = self.simulation.case().end_time;
+        let interval = self.simulation.case().output.frame_interval;
+        loop {
+            let due = frame_time(self.pace.frames, interval, end);
+            let dt = match self.simulation.step(due) {
+                Ok(dt) => dt,
+                Err(failure) => return Err(self.stop(recorder, failure.to_string())),
+            };
+            self.tally.add(&self.simulation, dt);
+            let wish = recorder.step(&self.simulation, dt)?;
+            let framed = self.simulation.time() >= due;
+            if framed {
+                recorder.frame(&self.simulation)?;
+                self.pace.framed_step = self.simulation.steps();
+                self.pace.frames += 1;
+            }
+            self.pace.tiny_steps = if dt < TINY_STEP * end {
+                self.pace.tiny_steps + 1
+            } else {
+                0
+            };
+            if self.pace.tiny_steps > PATIENCE {
+                let reason = format!(
+                    "the time step collapsed to {dt:.1e} ({}); the end is out of reach",
+                    self.moment()
+                );
+                return Err(self.stop(recorder, reason));
+            }
+            let steady = self.monitor.as_mut();
+            if let Some((reason, window)) = steady.and_then(|m| m.add(&self.simulation, dt)) {
+                if !framed {
+                    recorder.frame(&self.simulation)?;
+                }
+                self.tally.settle(window);
+                return Ok(self.tally.summary(&self.simulation, &reason));
+            }
+            // At the end nothing is left to go on with.
+            if self.simulation.time() >= end {
+                break;
+            }
+            if framed || wish.is_break() || recorder.is_checkpoint_due() {
+                recorder.checkpoint(&|| self.checkpoint())?;
+            }
+            if wish.is_break() {
+                return Err(self.stop(recorder, format!("interrupted ({})", self.moment())));
+            }
+        }
+        let reason = match &self.monitor {
+            Some(monitor) => monitor.verdict(),
+            None => "end time reached".into(),
+        };
+        Ok(self.tally.summary(&self.simulation, &reason))
+    }
+
+    /// Ends early, after the frame of where the run stands unless that was written already.
+    fn stop(&self, recorder: &mut dyn Recorder<D>, reason: String) -> RunError {
+        if self.simulation.steps() != self.pace.framed_step
+            && let Err(error) = recorder.frame(&self.simulation)
+        {
+            return error.into();
+        }
+        let summary = Box::new(self.tally.summary(&self.simulation, &reason));
+        RunError::Stopped { reason, summary }
+    }
+
+    fn moment(&self) -> String {
+        let (step, time) = (self.simulation.steps(), self.simulation.time());
+        format!("step {step}, time {time:.3e}")
+    }
 }
 
 /// Time of frame `number`; the last one is at the end, and no frame comes so shortly before it

@@ -1,9 +1,14 @@
 //! Who looks on while a run goes, and the one that writes files.
 
 use std::fmt;
+use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
+use std::time::{Duration, Instant};
+
+use serde::{Deserialize, Serialize};
 
 use super::Progress;
+use super::checkpoint::Checkpoint;
 use crate::case::Case;
 use crate::output::{self, Collection, History, HistoryRow, OutputError};
 use crate::solver::{Simulation, wall_sides};
@@ -13,69 +18,140 @@ pub trait Recorder<const D: usize> {
     /// A frame is due: at the start, at every frame time, at the end and after a failure.
     fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError>;
 
-    /// A step of length `dt` has been taken.
-    fn step(&mut self, simulation: &Simulation<D>, dt: f64) -> Result<(), OutputError>;
+    /// A step of length `dt` has been taken; a break asks the run to stop here.
+    fn step(&mut self, simulation: &Simulation<D>, dt: f64)
+    -> Result<ControlFlow<()>, OutputError>;
+
+    /// True when the run should be remembered, after a step without a frame; after one with a
+    /// frame it always is.
+    fn is_checkpoint_due(&self) -> bool {
+        false
+    }
+
+    /// The run as it stands, made on demand: it is as large as all particles.
+    fn checkpoint(&mut self, _run: &dyn Fn() -> Checkpoint<D>) -> Result<(), OutputError> {
+        Ok(())
+    }
 }
 
-/// Writes frames, surfaces and history into a folder.
+/// What has been written up to a checkpoint.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(super) struct Written {
+    /// Time of each frame.
+    times: Vec<f64>,
+    /// Length of the history.
+    history: u64,
+}
+
+/// Writes frames, surfaces, history and checkpoints into a folder.
 pub struct FileRecorder<'a> {
     folder: PathBuf,
-    frames: u64,
+    written: Written,
     particles: Collection,
     surfaces: Option<Collection>,
     history: History,
     history_every: u64,
+    checkpoint_every: Duration,
+    last_checkpoint: Instant,
+    /// The scene, for its checkpoints.
+    scene: String,
     end_time: f64,
-    watch: &'a mut dyn FnMut(Progress),
+    watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
 }
 
 impl fmt::Debug for FileRecorder<'_> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("FileRecorder")
             .field("folder", &self.folder)
-            .field("frames", &self.frames)
+            .field("written", &self.written)
             .finish_non_exhaustive()
     }
 }
 
 impl<'a> FileRecorder<'a> {
-    /// Starts to record `case` into `folder`, which exists; `watch` is called after every step.
+    /// Starts to record `case`, which is what `scene` means, into `folder`, which exists; `watch`
+    /// is called after every step.
+    ///
+    /// # Errors
+    /// When the folder takes no files. A checkpoint of an earlier run is gone afterwards.
     pub fn create<const D: usize>(
         folder: &Path,
         case: &Case<D>,
-        watch: &'a mut dyn FnMut(Progress),
+        scene: &str,
+        watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, OutputError> {
+        output::remove_checkpoint(folder)?;
         let names = load_names(case);
-        Ok(Self {
+        let history = History::create(&folder.join("history.csv"), &names)?;
+        Ok(Self::new(folder, case, scene, history, watch))
+    }
+
+    /// Goes on recording after what has been `written`.
+    pub(super) fn resume<const D: usize>(
+        folder: &Path,
+        case: &Case<D>,
+        scene: &str,
+        written: Written,
+        watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Result<Self, OutputError> {
+        let loads = load_names(case).len();
+        let history = History::resume(&folder.join("history.csv"), loads, written.history)?;
+        let mut recorder = Self::new(folder, case, scene, history, watch);
+        for (number, &time) in written.times.iter().enumerate() {
+            recorder.particles.note(time, &frame_name(number));
+            if let Some(surfaces) = &mut recorder.surfaces {
+                surfaces.note(time, &surface_name(number));
+            }
+        }
+        recorder.written = written;
+        Ok(recorder)
+    }
+
+    fn new<const D: usize>(
+        folder: &Path,
+        case: &Case<D>,
+        scene: &str,
+        history: History,
+        watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
+    ) -> Self {
+        let has_surfaces = !load_names(case).is_empty();
+        Self {
             folder: folder.to_owned(),
-            frames: 0,
+            written: Written::default(),
             particles: Collection::new(folder.join("run.pvd")),
-            surfaces: (!names.is_empty()).then(|| Collection::new(folder.join("surface.pvd"))),
-            history: History::create(&folder.join("history.csv"), &names)?,
+            surfaces: has_surfaces.then(|| Collection::new(folder.join("surface.pvd"))),
+            history,
             history_every: case.output.history_every as u64,
+            checkpoint_every: Duration::from_secs_f64(case.output.checkpoint_seconds),
+            last_checkpoint: Instant::now(),
+            scene: scene.to_owned(),
             end_time: case.end_time,
             watch,
-        })
+        }
     }
 }
 
 impl<const D: usize> Recorder<D> for FileRecorder<'_> {
     fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError> {
-        let number = self.frames;
+        let number = self.written.times.len();
         let time = simulation.time();
-        let name = format!("frame-{number:06}.vtp");
+        let name = frame_name(number);
         output::write_frame(&self.folder.join(&name), &simulation.frame())?;
         self.particles.add(time, &name)?;
         if let Some(surfaces) = &mut self.surfaces {
-            let name = format!("surface-{number:06}.vtp");
+            let name = surface_name(number);
             output::write_surface(&self.folder.join(&name), &simulation.surface())?;
             surfaces.add(time, &name)?;
         }
-        self.frames += 1;
+        self.written.times.push(time);
         self.history.flush()
     }
 
-    fn step(&mut self, simulation: &Simulation<D>, dt: f64) -> Result<(), OutputError> {
+    fn step(
+        &mut self,
+        simulation: &Simulation<D>,
+        dt: f64,
+    ) -> Result<ControlFlow<()>, OutputError> {
         let (step, time) = (simulation.steps(), simulation.time());
         if step.is_multiple_of(self.history_every) {
             self.history.add(HistoryRow {
@@ -86,14 +162,34 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_> {
                 totals: simulation.totals(),
             })?;
         }
-        (self.watch)(Progress {
+        Ok((self.watch)(Progress {
             steps: step,
             time,
             end_time: self.end_time,
             dt,
-        });
+        }))
+    }
+
+    fn is_checkpoint_due(&self) -> bool {
+        self.last_checkpoint.elapsed() >= self.checkpoint_every
+    }
+
+    fn checkpoint(&mut self, run: &dyn Fn() -> Checkpoint<D>) -> Result<(), OutputError> {
+        self.history.flush()?;
+        self.written.history = self.history.bytes();
+        let content = (&self.scene, &self.written, run());
+        output::write_checkpoint(&self.folder, &content)?;
+        self.last_checkpoint = Instant::now();
         Ok(())
     }
+}
+
+fn frame_name(number: usize) -> String {
+    format!("frame-{number:06}.vtp")
+}
+
+fn surface_name(number: usize) -> String {
+    format!("surface-{number:06}.vtp")
 }
 
 /// Names of all that carries a load, in the solver's order: bodies, then wall sides.

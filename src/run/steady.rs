@@ -5,6 +5,8 @@
 //! neither the noise of particles nor the inlet's rhythm counts. A shock that still moves changes the
 //! mass of the gas in the domain and its centre, wherever it is.
 
+use serde::{Deserialize, Serialize};
+
 use crate::case::Case;
 use crate::solver::Simulation;
 
@@ -16,7 +18,7 @@ const TOLERANCE: f64 = 1e-3;
 const WINDOWS: u32 = 2;
 
 /// Sums over a stretch of time of what is weighed by the time it stands for.
-#[derive(Clone, Debug, Default)]
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub(super) struct Window {
     /// When it began.
     pub(super) from: f64,
@@ -31,7 +33,7 @@ pub(super) struct Window {
 }
 
 /// Means over a window.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 struct Means {
     force: Vec<[f64; 3]>,
     mass: f64,
@@ -39,6 +41,7 @@ struct Means {
 }
 
 /// Watches a run window by window.
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Monitor {
     names: Vec<String>,
     /// Length of a window.

@@ -1,6 +1,7 @@
 //! What is summed up over a run: drift of conserved totals, mean loads, speed.
 
 use aero_geometry::Vector;
+use serde::{Deserialize, Serialize};
 
 use super::Stopwatch;
 use super::steady::Window;
@@ -12,31 +13,78 @@ use crate::solver::Simulation;
 /// Part of the run, at its end, over which loads are averaged.
 const MEAN_PART: f64 = 0.2;
 
-/// Running sums.
+/// What is summed up over a run.
 pub(super) struct Tally {
     stopwatch: Stopwatch,
-    /// Processor time when the first step began: packing is not part of the speed.
+    /// Processor time of this process when its first step began: packing is not part of the speed.
     cpu_before: f64,
-    start: Totals,
     mean_from: f64,
+    sums: Sums,
+}
+
+/// Running sums, which a run that is resumed goes on with.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Sums {
+    start: Totals,
     impulse: Vec<[f64; 3]>,
     /// Squares of the forces' components over time.
     square: Vec<[f64; 3]>,
     duration: f64,
+    /// Spent by processes before this one.
+    spent: Spent,
+}
+
+/// Time spent, s.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+struct Spent {
+    wall: f64,
+    cpu: f64,
+    /// Processor time spent on steps.
+    stepping: f64,
 }
 
 impl Tally {
     /// Begins with the state at the start.
     pub(super) fn start<const D: usize>(simulation: &Simulation<D>, stopwatch: Stopwatch) -> Self {
         let case = simulation.case();
-        Self {
-            stopwatch,
-            cpu_before: stopwatch.cpu_seconds(),
+        let sums = Sums {
             start: simulation.totals(),
-            mean_from: (1.0 - MEAN_PART) * case.end_time,
             impulse: vec![[0.0; 3]; case.bodies.len()],
             square: vec![[0.0; 3]; case.bodies.len()],
             duration: 0.0,
+            spent: Spent::default(),
+        };
+        Self::resume(simulation, sums, stopwatch)
+    }
+
+    /// Goes on from earlier sums.
+    pub(super) fn resume<const D: usize>(
+        simulation: &Simulation<D>,
+        sums: Sums,
+        stopwatch: Stopwatch,
+    ) -> Self {
+        Self {
+            stopwatch,
+            cpu_before: stopwatch.cpu_seconds(),
+            mean_from: (1.0 - MEAN_PART) * simulation.case().end_time,
+            sums,
+        }
+    }
+
+    /// What [`Self::resume`] goes on from.
+    pub(super) fn sums(&self) -> Sums {
+        Sums {
+            spent: self.spent(),
+            ..self.sums.clone()
+        }
+    }
+
+    fn spent(&self) -> Spent {
+        let (before, cpu) = (&self.sums.spent, self.stopwatch.cpu_seconds());
+        Spent {
+            wall: before.wall + self.stopwatch.wall_seconds(),
+            cpu: before.cpu + cpu,
+            stepping: before.stepping + cpu - self.cpu_before,
         }
     }
 
@@ -45,8 +93,8 @@ impl Tally {
         if simulation.time() < self.mean_from {
             return;
         }
-        self.duration += dt;
-        let sums = self.impulse.iter_mut().zip(&mut self.square);
+        self.sums.duration += dt;
+        let sums = self.sums.impulse.iter_mut().zip(&mut self.sums.square);
         for ((impulse, square), load) in sums.zip(simulation.loads()) {
             for k in 0..3 {
                 impulse[k] += load.force[k] * dt;
@@ -58,9 +106,9 @@ impl Tally {
     /// Takes the loads of a steady run's last window for those of the last part of a run.
     pub(super) fn settle(&mut self, window: Window) {
         self.mean_from = window.from;
-        self.impulse = window.impulse;
-        self.square = window.square;
-        self.duration = window.duration;
+        self.sums.impulse = window.impulse;
+        self.sums.square = window.square;
+        self.sums.duration = window.duration;
     }
 
     /// The summary as of now.
@@ -71,8 +119,8 @@ impl Tally {
     ) -> Summary {
         let case = simulation.case();
         let statistics = simulation.statistics();
-        let cpu_seconds = self.stopwatch.cpu_seconds();
-        let stepping = (cpu_seconds - self.cpu_before).max(f64::MIN_POSITIVE);
+        let spent = self.spent();
+        let stepping = spent.stepping.max(f64::MIN_POSITIVE);
         let loads = simulation.loads();
         let bodies = case.bodies.iter().enumerate().map(|(number, body)| {
             let load = loads.get(number).copied().unwrap_or_default();
@@ -99,12 +147,12 @@ impl Tally {
             steps: simulation.steps(),
             end_time: simulation.time(),
             stop_reason: stop_reason.into(),
-            wall_seconds: self.stopwatch.wall_seconds(),
-            cpu_seconds,
+            wall_seconds: spent.wall,
+            cpu_seconds: spent.cpu,
             threads: rayon::current_num_threads(),
             particle_updates_per_cpu_second: statistics.particle_updates as f64 / stepping,
             neighbours_mean: statistics.neighbours_mean,
-            conservation: drift(&self.start, &simulation.totals(), &simulation.inflow()),
+            conservation: drift(&self.sums.start, &simulation.totals(), &simulation.inflow()),
             bodies: bodies.collect(),
             leaked: statistics.leaked,
             mirror_fallbacks: statistics.mirror_fallbacks,
@@ -120,13 +168,13 @@ impl Tally {
         body: &Body<D>,
         load: &Load,
     ) -> BodySummary {
-        let force_mean = if self.duration > 0.0 {
-            self.impulse[number].map(|impulse| impulse / self.duration)
+        let force_mean = if self.sums.duration > 0.0 {
+            self.sums.impulse[number].map(|impulse| impulse / self.sums.duration)
         } else {
             load.force
         };
         let force_spread: [f64; 3] = std::array::from_fn(|k| {
-            let square = self.square[number][k] / self.duration.max(f64::MIN_POSITIVE);
+            let square = self.sums.square[number][k] / self.sums.duration.max(f64::MIN_POSITIVE);
             // The difference of two large numbers may round to below zero.
             (square - force_mean[k] * force_mean[k]).max(0.0).sqrt()
         });
@@ -146,7 +194,7 @@ impl Tally {
             cd_mean: along(0, &force_mean),
             cl_mean: along(1, &force_mean),
             force_mean,
-            force_spread: if self.duration > 0.0 {
+            force_spread: if self.sums.duration > 0.0 {
                 force_spread
             } else {
                 [0.0; 3]

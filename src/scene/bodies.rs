@@ -82,7 +82,7 @@ pub(super) fn plans<const D: usize>(
                     "a scene of dimension 1 holds no bodies; close its ends with walls, or set dimension = 2",
                 ));
             }
-            check_spacing(entry, file)?;
+            check_spacing(entry, file, domain)?;
             let made = entry
                 .shape
                 .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric())
@@ -121,9 +121,24 @@ fn options<const D: usize>(
     }
 }
 
-/// Packed fluid is part of the flow, whose particles are all of one size.
-fn check_spacing(entry: &BodyEntry, file: &SceneFile) -> Result<(), SceneError> {
+/// Packed fluid is part of the flow, whose particles are all of one size; ghosts farther apart than the
+/// domain is wide are a slip of the pen.
+fn check_spacing<const D: usize>(
+    entry: &BodyEntry,
+    file: &SceneFile,
+    domain: &Domain<D>,
+) -> Result<(), SceneError> {
     let own = entry.spacing.unwrap_or(file.spacing);
+    let widest = domain.bounds.size().max();
+    if entry.spacing.is_some() && own.get() > widest {
+        return Err(SceneError::value(
+            format!("body.{}.spacing", entry.name.as_str()),
+            format!(
+                "is {}, more than the {widest} that the domain is wide; refine it",
+                own.get()
+            ),
+        ));
+    }
     if entry.packed_fluid != Some(true) || own.get() == file.spacing.get() {
         return Ok(());
     }

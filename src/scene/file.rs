@@ -3,6 +3,7 @@
 
 use serde::Deserialize;
 
+use super::formula::Formula;
 use super::number::{
     Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
 };
@@ -188,9 +189,24 @@ pub struct SidesEntry {
 pub struct InitialEntry {
     /// Two states beside a plane.
     pub riemann: Option<RiemannEntry>,
+    /// Formulas of position, in place of two states.
+    pub field: Option<FieldEntry>,
     /// Random displacement of the starting lattice, as a fraction of the spacing; none unless
     /// given.
     pub disorder: Option<Disorder>,
+}
+
+/// `[initial.field]`: numbers or formulas of position; what is left out is that of the free
+/// stream. Where the density is zero, there is no gas.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FieldEntry {
+    /// Density.
+    pub density: Option<Formula>,
+    /// Pressure.
+    pub pressure: Option<Formula>,
+    /// Velocity, one formula per axis.
+    pub velocity: Option<Vec<Formula>>,
 }
 
 /// `[initial.riemann]`
@@ -281,4 +297,6 @@ pub struct OutputEntry {
     pub interval: Option<Positive>,
     /// Steps between rows of the history; 1 unless given.
     pub history_every: Option<Count>,
+    /// Longest time between checkpoints in seconds; 60 unless given.
+    pub checkpoint_seconds: Option<NonNegative>,
 }

@@ -4,6 +4,7 @@ use aero_geometry::Vector;
 
 use super::domain::AXES;
 use super::error::SceneError;
+use super::field;
 use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::number::{Finite, Gamma, Positive};
 use crate::case::{Domain, Initial, Side, State};
@@ -20,8 +21,8 @@ pub(super) fn gamma(file: &SceneFile) -> f64 {
     file.gas.gamma.map_or(DIATOMIC, Gamma::get)
 }
 
-/// The undisturbed state: `[free_stream]`, or the left state of a Riemann problem in a domain that
-/// nothing enters.
+/// The undisturbed state: `[free_stream]`, or, in a domain that nothing enters, the left state of a
+/// Riemann problem or the state in the lowest corner of a field.
 pub(super) fn free_stream<const D: usize>(
     file: &SceneFile,
     domain: &Domain<D>,
@@ -34,15 +35,16 @@ pub(super) fn free_stream<const D: usize>(
         .iter()
         .flatten()
         .any(|side| matches!(side, Side::Inlet | Side::FreeStream | Side::Reservoir));
-    match &file.initial.riemann {
-        Some(riemann) if !needs_one => state("initial.riemann.left", &riemann.left),
-        Some(_) => Err(SceneError::value(
+    match (&file.initial.riemann, &file.initial.field) {
+        (Some(riemann), _) if !needs_one => state("initial.riemann.left", &riemann.left),
+        (None, Some(entry)) if !needs_one => field::reference(entry, domain, file.spacing.get()),
+        (Some(_), _) | (_, Some(_)) => Err(SceneError::value(
             "free_stream",
             "missing, though a side of the domain is an inlet or a free stream; add the section with mach, density and pressure",
         )),
-        None => Err(SceneError::value(
+        (None, None) => Err(SceneError::value(
             "free_stream",
-            "missing; add the section with mach, density and pressure, or start from [initial.riemann]",
+            "missing; add the section with mach, density and pressure, or start from [initial.riemann] or [initial.field]",
         )),
     }
 }
@@ -111,7 +113,17 @@ pub(super) fn check_reservoir<const D: usize>(
 pub(super) fn initial<const D: usize>(
     file: &SceneFile,
     domain: &Domain<D>,
+    free_stream: &State<D>,
 ) -> Result<Initial<D>, SceneError> {
+    if let Some(entry) = &file.initial.field {
+        if file.initial.riemann.is_some() {
+            return Err(SceneError::value(
+                "initial",
+                "give riemann or field, not both",
+            ));
+        }
+        return field::initial(entry, free_stream, file.spacing.get());
+    }
     let Some(riemann) = &file.initial.riemann else {
         return Ok(Initial::FreeStream);
     };

@@ -42,8 +42,11 @@ mod budget;
 mod cover;
 mod domain;
 mod error;
+mod field;
 pub mod file;
 mod flow;
+pub mod formula;
+mod lines;
 mod motion;
 pub mod number;
 mod overrides;
@@ -80,6 +83,27 @@ pub enum AnyCase {
     Two(Box<Case<2>>),
     /// Space.
     Three(Box<Case<3>>),
+}
+
+impl AnyCase {
+    /// What was repaired in the bodies' meshes, and what the user should know about their packing,
+    /// one line each.
+    pub fn remarks(&self) -> Vec<String> {
+        match self {
+            Self::One(case) => remarks(case),
+            Self::Two(case) => remarks(case),
+            Self::Three(case) => remarks(case),
+        }
+    }
+}
+
+fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
+    let of_body = |body: &crate::case::Body<D>| {
+        let lines = body.report.repairs.iter().chain(&body.report.warnings);
+        let remark = |line: &String| format!("body `{}`: {line}", body.name);
+        lines.map(remark).collect::<Vec<_>>()
+    };
+    case.bodies.iter().flat_map(of_body).collect()
 }
 
 impl Scene {
@@ -134,6 +158,12 @@ impl Scene {
         &self.name
     }
 
+    /// All values that a run depends on, one per line and in order, whatever the layout of the
+    /// file: two scenes with the same lines make the same run.
+    pub fn lines(&self) -> String {
+        lines::of(&self.text)
+    }
+
     /// Number of space dimensions.
     pub fn dimension(&self) -> usize {
         self.file.dimension.get()
@@ -163,7 +193,7 @@ impl Scene {
         flow::check_inlets(&domain, &free_stream)?;
         flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
         axis::check(&domain, &free_stream)?;
-        let initial = flow::initial(file, &domain)?;
+        let initial = flow::initial(file, &domain, &free_stream)?;
         let output = output(&file.output, file.end_time.get())?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
         let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;
@@ -226,6 +256,10 @@ fn scheme(entry: SchemeEntry) -> Scheme {
 fn output(entry: &OutputEntry, end_time: f64) -> Result<OutputPlan, SceneError> {
     /// Enough for a smooth film of a few seconds.
     const FRAMES: usize = 20;
+    /// What a crash may cost, s.
+    const BETWEEN_CHECKPOINTS: f64 = 60.0;
+    /// Ten thousand years, s: clocks end somewhere.
+    const NEVER: f64 = 3e11;
     let frame_interval = match (entry.frames, entry.interval) {
         (Some(_), Some(_)) => {
             return Err(SceneError::value(
@@ -239,5 +273,8 @@ fn output(entry: &OutputEntry, end_time: f64) -> Result<OutputPlan, SceneError> 
     Ok(OutputPlan {
         frame_interval,
         history_every: entry.history_every.map_or(1, Count::get),
+        checkpoint_seconds: entry
+            .checkpoint_seconds
+            .map_or(BETWEEN_CHECKPOINTS, |seconds| seconds.get().min(NEVER)),
     })
 }

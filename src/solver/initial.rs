@@ -5,8 +5,35 @@ use aero_geometry::Vector;
 use crate::case::{Case, Initial, State};
 
 impl<const D: usize> Case<D> {
-    /// State of the gas at `position` and time zero.
-    pub fn initial_state(&self, position: &Vector<D>) -> State<D> {
+    /// State of the gas at `position` and time zero; none in a vacuum, where the density is zero.
+    ///
+    /// # Errors
+    /// Where the state is none of a gas.
+    pub fn initial_state(&self, position: &Vector<D>) -> Result<Option<State<D>>, String> {
+        let state = self.state_at_start(position);
+        let fail = |what: &str, value: f64| {
+            let place: Vec<String> = position.iter().map(|x| format!("{x:.6}")).collect();
+            let place = place.join(", ");
+            Err(format!(
+                "the {what} at the start is {value} at ({place}); check `initial`"
+            ))
+        };
+        if state.density == 0.0 {
+            return Ok(None);
+        }
+        if !(state.density > 0.0 && state.density.is_finite()) {
+            return fail("density", state.density);
+        }
+        if !(state.pressure > 0.0 && state.pressure.is_finite()) {
+            return fail("pressure", state.pressure);
+        }
+        match state.velocity.iter().find(|u| !u.is_finite()) {
+            Some(&u) => fail("velocity", u),
+            None => Ok(Some(state)),
+        }
+    }
+
+    fn state_at_start(&self, position: &Vector<D>) -> State<D> {
         match &self.initial {
             Initial::FreeStream => self.free_stream,
             Initial::Field(field) => field.0(position),

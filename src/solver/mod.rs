@@ -11,7 +11,9 @@ use rayon::prelude::*;
 use crate::case::{Case, Equations, Side};
 use crate::frame::Totals;
 
+mod checkpoint;
 mod curvature;
+mod failure;
 mod images;
 mod initial;
 mod lanes;
@@ -21,6 +23,7 @@ mod neighbours;
 mod open;
 mod pairs;
 mod particle;
+mod reach;
 mod records;
 mod reservoir;
 mod rigid;
@@ -47,13 +50,10 @@ use rings::Rings;
 use shock_sensor::spare_smooth_flow;
 use walls::{WallLists, Walls};
 
+pub use checkpoint::Memory;
+pub use failure::Failure;
 pub use side_walls::wall_sides;
-pub use snapshot::{Failure, Statistics};
-
-/// Largest smoothing length of the conservative scheme, relative to that of the starting lattice. A
-/// wider kernel would look through the five layers of ghosts, and a lone particle in rarefied gas
-/// would no longer feel the wall: at 1.5 the layers still hold 99 % of the kernel behind a wall.
-const WIDEST: f64 = 1.5;
+pub use snapshot::Statistics;
 
 /// A run in progress.
 #[derive(Debug)]
@@ -102,7 +102,7 @@ impl<const D: usize> Simulation<D> {
         let arch = Arch::new();
         let lanes = neighbours::lane_count(arch) as f64;
         let width = case.spacing * lanes.powf(1.0 / D as f64);
-        let (fluid, open) = OpenBoundaries::fill(&case);
+        let (fluid, open) = OpenBoundaries::fill(&case)?;
         if fluid.is_empty() {
             return Err("no gas particle fits between the bodies and the sides; \
                         use a smaller `spacing` or a larger domain"
@@ -301,9 +301,9 @@ impl<const D: usize> Simulation<D> {
     /// Replaces each density by the sum over the particles, and the smoothing length with it
     /// (`h = 1.5 (m / rho)^(1/D)`), so that neither can drift from the particles' spacing.
     ///
-    /// In rarefied gas the smoothing length stops growing at [`WIDEST`] times that of the lattice.
+    /// In rarefied gas the smoothing length stops growing where [`Self::widest`] says.
     fn read_densities(&mut self) {
-        let widest = WIDEST * SMOOTHING_RATIO * self.case.spacing;
+        let widest = self.widest();
         self.densities.resize(self.fluid.len(), 0.0);
         densities(
             self.arch,
@@ -316,7 +316,8 @@ impl<const D: usize> Simulation<D> {
         self.fluid
             .par_iter_mut()
             .zip(&self.densities)
-            .for_each(|(particle, &density)| {
+            .zip(widest)
+            .for_each(|((particle, &density), widest)| {
                 particle.density = density;
                 let mass = rings.spanned_mass(particle);
                 let h = SMOOTHING_RATIO * (mass / density).powf(1.0 / D as f64);

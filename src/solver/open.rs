@@ -7,6 +7,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
+use serde::{Deserialize, Serialize};
 
 use super::lattice;
 use super::particle::{OpenParticle, Particle};
@@ -33,7 +34,7 @@ pub enum Zone {
 }
 
 /// The particles of all buffers.
-#[derive(Clone, Debug)]
+#[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct OpenBoundaries<const D: usize> {
     /// Particles, in no particular order.
     pub particles: Vec<OpenParticle<D>>,
@@ -174,7 +175,8 @@ impl<const D: usize> Case<D> {
     }
 }
 
-fn is_open(side: Side) -> bool {
+/// True of sides that let gas in or out.
+pub fn is_open(side: Side) -> bool {
     matches!(
         side,
         Side::Inlet | Side::FreeStream | Side::Reservoir | Side::Outlet
@@ -183,7 +185,10 @@ fn is_open(side: Side) -> bool {
 
 impl<const D: usize> OpenBoundaries<D> {
     /// Fills the domain and its buffers; returns the fluid.
-    pub fn fill(case: &Case<D>) -> (Vec<Particle<D>>, Self) {
+    ///
+    /// # Errors
+    /// Where the gas cannot start as it should.
+    pub fn fill(case: &Case<D>) -> Result<(Vec<Particle<D>>, Self), String> {
         let mut fluid = Vec::new();
         let mut open = Self {
             particles: Vec::new(),
@@ -208,7 +213,7 @@ impl<const D: usize> OpenBoundaries<D> {
                     if case.is_clear(&position, |body| body.starting_distance(case.spacing)) =>
                 {
                     let shift = lattice::displacement(&index) * disorder;
-                    open.place(case, (position, shift), zone, &mut fluid);
+                    open.place(case, (position, shift), zone, &mut fluid)?;
                 }
                 _ => {}
             }
@@ -217,10 +222,10 @@ impl<const D: usize> OpenBoundaries<D> {
         for &position in packed.flat_map(|packed| &packed.position) {
             let zone = case.zone(&position);
             if matches!(zone, Zone::Outlet | Zone::Interior) && case.is_clear(&position, |_| 0.0) {
-                open.place(case, (position, Vector::zeros()), zone, &mut fluid);
+                open.place(case, (position, Vector::zeros()), zone, &mut fluid)?;
             }
         }
-        (fluid, open)
+        Ok((fluid, open))
     }
 
     /// Puts a particle at `position`, displaced by `shift` if it is fluid, in the state of the start.
@@ -230,15 +235,18 @@ impl<const D: usize> OpenBoundaries<D> {
         (position, shift): (Vector<D>, Vector<D>),
         zone: Zone,
         fluid: &mut Vec<Particle<D>>,
-    ) {
+    ) -> Result<(), String> {
+        let Some(state) = case.initial_state(&position)? else {
+            return Ok(());
+        };
         let id = self.new_id();
-        let state = case.initial_state(&position);
         if zone == Zone::Outlet {
             self.particles
                 .push(still(case.particle(position, &state, id), None));
         } else {
             fluid.push(case.particle(position + shift, &state, id));
         }
+        Ok(())
     }
 
     /// After all particles have moved from `before` to `now`: turns lattice particles that

@@ -1,11 +1,12 @@
 //! The particles themselves.
 
 use aero_geometry::Vector;
+use serde::{Deserialize, Serialize};
 
 use super::records::Matrix;
 
 /// A particle of gas.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Particle<const D: usize> {
     /// Position.
     pub position: Vector<D>,
@@ -59,12 +60,13 @@ impl<const D: usize> Default for Rates<D> {
 
 /// A particle in the buffer of an inlet, a free-stream side or an outlet. It moves at its own
 /// constant velocity and its state does not change.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct OpenParticle<const D: usize> {
     /// State.
     pub particle: Particle<D>,
     /// Place in the moving free-stream lattice, if it carries the prescribed state. Otherwise it
     /// has left the domain through an outlet with its state frozen.
+    #[serde(with = "lattice_index")]
     pub lattice: Option<[i64; D]>,
     /// Renormalisation matrix when it was frozen.
     pub renormalisation: Matrix<D>,
@@ -72,8 +74,29 @@ pub struct OpenParticle<const D: usize> {
     pub gradient: Vector<D>,
 }
 
+/// Serde knows arrays of given length only, nalgebra's vectors of any.
+#[allow(clippy::ref_option)] // serde's `with` calls it so
+mod lattice_index {
+    use nalgebra::SVector;
+    use serde::{Deserialize, Deserializer, Serialize, Serializer};
+
+    pub fn serialize<S: Serializer, const D: usize>(
+        index: &Option<[i64; D]>,
+        serializer: S,
+    ) -> Result<S::Ok, S::Error> {
+        index.map(SVector::<i64, D>::from).serialize(serializer)
+    }
+
+    pub fn deserialize<'de, T: Deserializer<'de>, const D: usize>(
+        deserializer: T,
+    ) -> Result<Option<[i64; D]>, T::Error> {
+        let index = Option::<SVector<i64, D>>::deserialize(deserializer)?;
+        Ok(index.map(Into::into))
+    }
+}
+
 /// A ghost: a fixed volume of a body or wall that takes its state from the gas.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Ghost<const D: usize> {
     /// Position now.
     pub position: Vector<D>,

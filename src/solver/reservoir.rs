@@ -11,7 +11,7 @@ use crate::case::{Case, Side, State};
 const LAYER: f64 = 2.0;
 
 /// A side that gas enters through from a reservoir.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
 pub struct Reservoir {
     axis: usize,
     /// Direction into the domain along the axis.

@@ -1,7 +1,8 @@
-//! What a run shows of itself: frames, totals, counts, and why it failed.
+//! What a run shows of itself: frames, totals and counts.
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
+use serde::{Deserialize, Serialize};
 
 use super::Simulation;
 use super::open::add;
@@ -9,22 +10,6 @@ use super::particle::Particle;
 use super::records::State;
 use super::rigid::pad;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
-
-/// Why a run stopped before its end.
-#[derive(Clone, Debug, thiserror::Error)]
-#[error("{reason} (particle {particle} at {position:?}, step {step}, time {time})")]
-pub struct Failure {
-    /// What happened and what may help.
-    pub reason: String,
-    /// Number of the particle.
-    pub particle: u64,
-    /// Where it was.
-    pub position: [f64; 3],
-    /// Step.
-    pub step: u64,
-    /// Time.
-    pub time: f64,
-}
 
 /// Counts and extremes since the start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -48,7 +33,7 @@ pub struct Statistics {
 }
 
 /// Running counts and extremes.
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct Extremes {
     /// Particle updates so far.
     pub updates: u64,
@@ -63,6 +48,14 @@ impl Default for Extremes {
             min_density: f64::INFINITY,
             min_energy: f64::INFINITY,
         }
+    }
+}
+
+impl Extremes {
+    /// Takes note of a particle in good state.
+    pub(super) fn meet<const D: usize>(&mut self, particle: &Particle<D>) {
+        self.min_density = self.min_density.min(particle.density);
+        self.min_energy = self.min_energy.min(particle.energy);
     }
 }
 
@@ -189,67 +182,9 @@ impl<const D: usize> Simulation<D> {
 
     /// True inside a body or behind a wall side.
     fn has_leaked(&self, position: &Vector<D>) -> bool {
-        let in_body = self.case.bodies.iter().enumerate().any(|(number, body)| {
-            let origin = self.walls.pose(number, self.time).origin(position);
-            body.shape.bounds().contains(&origin) && body.shape.signed_distance(&origin) < 0.0
-        });
-        let sides = super::wall_sides(&self.case.domain);
-        in_body
-            || sides.into_iter().enumerate().any(|(number, (axis, end))| {
-                let pose = self.walls.pose(self.case.bodies.len() + number, self.time);
-                let origin = pose.origin(position)[axis];
-                let bounds = &self.case.domain.bounds;
-                if end == 0 {
-                    origin < bounds.min[axis]
-                } else {
-                    origin > bounds.max[axis]
-                }
-            })
+        self.body_around(position).is_some()
+            || self.side_depths(position).any(|(_, depth)| depth > 0.0)
     }
-
-    /// Stops the run when a particle's state stops making sense, at the last good state.
-    pub(super) fn check(&mut self) -> Result<(), Failure> {
-        let mut bad = None;
-        for particle in &self.fluid {
-            let good = particle.density > 0.0
-                && particle.energy > 0.0
-                && particle.energy.is_finite()
-                && particle.density.is_finite()
-                && particle
-                    .position
-                    .iter()
-                    .chain(&particle.velocity)
-                    .all(|x| x.is_finite());
-            if !good {
-                bad = Some(*particle);
-                break;
-            }
-            self.extremes.min_density = self.extremes.min_density.min(particle.density);
-            self.extremes.min_energy = self.extremes.min_energy.min(particle.energy);
-        }
-        let Some(particle) = bad else { return Ok(()) };
-        let good = self.saved.iter().find(|saved| saved.id == particle.id);
-        let place = good.map_or(particle.position, |saved| saved.position);
-        self.fluid.clone_from(&self.saved);
-        Err(Failure {
-            reason: reason(&particle),
-            particle: particle.id,
-            position: pad(&place).into(),
-            step: self.steps,
-            time: self.time,
-        })
-    }
-}
-
-fn reason<const D: usize>(particle: &Particle<D>) -> String {
-    let what = if particle.energy <= 0.0 {
-        format!("internal energy fell to {:.3e}", particle.energy)
-    } else if particle.density <= 0.0 {
-        format!("density fell to {:.3e}", particle.density)
-    } else {
-        "the state is no longer finite".into()
-    };
-    format!("{what}; try a smaller `scheme.cfl` or a finer `spacing`")
 }
 
 fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gamma: f64, kind: Kind) {

@@ -15,6 +15,7 @@ mod sod;
 mod sphere;
 mod square;
 mod step;
+mod stress;
 mod wedge;
 
 use std::path::Path;
@@ -102,7 +103,17 @@ pub enum ValidateError {
 
 type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
-/// All cases, in the order in which they run.
+/// Cases that run only where they are named: they show where the method ends, and some of their rows
+/// fail.
+const ON_REQUEST: [(&str, Comparison); 5] = [
+    ("stress", stress::compare),
+    ("stress-tubes", stress::tubes),
+    ("stress-balls", stress::balls),
+    ("stress-smooth", stress::smooth),
+    ("stress-bodies", stress::bodies),
+];
+
+/// All other cases, in the order in which they run.
 const CASES: [(&str, Comparison); 11] = [
     ("wedge", wedge::compare),
     ("sod", sod::compare),
@@ -117,26 +128,25 @@ const CASES: [(&str, Comparison); 11] = [
     ("apollo", apollo::compare),
 ];
 
-/// Runs the named cases, all of them where none is named, and returns their rows; the page
+/// Runs the named cases, all but those on request where none is named, and returns their rows; the page
 /// [`report::NAME`] about them grows with every case. A run that stops is a row that fails.
 ///
 /// # Errors
 /// A name that is not a case, before anything runs; a scene of the project that is wrong; files that
 /// cannot be written.
 pub fn validate(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
-    let known = || CASES.map(|(name, _)| name).join(", ");
-    if let Some(name) = names
-        .iter()
-        .find(|name| CASES.iter().all(|case| case.0 != **name))
-    {
+    let all = || CASES.iter().chain(&ON_REQUEST);
+    if let Some(name) = names.iter().find(|name| all().all(|case| case.0 != **name)) {
+        let known: Vec<&str> = all().map(|(name, _)| *name).collect();
         return Err(ValidateError::Unknown {
             name: name.clone(),
-            known: known(),
+            known: known.join(", "),
         });
     }
     let mut checks = Vec::new();
-    for (name, compare) in CASES {
-        if names.is_empty() || names.iter().any(|asked| asked == name) {
+    for (number, (name, compare)) in all().enumerate() {
+        let usual = names.is_empty() && number < CASES.len();
+        if usual || names.iter().any(|asked| asked == name) {
             match compare(context) {
                 Ok(rows) => checks.extend(rows),
                 Err(error @ (ValidateError::Run { .. } | ValidateError::Metric { .. })) => {

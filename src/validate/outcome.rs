@@ -1,5 +1,6 @@
 //! One run in memory, and its result as plain arrays.
 
+use std::ops::ControlFlow;
 use std::path::Path;
 
 use super::{Context, ValidateError};
@@ -149,12 +150,12 @@ impl<const D: usize> Recorder<D> for Keeper {
         Ok(())
     }
 
-    fn step(&mut self, simulation: &Simulation<D>, _: f64) -> Result<(), OutputError> {
+    fn step(&mut self, simulation: &Simulation<D>, _: f64) -> Result<ControlFlow<()>, OutputError> {
         if self.keep.loads {
             self.history.time.push(simulation.time());
             let first = simulation.loads().first().copied();
             self.history.load.push(first.unwrap_or_default());
         }
-        Ok(())
+        Ok(ControlFlow::Continue(()))
     }
 }

@@ -55,6 +55,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
         output: OutputPlan {
             frame_interval: 1.0,
             history_every: 1,
+            checkpoint_seconds: 60.0,
         },
     }
 }

@@ -13,6 +13,7 @@ pub mod interpolate;
 pub mod invariants;
 mod kernel;
 mod least_squares;
+pub mod line;
 pub mod order;
 pub mod plateau;
 pub mod probe;

@@ -1,0 +1,141 @@
+//! Checkpoints: one file that is there whole or not at all, and says when it is not to be trusted.
+//!
+//! A line of text that names the format, the length and the FNV-1a sum of the content, then the
+//! content, every number with all its bits.
+
+use std::io::{self, Write as _};
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+use serde::de::DeserializeOwned;
+
+use super::{OutputError, atomic};
+
+/// Name of a checkpoint in the folder of its run.
+pub const CHECKPOINT: &str = "checkpoint";
+
+/// Changes whenever the content does.
+const FORMAT: &str = concat!("aero checkpoint 1, version ", env!("CARGO_PKG_VERSION"));
+
+/// Why a checkpoint is of no use.
+#[derive(Debug, thiserror::Error)]
+#[error("cannot go on from `{}`: {reason}; leave out `--resume` to start from the beginning", path.display())]
+pub struct CheckpointError {
+    path: PathBuf,
+    reason: String,
+}
+
+impl CheckpointError {
+    /// The checkpoint in `folder` is of no use.
+    pub fn new(folder: &Path, reason: impl Into<String>) -> Self {
+        Self {
+            path: folder.join(CHECKPOINT),
+            reason: reason.into(),
+        }
+    }
+}
+
+/// Writes the checkpoint in `folder`, in the place of the one before.
+pub fn write_checkpoint(folder: &Path, content: &impl Serialize) -> Result<(), OutputError> {
+    let path = folder.join(CHECKPOINT);
+    let bytes = postcard::to_stdvec(content)
+        .map_err(|error| OutputError::new(&path, io::Error::other(error)))?;
+    atomic::write(&path, |writer| {
+        writeln!(writer, "{FORMAT}, {} bytes, {:x}", bytes.len(), sum(&bytes))?;
+        writer.write_all(&bytes)?;
+        writer.flush()?;
+        // A machine that loses power must not keep the name and lose the content.
+        writer.get_ref().sync_data()
+    })
+}
+
+/// Reads the checkpoint in `folder`; none where there is no such file.
+pub fn read_checkpoint<T: DeserializeOwned>(folder: &Path) -> Result<Option<T>, CheckpointError> {
+    let fail = |reason: String| CheckpointError::new(folder, reason);
+    let bytes = match std::fs::read(folder.join(CHECKPOINT)) {
+        Ok(bytes) => bytes,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
+        Err(error) => return Err(fail(error.to_string())),
+    };
+    let damaged = || fail("it is damaged".into());
+    let end = bytes.iter().position(|&byte| byte == b'\n');
+    let (header, content) = bytes.split_at(end.ok_or_else(damaged)? + 1);
+    let expected = format!("{FORMAT}, {} bytes, {:x}\n", content.len(), sum(content));
+    if header != expected.as_bytes() {
+        return Err(if header.starts_with(FORMAT.as_bytes()) {
+            damaged()
+        } else {
+            fail(format!("it is not a file of this program ({FORMAT})"))
+        });
+    }
+    match postcard::take_from_bytes(content) {
+        Ok((content, [])) => Ok(Some(content)),
+        _ => Err(damaged()),
+    }
+}
+
+/// Removes the checkpoint in `folder`, if there is one.
+pub fn remove_checkpoint(folder: &Path) -> Result<(), OutputError> {
+    let path = folder.join(CHECKPOINT);
+    match std::fs::remove_file(&path) {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => {
+            Err(OutputError::new(&path, error))
+        }
+        _ => Ok(()),
+    }
+}
+
+/// 64-bit FNV-1a (Fowler, Noll & Vo): finds accidents, not forgers.
+fn sum(bytes: &[u8]) -> u64 {
+    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &byte| {
+        (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_bit_comes_back() {
+        let folder = tempfile::tempdir().unwrap();
+        let numbers = [0.1, -0.0, f64::INFINITY, f64::MIN_POSITIVE / 2.0];
+        write_checkpoint(folder.path(), &numbers.to_vec()).unwrap();
+        let back: Vec<f64> = read_checkpoint(folder.path()).unwrap().unwrap();
+        assert_eq!(
+            numbers.map(f64::to_bits).to_vec(),
+            back.into_iter().map(f64::to_bits).collect::<Vec<_>>()
+        );
+    }
+
+    #[test]
+    fn no_file_is_no_checkpoint() {
+        let folder = tempfile::tempdir().unwrap();
+        assert!(
+            read_checkpoint::<Vec<f64>>(folder.path())
+                .unwrap()
+                .is_none()
+        );
+        remove_checkpoint(folder.path()).unwrap();
+    }
+
+    #[test]
+    fn a_damaged_or_foreign_file_is_refused() {
+        let folder = tempfile::tempdir().unwrap();
+        write_checkpoint(folder.path(), &vec![1.0, 2.0]).unwrap();
+        let path = folder.path().join(CHECKPOINT);
+        let good = std::fs::read(&path).unwrap();
+        let mut flipped = good.clone();
+        *flipped.last_mut().unwrap() ^= 1;
+        for (bytes, words) in [
+            (&good[..good.len() - 1], "damaged"),
+            (&flipped[..], "damaged"),
+            (&good[..3], "damaged"),
+            (&b"# a text\n"[..], "not a file of this program"),
+        ] {
+            std::fs::write(&path, bytes).unwrap();
+            let error = read_checkpoint::<Vec<f64>>(folder.path()).unwrap_err();
+            assert!(error.to_string().contains(words), "{error}");
+        }
+    }
+}

@@ -1,0 +1,180 @@
+//! Bodies that ask much: convex corners next to vacuum, a blunt nose at Mach 20, wedges on either side
+//! of the angle at which their shock leaves them.
+
+use aero_validation::exact::normal::pitot_pressure_ratio;
+use aero_validation::exact::oblique::detachment;
+use aero_validation::exact::prandtl_meyer::expand;
+use aero_validation::table::{Check, Subject};
+
+use super::{Attempt, Context, Level, VARIANTS, ValidateError, attempt, common_rows, variant};
+use crate::validate::outcome::{Outcome, Source};
+
+const GAMMA: f64 = 1.4;
+/// Pressure of the stream in all scenes, `1 / gamma`.
+const PRESSURE: f64 = 1.0 / GAMMA;
+
+const CORNER: Source = source!("expansion-corner");
+const BLUNT: Source = source!("blunt-body");
+const WEDGE: Source = Source {
+    name: "wedge",
+    text: include_str!("../../../cases/wedge.toml"),
+};
+
+/// Runs the bodies in all variants of the level.
+pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let mut checks = Vec::new();
+    for (equations, extrapolation, level) in VARIANTS {
+        if level == Level::Full && context.level == Level::Quick {
+            continue;
+        }
+        for (mach, turn) in [(2.0, 20.0), (3.0, 45.0)] {
+            checks.extend(corner([mach, turn], [equations, extrapolation], context)?);
+        }
+        checks.extend(blunt([equations, extrapolation], context)?);
+        for angle in [29.0, 31.0] {
+            checks.extend(wedge(angle, [equations, extrapolation], context)?);
+        }
+    }
+    Ok(checks)
+}
+
+/// Pressure behind the fan of a convex corner.
+fn corner(
+    [mach, turn]: [f64; 2],
+    scheme: [&str; 2],
+    context: &Context<'_>,
+) -> Result<Vec<Check>, ValidateError> {
+    let [equations, extrapolation] = scheme;
+    let mut settings = variant(equations, extrapolation);
+    settings.push(format!("free_stream.mach={mach}"));
+    settings.push(format!("body.corner.shape.expansion_corner.angle={turn}"));
+    let label = format!("M {mach}, {turn} deg, {equations} {extrapolation}");
+    let tried = attempt(CORNER, &settings, context)?;
+    let mut rows = Rows::new(CORNER.name, &label, equations, &tried);
+    let fan = expand(mach, turn.to_radians(), GAMMA)?;
+    let outcome = ended(tried);
+    // Along the wall behind the fan, thirty spacings and more from the corner.
+    let turn = turn.to_radians();
+    let wall = outcome.as_deref().map_or(f64::NAN, |o| {
+        let surface = &o.surface;
+        let along = |p: &[f64; 3]| p[0] * turn.cos() - p[1] * turn.sin();
+        let chosen = (0..surface.pressure.len())
+            .filter(|&i| (1.5..2.4).contains(&along(&surface.position[i])));
+        median(chosen.map(|i| surface.pressure[i]).collect())
+    });
+    rows.relative(
+        "p2/p1 on the wall",
+        "Prandtl-Meyer",
+        [wall / PRESSURE, fan.pressure_ratio, 5.0],
+    );
+    Ok(rows.checks)
+}
+
+/// Stagnation pressure of a nose at Mach 20, and the entropy of the gas that has not met its shock.
+fn blunt(scheme: [&str; 2], context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let [equations, extrapolation] = scheme;
+    let label = format!("{equations} {extrapolation}");
+    let tried = attempt(BLUNT, &variant(equations, extrapolation), context)?;
+    let mut rows = Rows::new(BLUNT.name, &label, equations, &tried);
+    let outcome = ended(tried);
+    let stagnation = outcome.as_deref().map_or(f64::NAN, |o| {
+        let surface = &o.surface;
+        let near = (0..surface.pressure.len())
+            .filter(|&i| surface.position[i][1].abs() < 0.1 && surface.position[i][0] < 0.0);
+        median(near.map(|i| surface.pressure[i]).collect())
+    });
+    let pitot = pitot_pressure_ratio(20.0, GAMMA);
+    rows.relative(
+        "stagnation pressure",
+        "Rayleigh's pitot formula",
+        [stagnation / PRESSURE, pitot, 3.0],
+    );
+    let change = outcome.as_deref().map_or(f64::NAN, |o| {
+        let gas = &o.gas;
+        (0..gas.density.len())
+            // The shock stands at -1.4, and its kernels reach 0.25 ahead.
+            .filter(|&i| gas.position[i][0] < -1.75)
+            .map(|i| (gas.pressure[i] / PRESSURE / gas.density[i].powf(GAMMA) - 1.0).abs())
+            .fold(0.0, f64::max)
+    });
+    rows.at_most(
+        "entropy ahead of the shock, largest change",
+        "it is that of the stream",
+        [change, 1e-6],
+    );
+    Ok(rows.checks)
+}
+
+/// A wedge of Mach 2.5, whose shock leaves it at 29.8 degrees.
+fn wedge(
+    angle: f64,
+    scheme: [&str; 2],
+    context: &Context<'_>,
+) -> Result<Vec<Check>, ValidateError> {
+    let [equations, extrapolation] = scheme;
+    let mut settings = variant(equations, extrapolation);
+    settings.push(format!("body.ramp.shape.compression_corner.angle={angle}"));
+    let limit = detachment(2.5, GAMMA)?.deflection.to_degrees();
+    let word = if angle < limit {
+        "attached"
+    } else {
+        "detached"
+    };
+    let label = format!("M 2.5, {angle} deg ({word}), {equations} {extrapolation}");
+    let tried = attempt(WEDGE, &settings, context)?;
+    Ok(Rows::new("wedge", &label, equations, &tried).checks)
+}
+
+/// Rows of one run.
+struct Rows<'a> {
+    name: &'a str,
+    label: &'a str,
+    strict: bool,
+    checks: Vec<Check>,
+}
+
+impl<'a> Rows<'a> {
+    fn new(name: &'a str, label: &'a str, equations: &str, tried: &Attempt) -> Self {
+        let strict = equations == "conservative";
+        Self {
+            name,
+            label,
+            strict,
+            checks: common_rows(name, label, strict, tried),
+        }
+    }
+
+    fn relative(&mut self, quantity: &str, source: &str, [measured, reference, allowed]: [f64; 3]) {
+        let quantity = format!("{}: {quantity}", self.label);
+        let subject = Subject::new(self.name, &quantity, source);
+        self.checks.push(if self.strict {
+            subject.relative(measured, reference, allowed)
+        } else {
+            subject.informs(measured, reference)
+        });
+    }
+
+    fn at_most(&mut self, quantity: &str, source: &str, [measured, bound]: [f64; 2]) {
+        let quantity = format!("{}: {quantity}", self.label);
+        let subject = Subject::new(self.name, &quantity, source);
+        self.checks.push(if self.strict {
+            subject.at_most(measured, bound)
+        } else {
+            subject.informs(measured, bound)
+        });
+    }
+}
+
+/// The outcome of a run that came to its end.
+fn ended(tried: Attempt) -> Option<Box<Outcome>> {
+    match tried {
+        Attempt::Ended(outcome) => Some(outcome),
+        Attempt::Stopped(..) => None,
+    }
+}
+
+/// Middle value; NaN where there is none.
+fn median(mut values: Vec<f64>) -> f64 {
+    values.sort_by(f64::total_cmp);
+    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
+}

@@ -1,0 +1,167 @@
+//! Flows without shocks, where all that is dissipated is error: two vortices that should stay as they
+//! are, and a shear layer that should roll up.
+
+use aero_validation::metrics::order::convergence_order;
+use aero_validation::table::{Check, Subject};
+
+use super::{Attempt, Context, Level, VARIANTS, ValidateError, attempt, common_rows, variant};
+use crate::frame::Frame;
+use crate::validate::outcome::Source;
+
+/// Least order of convergence of the isentropic vortex.
+const LEAST_ORDER: f64 = 1.5;
+
+const VORTEX: Source = source!("vortex");
+const GRESHO: Source = source!("gresho");
+const SHEAR: Source = source!("kelvin-helmholtz");
+
+/// Runs the vortices and the shear layer; there are no walls, so extrapolations play no part.
+pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let mut checks = Vec::new();
+    for (equations, extrapolation, level) in VARIANTS {
+        let skipped = level == Level::Full && context.level == Level::Quick;
+        if skipped || extrapolation == "wm" {
+            continue;
+        }
+        checks.extend(vortex(equations, context)?);
+        checks.extend(gresho(equations, context)?);
+        checks.extend(shear(equations, context)?);
+    }
+    Ok(checks)
+}
+
+/// Error of the velocity over three spacings, and its order.
+fn vortex(equations: &str, context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let counts: &[u32] = match context.level {
+        Level::Quick => &[32, 64],
+        Level::Full => &[32, 64, 128],
+    };
+    let (mut checks, mut spacings, mut errors) = (Vec::new(), Vec::new(), Vec::new());
+    for &count in counts {
+        let mut settings = variant(equations, "wom");
+        let spacing = 10.0 / f64::from(count);
+        settings.push(format!("spacing={spacing}"));
+        let tried = attempt(VORTEX, &settings, context)?;
+        let label = format!("{equations} N = {count}");
+        checks.extend(common_rows(
+            VORTEX.name,
+            &label,
+            equations == "conservative",
+            &tried,
+        ));
+        if let Attempt::Ended(outcome) = tried {
+            let error = velocity_error(&outcome.gas, |r| {
+                5.0 / std::f64::consts::TAU * (0.5 * (1.0 - r * r)).exp() * r
+            });
+            let quantity = format!("{label}: mean velocity error, % of largest");
+            let subject = Subject::new(VORTEX.name, &quantity, "Shu 1997");
+            checks.push(subject.informs(100.0 * error, 0.0));
+            spacings.push(spacing);
+            errors.push(error);
+        }
+    }
+    let quantity = format!("{equations}: order of convergence, L1 of velocity");
+    let subject = Subject::new(VORTEX.name, &quantity, "second order where smooth");
+    let order = convergence_order(&spacings, &errors).map_or(f64::NAN, |order| order.order);
+    checks.push(if equations == "conservative" {
+        // The table knows upper bounds only; not f64::min, which would hide a NaN.
+        let short = if order >= LEAST_ORDER {
+            LEAST_ORDER
+        } else {
+            order
+        };
+        subject.absolute(short, LEAST_ORDER, 0.0)
+    } else {
+        subject.informs(order, LEAST_ORDER)
+    });
+    checks.push(
+        Subject::new(
+            VORTEX.name,
+            &format!("{equations}: order, as fitted"),
+            "second order",
+        )
+        .informs(order, 2.0),
+    );
+    Ok(checks)
+}
+
+fn gresho(equations: &str, context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let tried = attempt(GRESHO, &variant(equations, "wom"), context)?;
+    let strict = equations == "conservative";
+    let mut checks = common_rows(GRESHO.name, equations, strict, &tried);
+    let Attempt::Ended(outcome) = tried else {
+        return Ok(checks);
+    };
+    let swirl = |r: f64| (5.0 * r).min((2.0 - 5.0 * r).max(0.0));
+    let error = 100.0 * velocity_error(&outcome.gas, swirl);
+    let quantity = format!("{equations}: mean velocity error, % of largest");
+    checks.push(Subject::new(GRESHO.name, &quantity, "exact, steady").informs(error, 0.0));
+    let near_peak = (0..outcome.gas.position.len())
+        .filter(|&i| (radius(&outcome.gas.position[i]) - 0.2).abs() < 0.01)
+        .map(|i| swirl_of(&outcome.gas, i));
+    let (sum, count) = near_peak.fold((0.0, 0_u32), |(s, n), u| (s + u, n + 1));
+    let quantity = format!("{equations}: mean swirl at its peak, r = 0.2");
+    checks.push(
+        Subject::new(GRESHO.name, &quantity, "exact, steady")
+            .informs(sum / f64::from(count), 0.975),
+    );
+    Ok(checks)
+}
+
+fn shear(equations: &str, context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
+    let tried = attempt(SHEAR, &variant(equations, "wom"), context)?;
+    let strict = equations == "conservative";
+    let mut checks = common_rows(SHEAR.name, equations, strict, &tried);
+    if let Attempt::Ended(outcome) = tried {
+        let quantity = format!("{equations}: amplitude of the mode over its start");
+        let growth = mode(&outcome.gas) / MODE_AT_START;
+        checks.push(Subject::new(SHEAR.name, &quantity, "it must grow").informs(growth, 1.0));
+    }
+    Ok(checks)
+}
+
+/// Amplitude of the seeded mode at the start by the sum of [`mode`]: 0.01, all over the height,
+/// weighted by the layers' `exp(-4 pi |y - 1/4|)`.
+const MODE_AT_START: f64 = 0.01;
+
+/// Amplitude of the mode `sin(4 pi x)` of the vertical velocity at the layers [`McNally`, Lyra &
+/// Passy 2012, eqs 10-13].
+fn mode(gas: &Frame) -> f64 {
+    let wave = 4.0 * std::f64::consts::PI;
+    let (mut sine, mut cosine, mut weight) = (0.0, 0.0, 0.0);
+    for (p, u) in gas.position.iter().zip(&gas.velocity) {
+        let fade = if p[1] < 0.5 { p[1] - 0.25 } else { 0.75 - p[1] };
+        let share = (-wave * fade.abs()).exp();
+        sine += share * u[1] * (wave * p[0]).sin();
+        cosine += share * u[1] * (wave * p[0]).cos();
+        weight += share;
+    }
+    2.0 * (sine / weight).hypot(cosine / weight)
+}
+
+/// Mean of `|u - u_exact|` over the largest speed, for a swirl about the origin.
+fn velocity_error(gas: &Frame, swirl: impl Fn(f64) -> f64) -> f64 {
+    let largest = (0..1000)
+        .map(|k| swirl(f64::from(k) * 0.005))
+        .fold(0.0, f64::max);
+    let sum: f64 = gas
+        .position
+        .iter()
+        .zip(&gas.velocity)
+        .map(|(p, u)| {
+            let r = radius(p);
+            let share = swirl(r) / r;
+            (u[0] + share * p[1]).hypot(u[1] - share * p[0])
+        })
+        .sum();
+    sum / gas.position.len() as f64 / largest
+}
+
+fn swirl_of(gas: &Frame, i: usize) -> f64 {
+    let (p, u) = (&gas.position[i], &gas.velocity[i]);
+    (p[0] * u[1] - p[1] * u[0]) / radius(p)
+}
+
+fn radius(position: &[f64; 3]) -> f64 {
+    position[0].hypot(position[1])
+}

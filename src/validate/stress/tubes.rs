@@ -1,0 +1,215 @@
+//! The flows in tubes, and what is known of them.
+
+use aero_validation::exact::accelerating_piston::AcceleratingPiston;
+use aero_validation::exact::noh::Noh;
+use aero_validation::exact::piston::Piston;
+use aero_validation::exact::riemann::Riemann;
+use aero_validation::exact::{ExactError, State};
+use aero_validation::reference;
+
+use crate::case::{self, Case, Initial, Side};
+use crate::validate::outcome::Source;
+
+/// Gas along a line at the end time.
+pub type Profile = Box<dyn Fn(f64) -> State>;
+
+/// One flow along a line.
+pub struct Tube {
+    /// The scene.
+    pub source: Source,
+    /// What is set on top of it, and how the row calls that.
+    pub setting: &'static [&'static str],
+    /// Where the answer holds.
+    pub window: [f64; 2],
+    /// The answer.
+    pub answer: fn(&Case<1>) -> Result<Profile, ExactError>,
+    /// Where it comes from.
+    pub theory: &'static str,
+}
+
+const UNIT: [f64; 2] = [0.0, 1.0];
+const TORO: &str = "exact Riemann solution (Toro 2009)";
+const COURANT: &str = "Courant & Friedrichs 1948, chapter III";
+
+const fn riemann_tube(source: Source) -> Tube {
+    Tube {
+        source,
+        setting: &[],
+        window: UNIT,
+        answer: riemann,
+        theory: TORO,
+    }
+}
+
+const fn piston_tube(setting: &'static [&'static str]) -> Tube {
+    Tube {
+        source: source!("piston"),
+        setting,
+        window: UNIT,
+        answer: piston,
+        theory: COURANT,
+    }
+}
+
+const fn accelerating_tube(setting: &'static [&'static str], window: [f64; 2]) -> Tube {
+    Tube {
+        source: source!("piston-accelerating"),
+        setting,
+        window,
+        answer: accelerating_piston,
+        theory: COURANT,
+    }
+}
+
+/// Sod's tube in the plane's stead: the whole of it before its waves reach the ends.
+pub const SOD: Tube = Tube {
+    source: Source {
+        name: "sod-1d",
+        text: include_str!("../../../cases/sod-1d.toml"),
+    },
+    setting: &["end_time=0.15", "initial.riemann.smooth=false"],
+    window: UNIT,
+    answer: riemann,
+    theory: TORO,
+};
+
+/// Noh's planar implosion.
+pub const NOH: Tube = Tube {
+    source: source!("noh-1"),
+    setting: &[],
+    window: UNIT,
+    answer: noh,
+    theory: "Noh 1987",
+};
+
+/// Toro's third test.
+pub const TORO_3: Tube = riemann_tube(source!("toro-3"));
+
+/// All of them.
+pub const TUBES: [Tube; 18] = [
+    riemann_tube(source!("toro-1")),
+    riemann_tube(source!("toro-2")),
+    TORO_3,
+    riemann_tube(source!("toro-4")),
+    riemann_tube(source!("toro-5")),
+    Tube {
+        window: [0.0, 9.0],
+        ..riemann_tube(source!("le-blanc"))
+    },
+    Tube {
+        answer: vacuum,
+        ..riemann_tube(source!("vacuum"))
+    },
+    NOH,
+    Tube {
+        source: source!("reflection"),
+        setting: &[],
+        window: UNIT,
+        answer: reflection,
+        theory: "normal shock relations",
+    },
+    Tube {
+        source: source!("blast"),
+        setting: &[],
+        window: UNIT,
+        answer: |_| Ok(table(reference::blast())),
+        theory: "finite volumes, 800 cells",
+    },
+    Tube {
+        source: source!("shu-osher"),
+        setting: &[],
+        window: [-4.5, 5.0],
+        answer: |_| Ok(table(reference::shu_osher())),
+        theory: "finite volumes, 800 cells",
+    },
+    piston_tube(&[]),
+    piston_tube(&["domain.sides.x_min.wall.velocity=5", "end_time=0.12"]),
+    piston_tube(&["domain.sides.x_min.wall.velocity=-1", "end_time=0.6"]),
+    piston_tube(&["domain.sides.x_min.wall.velocity=-4", "end_time=0.25"]),
+    piston_tube(&["domain.sides.x_min.wall.velocity=-10", "end_time=0.1"]),
+    accelerating_tube(&[], [0.18, 1.0]),
+    accelerating_tube(&["domain.sides.x_min.wall.acceleration=-1"], [-0.18, 1.0]),
+];
+
+/// The two states of the scene, brought together.
+fn riemann(case: &Case<1>) -> Result<Profile, ExactError> {
+    let Initial::Riemann {
+        left,
+        right,
+        position,
+        ..
+    } = &case.initial
+    else {
+        return nothing("the start of a tube without two states");
+    };
+    let (position, time) = (*position, case.end_time);
+    let riemann = Riemann::new(gas(left), gas(right), case.gamma)?;
+    Ok(Box::new(move |x| riemann.sample((x - position) / time)))
+}
+
+/// The scene's gas on the left of 0.5, nothing on the right.
+fn vacuum(case: &Case<1>) -> Result<Profile, ExactError> {
+    let time = case.end_time;
+    let riemann = Riemann::new(
+        State::new(1.0, 0.0, 1.0),
+        State::new(0.0, 0.0, 0.0),
+        case.gamma,
+    )?;
+    Ok(Box::new(move |x| riemann.sample((x - 0.5) / time)))
+}
+
+fn noh(case: &Case<1>) -> Result<Profile, ExactError> {
+    let (noh, time) = (Noh::new(1, case.gamma)?, case.end_time);
+    Ok(Box::new(move |x| noh.at(x, time)))
+}
+
+/// A stream that a wall stops is a piston at the stream's speed, seen from the piston.
+fn reflection(case: &Case<1>) -> Result<Profile, ExactError> {
+    let stream = &case.free_stream;
+    let (speed, time) = (-stream.velocity[0], case.end_time);
+    let piston = Piston::new(speed, stream.density, stream.pressure, case.gamma)?;
+    Ok(Box::new(move |x| {
+        let state = piston.at(x + speed * time, time);
+        State::new(state.density, state.velocity - speed, state.pressure)
+    }))
+}
+
+fn piston(case: &Case<1>) -> Result<Profile, ExactError> {
+    let Side::Wall { velocity, .. } = case.domain.sides[0][0] else {
+        return nothing("the speed of a piston that is no wall");
+    };
+    let (gas, time) = (&case.free_stream, case.end_time);
+    let piston = Piston::new(velocity, gas.density, gas.pressure, case.gamma)?;
+    Ok(Box::new(move |x| piston.at(x, time)))
+}
+
+fn accelerating_piston(case: &Case<1>) -> Result<Profile, ExactError> {
+    let Side::Wall { acceleration, .. } = case.domain.sides[0][0] else {
+        return nothing("the acceleration of a piston that is no wall");
+    };
+    let (gas, time) = (&case.free_stream, case.end_time);
+    let piston = AcceleratingPiston::new(acceleration, gas.density, gas.pressure, case.gamma)?;
+    piston.at(1.0, time)?;
+    let nowhere = State::new(f64::NAN, f64::NAN, f64::NAN);
+    Ok(Box::new(move |x| piston.at(x, time).unwrap_or(nowhere)))
+}
+
+/// A profile of reference figures.
+fn table(table: reference::Table) -> Profile {
+    Box::new(move |x| {
+        let value = |name: &str| table.interpolate("x", name, x).unwrap_or(f64::NAN);
+        State::new(value("rho"), value("u"), value("p"))
+    })
+}
+
+fn gas(state: &case::State<1>) -> State {
+    State::new(state.density, state.velocity[0], state.pressure)
+}
+
+fn nothing(what: &'static str) -> Result<Profile, ExactError> {
+    Err(ExactError::OutOfRange {
+        what,
+        value: f64::NAN,
+        range: "the scenes of this suite",
+    })
+}
