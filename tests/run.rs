@@ -61,9 +61,10 @@ fn a_steady_run_ends_early_and_says_why() {
     // A gas at rest is steady as soon as it can be told: after three windows, each as long as sound needs
     // to cross the box.
     let settings = [
+        "--set",
         "initial.riemann.right={ density = 1.0, pressure = 1.0 }",
+        "--set",
         "end_time=10",
-        "output.frames=1",
     ];
     place.run(&steady, &settings).succeeds();
     let summary = place.json("results/summary.json");
