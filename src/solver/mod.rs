@@ -415,7 +415,7 @@ impl<const D: usize> Simulation<D> {
             .zip(&mut state[..count])
             .zip(&self.fluid)
             .for_each(|((near, state), particle)| {
-                (*near, *state) = record(particle, rings.plane_mass(particle), gamma)
+                (*near, *state) = record(particle, rings.plane_mass(particle), gamma);
             });
         for (slot, open) in (count..).zip(&self.open.particles) {
             let (mut place, mut open_state) =
