@@ -63,10 +63,14 @@ impl Display {
                     return;
                 }
                 *last = Instant::now();
-                let speed = (part - done).max(f64::EPSILON) / start.elapsed().as_secs_f64();
-                let left = (1.0 - part) / speed;
+                let speed = (part - done) / start.elapsed().as_secs_f64();
+                let left = if speed > 0.0 {
+                    format!(", about {:.0} s left", (1.0 - part) / speed)
+                } else {
+                    String::new()
+                };
                 eprintln!(
-                    "{:5.1} %  {text}, dt = {:.3e}, about {left:.0} s left",
+                    "{:5.1} %  {text}, dt = {:.3e}{left}",
                     100.0 * part,
                     progress.dt
                 );

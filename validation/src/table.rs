@@ -83,6 +83,19 @@ impl<'a> Subject<'a> {
         self.row(measured, bound, 100.0 * excess / unit, Some(0.0))
     }
 
+    /// The measured value must reach `bound`; the error is what it falls short by, zero if nothing,
+    /// and none is allowed. With a bound of zero the error is per cent of one unit.
+    pub fn at_least(self, measured: f64, bound: f64) -> Check {
+        let unit = if bound == 0.0 { 1.0 } else { bound.abs() };
+        // Not f64::min, which would hide a NaN.
+        let lack = if measured >= bound {
+            0.0
+        } else {
+            measured - bound
+        };
+        self.row(measured, bound, 100.0 * lack / unit, Some(0.0))
+    }
+
     /// A row for the reader, without a verdict.
     pub fn informs(self, measured: f64, reference: f64) -> Check {
         let unit = if reference == 0.0 {

@@ -128,3 +128,12 @@ fn numbers_keep_five_digits_and_switch_to_powers_of_ten() {
     assert_eq!(number(f64::NAN), "not finite");
     assert_eq!(percent(0.012, true), "+0.0120");
 }
+
+#[test]
+fn a_least_value_is_reached_or_missed_by_what_it_falls_short() {
+    let order = Subject::new("sod", "order", "first order at jumps");
+    assert!(order.at_least(0.9, 0.8).pass && order.at_least(0.9, 0.8).error_percent == 0.0);
+    let failed = order.at_least(0.6, 0.8);
+    assert!(!failed.pass && (failed.error_percent + 25.0).abs() < 1e-9);
+    assert!(!order.at_least(f64::NAN, 0.8).pass);
+}

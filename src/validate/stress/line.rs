@@ -96,8 +96,7 @@ pub fn convergence(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
             let quantity = "conservative wom: order of convergence, L1 of density";
             let subject = Subject::new(tube.source.name, quantity, "first order at jumps");
             checks.push(match order {
-                // The table knows upper bounds only.
-                Some(least) => subject.absolute(fitted.order.min(least), least, 0.0),
+                Some(least) => subject.at_least(fitted.order, least),
                 None => subject.informs(fitted.order, 1.0),
             });
         }

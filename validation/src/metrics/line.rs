@@ -36,6 +36,9 @@ pub fn mean_error(
             (*x, if error.is_nan() { f64::INFINITY } else { error })
         })
         .collect();
+    if errors.iter().any(|(_, error)| error.is_infinite()) {
+        return Ok(f64::INFINITY);
+    }
     let (first, last) = (errors[0], errors[errors.len() - 1]);
     let ends = (first.0 - low) * first.1 + (high - last.0) * last.1;
     let sum: f64 = errors
