@@ -15,35 +15,33 @@ pub const BETA: f64 = 2.0;
 /// pressure that grows as the inverse square of their distance.
 const SOFTENING: f64 = 0.01;
 
-/// What is left of the `approach` `u_ij.r_ij` of a closing pair without the part that varies linearly across
-/// it, as the rates of strain `E` at both ends see it: `a_i = r_ij.E_i r_ij` and `a_j` likewise, `own` and
-/// `other`, by van Leer's harmonic mean, which is nothing where they differ in sign [Frontiere, Raskin & Owen
-/// 2017, section 2.4; van Leer 1974]. Smooth flow is left alone; a shock, whose ends differ, is not.
-#[inline(always)]
-pub fn unresolved<S: Simd>(simd: S, approach: Lane<S>, own: Lane<S>, other: Lane<S>) -> Lane<S> {
-    let zero = Lane::splat(simd, 0.0);
-    let (own, other) = (own.min(zero), other.min(zero));
-    // Kept off zero, where both vanish and nothing is taken away.
-    let both = own + other + Lane::splat(simd, -1e-300);
-    let smooth = (own + own) * other * both.recip();
-    approach.min(zero) + -smooth
-}
+/// Next to nothing, but far from what numbers cannot hold.
+const LEAST: f64 = 1e-200;
 
-/// `mu = h_ij u_ij.r_ij / (r_ij^2 + 0.01 h_ij^2)` of an approaching pair, zero of a parting one [Monaghan 1992, eq.
-/// 4.2]: minus the speed at which the pair closes.
+/// `mu = h_ij a / (r_ij^2 + 0.01 h_ij^2)` of an approaching pair, zero of a parting one [Monaghan 1992, eq. 4.2]: minus
+/// the speed at which the pair closes.
+///
+/// Of the `approach` `u_ij.r_ij` only that part `a` counts that does not vary linearly across the pair. The linear part is
+/// what the rates of strain `E` at both ends see of it, `own = r_ij.E_i r_ij` and `other = r_ij.E_j r_ij`, by van Leer's harmonic
+/// mean, which is nothing where they differ in sign [Frontiere, Raskin & Owen 2017, section 2.4; van Leer 1974].
 #[inline(always)]
 pub fn closing_speed<S: Simd, const D: usize>(
     simd: S,
     pair: &Pair<S, D>,
     approach: Lane<S>,
+    own: Lane<S>,
+    other: Lane<S>,
 ) -> Lane<S> {
+    let zero = Lane::splat(simd, 0.0);
+    let (own, other) = (own.min(zero), other.min(zero));
+    // Kept off zero, where both vanish and nothing is taken away.
+    let both = own + other + Lane::splat(simd, -LEAST);
+    // a both = approach both - 2 own other; one division serves this and the softening,
     // 1 / (r^2 + s h^2) = 1/r^2 / (1 + s h^2 / r^2).
+    let left = (approach.min(zero) * both + -((own + own) * other)).max(zero);
     let softening = Lane::splat(simd, SOFTENING) * pair.h * pair.h;
-    let one = Lane::splat(simd, 1.0);
-    bare_closing_speed(simd, pair, approach)
-        * softening
-            .mul_add(pair.inverse_distance_squared, one)
-            .recip()
+    let softened = softening.mul_add(pair.inverse_distance_squared, Lane::splat(simd, 1.0));
+    pair.h * pair.inverse_distance_squared * left * (both * softened).recip()
 }
 
 /// The same without softening [Villodi & Ramachandran 2024, eq. 13].

@@ -11,9 +11,7 @@ use super::super::neighbours::{Chunk, Lists};
 use super::super::particle::Rates;
 use super::super::records::{GHOSTS, Matrix, Near, Records, State};
 use super::artificial_conduction::{exchange_speed, heat_flow};
-use super::artificial_viscosity::{
-    bare_closing_speed, closing_speed, unresolved, viscous_pressure,
-};
+use super::artificial_viscosity::{bare_closing_speed, closing_speed, viscous_pressure};
 use super::density_diffusion::diffusion;
 use super::{LaneVector, Pair, Target, dot, unlane, zeros};
 
@@ -182,7 +180,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
                     other = Lane::splat(simd, state.strain[(a, b)]).mul_add(product, other);
                 }
             }
-            closing_speed(simd, &pair, unresolved(simd, approach, own, other))
+            closing_speed(simd, &pair, approach, own, other)
         } else {
             bare_closing_speed(simd, &pair, approach)
         };
