@@ -275,7 +275,7 @@ impl Variant {
         let strong = self.mach > 2.5;
         if strong {
             let heated = self.plateau.map(|_| WALL);
-            let energy = pressure / shock.density_ratio / (GAMMA - 1.0);
+            let energy = pressure / shock.density_ratio / (self.gamma - 1.0);
             checks.push(row(
                 "density at the wall",
                 measured.wall[0],
