@@ -14,6 +14,7 @@ use crate::frame::Totals;
 mod checkpoint;
 mod curvature;
 mod failure;
+mod fill;
 mod images;
 mod initial;
 mod lanes;
@@ -31,6 +32,7 @@ mod rings;
 mod shock_sensor;
 mod side_walls;
 mod snapshot;
+mod stages;
 #[cfg(test)]
 mod tests;
 mod time_step;
@@ -45,7 +47,7 @@ use pairs::renormalisation::{Renormalisation, renormalise};
 use pairs::shield::shield;
 use pairs::summation::densities;
 use particle::{Particle, Rates};
-use records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, OPEN, Records, State};
+use records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, OPEN, Records};
 use rings::Rings;
 use shock_sensor::spare_smooth_flow;
 use walls::{WallLists, Walls};
@@ -399,137 +401,9 @@ impl<const D: usize> Simulation<D> {
             &mut self.rates,
         );
     }
-
-    /// Writes the records of ghosts and their images.
-    fn fill_ghosts(&mut self) {
-        self.walls.fill(&mut self.records);
-        self.ghost_images
-            .refresh(&mut self.records, GHOSTS, GHOST_IMAGES);
-    }
-
-    /// Writes the records of fluid, buffers and their images; buffers drift on by `ahead`.
-    fn fill_gas(&mut self, ahead: f64) {
-        let (gamma, rings) = (self.case.gamma, self.rings);
-        let count = self.fluid.len();
-        let (near, state) = (&mut self.records.near, &mut self.records.state);
-        near[..count]
-            .par_iter_mut()
-            .zip(&mut state[..count])
-            .zip(&self.fluid)
-            .for_each(|((near, state), particle)| {
-                (*near, *state) = record(particle, rings.plane_mass(particle), gamma);
-            });
-        for (slot, open) in (count..).zip(&self.open.particles) {
-            let (mut place, mut open_state) =
-                record(&open.particle, rings.plane_mass(&open.particle), gamma);
-            place.position += open.particle.velocity * ahead;
-            open_state.renormalise(open.renormalisation, open.gradient, place.volume);
-            near[slot] = place;
-            state[slot] = open_state;
-        }
-        self.flow_images
-            .refresh(&mut self.records, FLUID, FLOW_IMAGES);
-    }
-
-    /// Sets the fluid to its state at the start of the step plus `ahead` times the rates.
-    fn advance(&mut self, ahead: f64) {
-        let paper = self.case.scheme.equations == Equations::Paper;
-        // The velocity that moves the particle is the one at which the rates were evaluated.
-        self.fluid
-            .par_iter_mut()
-            .zip(&self.saved)
-            .zip(&self.rates)
-            .for_each(|((particle, saved), rates)| {
-                particle.position = saved.position + (particle.velocity + rates.shift) * ahead;
-                let acceleration = rates.acceleration + rates.wall_acceleration;
-                particle.velocity = saved.velocity + acceleration * ahead;
-                if paper {
-                    // Eq. 17, at the stage whose density gave the rate.
-                    let growth = -rates.density / (D as f64 * particle.density);
-                    particle.smoothing_length = saved.smoothing_length
-                        + (particle.smoothing_length * growth * ahead)
-                            .min((GROWTH - 1.0) * saved.smoothing_length);
-                }
-                particle.density = saved.density + rates.density * ahead;
-                particle.energy = saved.energy + rates.energy * ahead;
-            });
-    }
-
-    /// Settles the total energy of a finished step to round-off.
-    ///
-    /// Forces are paid for at the velocity `v` that they were evaluated at; the kinetic energy
-    /// changes by their work at the mean of the velocities before and after. The difference,
-    /// of third order in the step, is heat: `-dt a.((u0 + u1) / 2 - v)`, the same in every frame
-    /// of reference. Needs the records of the second evaluation, which hold `v`.
-    fn settle_energy(&mut self, step: f64) {
-        self.fluid
-            .par_iter_mut()
-            .zip(&self.saved)
-            .zip(&self.rates)
-            .zip(&self.records.near)
-            .for_each(|(((particle, saved), rates), evaluated)| {
-                let mean = (saved.velocity + particle.velocity) * 0.5;
-                let acceleration = rates.acceleration + rates.wall_acceleration;
-                particle.energy -= step * acceleration.dot(&(mean - evaluated.velocity));
-            });
-    }
-
-    /// Lets particles change sides after the step that began at `before`.
-    fn cross_sides(&mut self, before: f64) {
-        if self.case.has_open_sides() {
-            for open in self
-                .open
-                .particles
-                .iter_mut()
-                .filter(|open| open.lattice.is_none())
-            {
-                open.particle.position += open.particle.velocity * (self.time - before);
-            }
-            let renormalisations = &self.renormalisations;
-            let frozen = |i: usize| {
-                let r = &renormalisations[i];
-                (r.matrix, r.density_gradient)
-            };
-            self.open
-                .exchange(&self.case, before, self.time, &mut self.fluid, frozen);
-        }
-        let domain = &self.case.domain;
-        for axis in 0..D {
-            let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
-            let sides = domain.sides[axis];
-            for particle in &mut self.fluid {
-                let x = particle.position[axis];
-                if x < low && sides[0] == Side::Periodic {
-                    particle.position[axis] += high - low;
-                } else if x >= high && sides[1] == Side::Periodic {
-                    particle.position[axis] -= high - low;
-                } else if (x < low && sides[0].is_mirror()) || (x > high && sides[1].is_mirror()) {
-                    let plane = if x < low { low } else { high };
-                    particle.position[axis] = 2.0 * plane - x;
-                    particle.velocity[axis] = -particle.velocity[axis];
-                }
-            }
-        }
-    }
 }
 
 /// The elements in a new order.
 fn permuted<T: Copy + Send + Sync>(elements: &[T], order: &[u32]) -> Vec<T> {
     order.par_iter().map(|&n| elements[n as usize]).collect()
-}
-
-/// The records of a gas particle of plane mass `mass`.
-fn record<const D: usize>(particle: &Particle<D>, mass: f64, gamma: f64) -> (Near<D>, State<D>) {
-    let pressure = (gamma - 1.0) * particle.density * particle.energy;
-    let mut state = State::new(pressure, particle.density, particle.energy, gamma);
-    state.strain = particle.strain;
-    let near = Near {
-        position: particle.position,
-        half_h: 0.5 * particle.smoothing_length,
-        volume: mass / particle.density,
-        mass,
-        half_density: 0.5 * particle.density,
-        velocity: particle.velocity,
-    };
-    (near, state)
 }

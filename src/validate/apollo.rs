@@ -1,12 +1,11 @@
 //! The Apollo command module at Mach 2.5 against axisymmetric finite volumes: drag of the forebody, and
 //! of the whole.
 
-use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_validation::exact::normal::pitot_pressure_ratio;
 use aero_validation::pictures::particles::{ParticlePicture, Slab};
 use aero_validation::table::{Check, Subject};
 
-use super::outcome::{Outcome, Source, run};
+use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
 
 const SCENE: Source = Source {
@@ -214,11 +213,7 @@ impl Variant {
     /// A cut beside the symmetry plane, coloured by density.
     fn picture(&self, outcome: &Outcome, context: &Context<'_>) -> Result<(), ValidateError> {
         let gas = &outcome.gas;
-        let diameter: Vec<f64> = gas
-            .smoothing_length
-            .iter()
-            .map(|h| h / SMOOTHING_RATIO)
-            .collect();
+        let diameter = diameters(gas);
         let title = format!("Apollo, Mach {MACH}: {}", self.label());
         let mut picture = ParticlePicture::new(
             &title,

@@ -7,7 +7,7 @@ use aero_validation::metrics::shock_line::{ShockSearch, fit_shock_line};
 use aero_validation::pictures::particles::{Overlay, ParticlePicture};
 use aero_validation::table::{Check, Subject};
 
-use super::outcome::{Outcome, Source, run};
+use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
 
 const SCENE: Source = Source {
@@ -95,12 +95,8 @@ impl Variant {
         let clearance = CLEARANCE * SMOOTHING_RATIO * self.spacing();
         let search = ShockSearch::above_ramp(&ramp, 1.1, clearance, [1.0, behind], self.spacing());
         let gas = &outcome.gas;
-        let line = fit_shock_line(&gas.position, &gas.density, &search).map_err(|source| {
-            ValidateError::Metric {
-                case: SCENE.name.into(),
-                source,
-            }
-        })?;
+        let line = fit_shock_line(&gas.position, &gas.density, &search)
+            .map_err(|error| SCENE.unread(error))?;
         let wall = &outcome.surface;
         let read: Vec<f64> = wall
             .position
@@ -135,11 +131,7 @@ impl Variant {
         context: &Context<'_>,
     ) -> Result<(), ValidateError> {
         let gas = &outcome.gas;
-        let diameter: Vec<f64> = gas
-            .smoothing_length
-            .iter()
-            .map(|h| h / SMOOTHING_RATIO)
-            .collect();
+        let diameter = diameters(gas);
         let title = format!(
             "Cone of 20 degrees at Mach 3, rings about the axis: dx 1/{}, {}",
             self.cells, self.extrapolation

@@ -75,10 +75,7 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     for variant in VARIANTS.iter().filter(|v| v.level == context.level) {
         let outcome = run(SCENE, &variant.settings(), context)?;
         let flow = Flow::new(&outcome, variant.spacing());
-        let found = flow.measure().map_err(|source| ValidateError::Metric {
-            case: SCENE.name.into(),
-            source,
-        })?;
+        let found = flow.measure().map_err(|error| SCENE.unread(error))?;
         checks.extend(variant.checks(&found, &outcome));
         variant.picture(&flow, &outcome, context)?;
     }

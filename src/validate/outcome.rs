@@ -3,6 +3,9 @@
 use std::ops::ControlFlow;
 use std::path::Path;
 
+use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_validation::metrics::MetricError;
+
 use super::{Context, ValidateError};
 use crate::case::Case;
 use crate::frame::{Frame, Kind, Load, SurfaceFrame};
@@ -18,6 +21,22 @@ pub struct Source {
     pub name: &'static str,
     /// The file.
     pub text: &'static str,
+}
+
+impl Source {
+    /// The error of a flow that does not show what was to be measured.
+    pub fn unread(&self, source: MetricError) -> ValidateError {
+        ValidateError::Metric {
+            case: self.name.into(),
+            source,
+        }
+    }
+}
+
+/// Spacing of each particle, to draw it with.
+pub fn diameters(frame: &Frame) -> Vec<f64> {
+    let lengths = frame.smoothing_length.iter();
+    lengths.map(|h| h / SMOOTHING_RATIO).collect()
 }
 
 /// The end of a run.

@@ -92,10 +92,7 @@ fn density_error(outcome: &Outcome, tube: &ClosedTube) -> Result<f64, ValidateEr
     let gas = &outcome.gas;
     let x: Vec<f64> = gas.position.iter().map(|p| p[0]).collect();
     let exact = |x: f64| tube.at(x, gas.time).ok().map(|state| state.density);
-    let error = profile_error(&x, &gas.density, exact).map_err(|source| ValidateError::Metric {
-        case: SCENE.name.into(),
-        source,
-    })?;
+    let error = profile_error(&x, &gas.density, exact).map_err(|error| SCENE.unread(error))?;
     Ok(error.l1)
 }
 

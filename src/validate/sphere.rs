@@ -1,14 +1,13 @@
 //! The sphere at Mach 3 in three dimensions against Billig's bow shock, and its tessellation against
 //! itself.
 
-use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_validation::exact::billig::{BowShock, Nose};
 use aero_validation::exact::normal::{normal_shock, pitot_pressure_ratio};
 use aero_validation::metrics::stand_off::{StagnationLine, stand_off};
 use aero_validation::pictures::particles::{ParticlePicture, Slab};
 use aero_validation::table::{Check, Subject};
 
-use super::outcome::{Outcome, Source, run};
+use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
 
 const ANALYTIC: Source = Source {
@@ -110,12 +109,8 @@ impl Variant {
             ahead: 1.0,
             behind: normal_shock(MACH, GAMMA)?.density_ratio,
         };
-        let shock = stand_off(&gas.position, &gas.density, &line).map_err(|source| {
-            ValidateError::Metric {
-                case: ANALYTIC.name.into(),
-                source,
-            }
-        })?;
+        let shock = stand_off(&gas.position, &gas.density, &line)
+            .map_err(|error| ANALYTIC.unread(error))?;
         self.picture(outcome, context)?;
 
         let billig = BowShock::new(Nose::Sphere, MACH)?;
@@ -141,11 +136,7 @@ impl Variant {
     /// Density in the slab next to the symmetry plane.
     fn picture(&self, outcome: &Outcome, context: &Context<'_>) -> Result<(), ValidateError> {
         let frame = &outcome.frame;
-        let diameter: Vec<f64> = frame
-            .smoothing_length
-            .iter()
-            .map(|h| h / SMOOTHING_RATIO)
-            .collect();
+        let diameter = diameters(frame);
         let mut picture = ParticlePicture::new(
             "Sphere at Mach 3: density beside the symmetry plane",
             &frame.position,

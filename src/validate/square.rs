@@ -95,10 +95,7 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
         let outcome = run_keeping(keep, SCENE, &variant.settings(), context)?;
         let loads = Loads::new(&outcome);
         let rows = variant.checks(&loads, &outcome);
-        checks.extend(rows.map_err(|source| ValidateError::Metric {
-            case: SCENE.name.into(),
-            source,
-        })?);
+        checks.extend(rows.map_err(|error| SCENE.unread(error))?);
         variant.picture(&outcome, context)?;
         histories.push((variant.label(), loads));
     }

@@ -1,6 +1,5 @@
 //! The forward-facing step at Mach 3 against finite volumes: where the shocks stand at `t = 2`.
 
-use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_validation::exact::normal::{normal_shock, pitot_pressure_ratio};
 use aero_validation::metrics::MetricError;
 use aero_validation::metrics::crossing::{Crossing, level_crossings};
@@ -8,7 +7,7 @@ use aero_validation::pictures::particles::{Overlay, ParticlePicture};
 use aero_validation::reference::step_shock;
 use aero_validation::table::{Check, Subject};
 
-use super::outcome::{Outcome, Source, run};
+use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
 
 const SCENE: Source = Source {
@@ -74,10 +73,7 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
         let outcome = run(SCENE, &variant.settings(), context)?;
         let rows = variant
             .checks(&outcome)
-            .map_err(|source| ValidateError::Metric {
-                case: SCENE.name.into(),
-                source,
-            })?;
+            .map_err(|error| SCENE.unread(error))?;
         checks.extend(rows);
         checks.extend(variant.wall_checks(&outcome)?);
         variant.picture(&outcome, context)?;
@@ -230,11 +226,7 @@ impl Variant {
     /// The density, the step and the reference shock.
     fn picture(&self, outcome: &Outcome, context: &Context<'_>) -> Result<(), ValidateError> {
         let gas = &outcome.gas;
-        let diameter: Vec<f64> = gas
-            .smoothing_length
-            .iter()
-            .map(|h| h / SMOOTHING_RATIO)
-            .collect();
+        let diameter = diameters(gas);
         let title = format!("Forward-facing step, Mach {MACH}: {}", self.label());
         let mut picture =
             ParticlePicture::new(&title, &gas.position, &diameter, &gas.density, "density");

@@ -10,7 +10,7 @@ use aero_validation::metrics::shock_line::{ShockLine, ShockSearch, fit_shock_lin
 use aero_validation::pictures::particles::{Overlay, ParticlePicture};
 use aero_validation::table::{Check, Subject};
 
-use super::outcome::{Outcome, Source, run};
+use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
 use crate::frame::Frame;
 
@@ -212,11 +212,7 @@ impl Variant {
 
     fn check(&self, outcome: &Outcome, context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
         let shock = self.shock()?;
-        let measured =
-            Measured::new(self, outcome, &shock).map_err(|source| ValidateError::Metric {
-                case: SCENE.name.into(),
-                source,
-            })?;
+        let measured = Measured::new(self, outcome, &shock).map_err(|error| SCENE.unread(error))?;
         let name = format!(
             "wedge-M{}-{}-{}-{}-{}",
             self.mach, self.angle, self.gamma, self.equations, self.extrapolation
@@ -378,11 +374,7 @@ fn picture(
     context: &Context<'_>,
 ) -> Result<(), ValidateError> {
     let gas = &outcome.gas;
-    let diameter: Vec<f64> = gas
-        .smoothing_length
-        .iter()
-        .map(|h| h / SMOOTHING_RATIO)
-        .collect();
+    let diameter = diameters(gas);
     let title = format!("Compression corner: {}", variant.label());
     let mut picture = ParticlePicture::new(
         &title,
