@@ -20,9 +20,9 @@ pub struct PackArgs {
     /// Spacing of the ghosts, in metres or in the scene's unit; picked unless given
     #[arg(long, value_name = "DX", value_parser = positive)]
     spacing: Option<f64>,
-    /// Number of ghost layers
-    #[arg(long, value_name = "N", default_value_t = 5, value_parser = clap::value_parser!(u16).range(1..=50))]
-    layers: u16,
+    /// Number of ghost layers; as many as cover the kernel unless given, five at the flow's spacing
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=50))]
+    layers: Option<u16>,
     /// Number of conforming fluid layers to pack around the body as well
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(..=50))]
     fluid_layers: u16,
@@ -59,7 +59,7 @@ impl From<UnitWord> for Unit {
 pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
     let wishes = PackWishes {
         spacing: args.spacing,
-        layers: args.layers.into(),
+        layers: args.layers.map(usize::from),
         fluid_layers: args.fluid_layers.into(),
     };
     let path = &args.input;

@@ -13,7 +13,7 @@ use aero_packer::{Ghosts, PackOptions, Packing};
 
 use crate::output::{self, OutputError};
 use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
-use crate::scene::{PackWishes, Scene, SceneError};
+use crate::scene::{LAYERS, PackWishes, Scene, SceneError};
 
 /// A body longer than this, in metres, whose unit nobody has named is rather one in millimetres.
 const LARGE: f64 = 10.0;
@@ -44,12 +44,13 @@ pub fn pack_mesh(
     });
     let made = entry.make::<3>(None, Path::new(""), false).map_err(fail)?;
     let bounds = made.shape.bounds();
+    let layers = wishes.layers.unwrap_or(LAYERS);
     let (spacing, spacing_reason) = match wishes.spacing {
         Some(spacing) => (spacing, "as asked for".to_owned()),
-        None => spacing::pick(&bounds, wishes.layers),
+        None => spacing::pick(&bounds, layers),
     };
     let options = PackOptions {
-        layers: wishes.layers,
+        layers,
         fluid_layers: wishes.fluid_layers,
         ..PackOptions::new(spacing)
     };

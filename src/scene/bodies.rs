@@ -20,28 +20,19 @@ use super::shapes::Made;
 use super::side::WallWord;
 use crate::case::{Body, Domain, State};
 
-/// Ghost layers: five cover the support of the kernel (Villodi & Ramachandran, section 4).
-const LAYERS: usize = 5;
+/// Ghost layers, as deep as the flow's spacing each: five cover the support of the kernel
+/// [Villodi & Ramachandran 2024, section 4].
+pub(crate) const LAYERS: usize = 5;
 
 /// How to pack the bodies of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct PackWishes {
     /// Spacing in place of those in the scene.
     pub spacing: Option<f64>,
-    /// Number of ghost layers.
-    pub layers: usize,
+    /// Number of ghost layers; as many as cover the kernel's support unless given.
+    pub layers: Option<usize>,
     /// Number of conforming fluid layers.
     pub fluid_layers: usize,
-}
-
-impl Default for PackWishes {
-    fn default() -> Self {
-        Self {
-            spacing: None,
-            layers: LAYERS,
-            fluid_layers: 0,
-        }
-    }
 }
 
 /// A body before it is packed.
@@ -107,9 +98,13 @@ fn options<const D: usize>(
 ) -> PackOptions<D> {
     let own = entry.spacing.unwrap_or(file.spacing).get();
     let spacing = wishes.spacing.unwrap_or(own);
-    let margin = BUFFER.max(wishes.layers as f64 + 1.0) * spacing.max(file.spacing.get());
+    let layers = wishes
+        .layers
+        .unwrap_or_else(|| covering_layers(spacing, file.spacing.get()));
+    let depth = (layers as f64 + 1.0) * spacing;
+    let margin = depth.max(BUFFER * spacing.max(file.spacing.get()));
     PackOptions {
-        layers: wishes.layers,
+        layers,
         fluid_layers: if entry.packed_fluid == Some(true) {
             wishes.fluid_layers.max(packed::LAYERS)
         } else {
@@ -119,6 +114,13 @@ fn options<const D: usize>(
         anchor: domain.bounds.min,
         ..PackOptions::new(spacing)
     }
+}
+
+/// Number of layers at `spacing` that are as deep as [`LAYERS`] of the flow's.
+fn covering_layers(spacing: f64, flow: f64) -> usize {
+    let finer = (flow / spacing).max(1.0);
+    // Ratios such as 0.3 / 0.1 are whole numbers but for round-off.
+    (LAYERS as f64 * finer - 1e-6).ceil() as usize
 }
 
 /// Packed fluid is part of the flow, whose particles are all of one size; ghosts farther apart than the

@@ -56,6 +56,7 @@ pub mod shapes;
 pub mod side;
 pub mod spin;
 
+pub(crate) use bodies::LAYERS;
 pub use bodies::{BodyPlan, PackWishes};
 pub use error::SceneError;
 
