@@ -1,4 +1,4 @@
-//! The cone at Mach 3, as rings about its axis, against Taylor and Maccoll.
+//! The cone at Mach 3, as rings about its axis and as a quarter in space, against Taylor and Maccoll.
 
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_validation::exact::cone::{ConeFlow, cone_flow};
@@ -9,6 +9,7 @@ use aero_validation::table::{Check, Subject};
 
 use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
+use crate::frame::Frame;
 
 const SCENE: Source = Source {
     name: "cone",
@@ -26,6 +27,8 @@ const CLEARANCE: f64 = 6.0;
 /// One run of the scene.
 #[derive(Clone, Copy, Debug)]
 struct Variant {
+    /// How the flow about the axis is modelled.
+    model: Model,
     /// Cells per unit length.
     cells: u32,
     extrapolation: &'static str,
@@ -34,14 +37,50 @@ struct Variant {
     level: Level,
 }
 
+/// A flow about an axis.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Model {
+    /// Rings in the meridian plane.
+    Rings,
+    /// A quarter of space between two symmetry planes.
+    Quarter,
+}
+
+impl Model {
+    const fn name(self) -> &'static str {
+        match self {
+            Self::Rings => "axisymmetric",
+            Self::Quarter => "a quarter in space",
+        }
+    }
+
+    /// What the scene, which is of rings, needs to be of this model.
+    fn settings(self) -> &'static [&'static str] {
+        match self {
+            Self::Rings => &[],
+            Self::Quarter => &[
+                "dimension=3",
+                "domain.min=[-0.2, 0.0, 0.0]",
+                "domain.max=[1.5, 1.1, 1.1]",
+                "domain.sides.y_min=symmetry",
+                "domain.sides.z_min=symmetry",
+                "domain.sides.z_max=free-stream",
+                // Twice what the stream takes to cross the box.
+                "end_time=1.2",
+            ],
+        }
+    }
+}
+
 const FINE: Variant = Variant {
+    model: Model::Rings,
     cells: 100,
     extrapolation: "wom",
     allowed: 2.0,
     level: Level::Full,
 };
 
-const VARIANTS: [Variant; 3] = [
+const VARIANTS: [Variant; 5] = [
     // The error of the pressure is of first order in spacing over radius: what this resolution gives.
     Variant {
         cells: 50,
@@ -54,6 +93,17 @@ const VARIANTS: [Variant; 3] = [
         extrapolation: "wm",
         ..FINE
     },
+    Variant {
+        model: Model::Quarter,
+        cells: 30,
+        ..FINE
+    },
+    Variant {
+        model: Model::Quarter,
+        cells: 30,
+        extrapolation: "wm",
+        ..FINE
+    },
 ];
 
 /// Compares shock angle and surface pressure.
@@ -61,11 +111,7 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     let theory = cone_flow(MACH, HALF_ANGLE.to_radians(), GAMMA)?;
     let mut checks = Vec::new();
     for variant in VARIANTS.iter().filter(|v| v.level == context.level) {
-        let settings = [
-            format!("spacing={}", variant.spacing()),
-            format!("scheme.extrapolation={}", variant.extrapolation),
-        ];
-        let outcome = run(SCENE, &settings, context)?;
+        let outcome = run(SCENE, &variant.settings(), context)?;
         checks.extend(variant.checks(&outcome, &theory)?);
         variant.picture(&outcome, &theory, context)?;
     }
@@ -73,6 +119,16 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
 }
 
 impl Variant {
+    fn settings(&self) -> Vec<String> {
+        let mut settings = vec![
+            format!("spacing={}", self.spacing()),
+            format!("scheme.extrapolation={}", self.extrapolation),
+        ];
+        let model = self.model.settings().iter();
+        settings.extend(model.map(ToString::to_string));
+        settings
+    }
+
     fn spacing(&self) -> f64 {
         1.0 / f64::from(self.cells)
     }
@@ -80,8 +136,10 @@ impl Variant {
     fn checks(&self, outcome: &Outcome, theory: &ConeFlow) -> Result<Vec<Check>, ValidateError> {
         let label = |quantity: &str| {
             format!(
-                "axisymmetric, dx 1/{}, {}: {quantity}",
-                self.cells, self.extrapolation
+                "{}, dx 1/{}, {}: {quantity}",
+                self.model.name(),
+                self.cells,
+                self.extrapolation
             )
         };
         let ramp = Ramp {
@@ -95,7 +153,7 @@ impl Variant {
         let clearance = CLEARANCE * SMOOTHING_RATIO * self.spacing();
         let search = ShockSearch::above_ramp(&ramp, 1.1, clearance, [1.0, behind], self.spacing());
         let gas = &outcome.gas;
-        let line = fit_shock_line(&gas.position, &gas.density, &search)
+        let line = fit_shock_line(&meridian(gas), &gas.density, &search)
             .map_err(|error| SCENE.unread(error))?;
         let wall = &outcome.surface;
         let read: Vec<f64> = wall
@@ -133,17 +191,31 @@ impl Variant {
         let gas = &outcome.gas;
         let diameter = diameters(gas);
         let title = format!(
-            "Cone of 20 degrees at Mach 3, rings about the axis: dx 1/{}, {}",
-            self.cells, self.extrapolation
+            "Cone of 20 degrees at Mach 3, {}: dx 1/{}, {}",
+            self.model.name(),
+            self.cells,
+            self.extrapolation
         );
+        let meridian = meridian(gas);
         let mut picture =
-            ParticlePicture::new(&title, &gas.position, &diameter, &gas.pressure, "pressure");
+            ParticlePicture::new(&title, &meridian, &diameter, &gas.pressure, "pressure");
         let line = |angle: f64| vec![[0.0, 0.0], [1.5, 1.5 * angle.tan()]];
         picture.overlays = vec![
             Overlay::outline(line(theory.cone_angle)),
             Overlay::theory("shock, theory", line(theory.shock_angle)),
         ];
-        let name = format!("cone-{}-{}.png", self.cells, self.extrapolation);
+        let model = match self.model {
+            Model::Rings => "",
+            Model::Quarter => "-quarter",
+        };
+        let name = format!("cone{model}-{}-{}.png", self.cells, self.extrapolation);
         Ok(picture.save(&context.out.join(name))?)
     }
+}
+
+/// Positions along the axis and off it.
+fn meridian(gas: &Frame) -> Vec<[f64; 3]> {
+    let radius = |[_, y, z]: [f64; 3]| f64::hypot(y, z);
+    let positions = gas.position.iter();
+    positions.map(|&at| [at[0], radius(at), 0.0]).collect()
 }
