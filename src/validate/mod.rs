@@ -14,6 +14,7 @@ pub mod report;
 mod sod;
 mod sphere;
 mod square;
+mod stability;
 mod step;
 mod stress;
 mod wedge;
@@ -105,12 +106,13 @@ type Comparison = fn(&Context<'_>) -> Result<Vec<Check>, ValidateError>;
 
 /// Cases that run only where they are named: they show where the method ends, and some of their rows
 /// fail.
-const ON_REQUEST: [(&str, Comparison); 5] = [
+const ON_REQUEST: [(&str, Comparison); 6] = [
     ("stress", stress::compare),
     ("stress-tubes", stress::tubes),
     ("stress-balls", stress::balls),
     ("stress-smooth", stress::smooth),
     ("stress-bodies", stress::bodies),
+    ("stability", stability::compare),
 ];
 
 /// All other cases, in the order in which they run.

@@ -10,7 +10,7 @@ use super::{Context, ValidateError};
 use crate::case::Case;
 use crate::frame::{Frame, Kind, Load, SurfaceFrame};
 use crate::output::{OutputError, Summary};
-use crate::run::{Recorder, Stopwatch, simulate};
+use crate::run::{Recorder, RunError, Stopwatch, simulate};
 use crate::scene::{AnyCase, Scene};
 use crate::solver::Simulation;
 
@@ -108,11 +108,40 @@ pub fn run_keeping(
     })
 }
 
+/// A run that came to its end or did not.
+#[derive(Debug)]
+pub enum Attempt {
+    /// It did.
+    Ended(Box<Outcome>),
+    /// It stopped, and why.
+    Stopped(String, Box<Summary>),
+}
+
+/// Runs a scene; only a scene that is wrong is an error.
+pub fn attempt(
+    source: Source,
+    settings: &[String],
+    context: &Context<'_>,
+) -> Result<Attempt, ValidateError> {
+    match run(source, settings, context) {
+        Ok(outcome) => Ok(Attempt::Ended(Box::new(outcome))),
+        Err(ValidateError::Run { source: error, .. }) => match *error {
+            RunError::Stopped { reason, summary } => Ok(Attempt::Stopped(reason, summary)),
+            other => Err(ValidateError::Run {
+                case: source.name.into(),
+                variant: settings.join(" "),
+                source: Box::new(other),
+            }),
+        },
+        Err(error) => Err(error),
+    }
+}
+
 fn finish<const D: usize>(
     case: Case<D>,
     keep: Keep,
     stopwatch: Stopwatch,
-) -> Result<Outcome, crate::run::RunError> {
+) -> Result<Outcome, RunError> {
     let mut keeper = Keeper {
         keep,
         frames_from: 0.5 * case.end_time,

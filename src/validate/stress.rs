@@ -24,10 +24,8 @@ use std::path::Path;
 
 use aero_validation::table::{Check, Subject};
 
-use super::outcome::{Outcome, Source, run};
+use super::outcome::{Attempt, Source};
 use super::{Context, Level, ValidateError};
-use crate::output::Summary;
-use crate::run::RunError;
 use crate::scene::Scene;
 
 /// A scheme with an extrapolation, and from which level on it is compared.
@@ -71,34 +69,6 @@ pub fn smooth(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
 /// Runs the flows around bodies.
 pub fn bodies(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     bodies::compare(context)
-}
-
-/// A run that came to its end or did not.
-enum Attempt {
-    /// It did.
-    Ended(Box<Outcome>),
-    /// It stopped, and why.
-    Stopped(String, Box<Summary>),
-}
-
-/// Runs a scene; only a scene that is wrong is an error.
-fn attempt(
-    source: Source,
-    settings: &[String],
-    context: &Context<'_>,
-) -> Result<Attempt, ValidateError> {
-    match run(source, settings, context) {
-        Ok(outcome) => Ok(Attempt::Ended(Box::new(outcome))),
-        Err(ValidateError::Run { source: error, .. }) => match *error {
-            RunError::Stopped { reason, summary } => Ok(Attempt::Stopped(reason, summary)),
-            other => Err(ValidateError::Run {
-                case: source.name.into(),
-                variant: settings.join(" "),
-                source: Box::new(other),
-            }),
-        },
-        Err(error) => Err(error),
-    }
 }
 
 /// Rows that every run gets: whether it came to its end, what it lost, and its extremes.

@@ -6,8 +6,8 @@ use aero_validation::exact::oblique::detachment;
 use aero_validation::exact::prandtl_meyer::expand;
 use aero_validation::table::{Check, Subject};
 
-use super::{Attempt, Context, Level, VARIANTS, ValidateError, attempt, common_rows, variant};
-use crate::validate::outcome::{Outcome, Source};
+use super::{Context, Level, VARIANTS, ValidateError, common_rows, variant};
+use crate::validate::outcome::{Attempt, Outcome, Source, attempt};
 
 const GAMMA: f64 = 1.4;
 /// Pressure of the stream in all scenes, `1 / gamma`.

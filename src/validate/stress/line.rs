@@ -7,10 +7,8 @@ use aero_validation::pictures::curves::{Curves, Panel, Series};
 use aero_validation::table::{Check, Subject};
 
 use super::tubes::{NOH, Profile, SOD, TORO_3, TUBES, Tube};
-use super::{
-    Attempt, Context, Level, VARIANTS, ValidateError, attempt, common_rows, scene, variant,
-};
-use crate::validate::outcome::Outcome;
+use super::{Context, Level, VARIANTS, ValidateError, common_rows, scene, variant};
+use crate::validate::outcome::{Attempt, Outcome, attempt};
 
 /// Largest mean error of the density, in per cent of its mean, at the spacing of the scenes.
 const ALLOWED: f64 = 5.0;

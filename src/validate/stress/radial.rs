@@ -5,9 +5,9 @@ use aero_validation::exact::sedov::Sedov;
 use aero_validation::pictures::curves::{Curves, Panel, Series};
 use aero_validation::table::{Check, Subject};
 
-use super::{Attempt, Context, Level, VARIANTS, ValidateError, attempt, common_rows, variant};
+use super::{Context, Level, VARIANTS, ValidateError, common_rows, variant};
 use crate::frame::Frame;
-use crate::validate::outcome::Source;
+use crate::validate::outcome::{Attempt, Source, attempt};
 
 /// Largest mean error of the density, in per cent of its mean.
 const ALLOWED: f64 = 5.0;

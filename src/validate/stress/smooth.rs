@@ -4,9 +4,9 @@
 use aero_validation::metrics::order::convergence_order;
 use aero_validation::table::{Check, Subject};
 
-use super::{Attempt, Context, Level, VARIANTS, ValidateError, attempt, common_rows, variant};
+use super::{Context, Level, VARIANTS, ValidateError, common_rows, variant};
 use crate::frame::Frame;
-use crate::validate::outcome::Source;
+use crate::validate::outcome::{Attempt, Source, attempt};
 
 /// Least order of convergence of the isentropic vortex.
 const LEAST_ORDER: f64 = 1.5;

@@ -78,7 +78,7 @@ fn positive(what: &'static str, value: f64) -> Result<(), MetricError> {
 
 /// Middle value of `values`, which are reordered; the mean of the two middle ones for an even
 /// number, NaN for none.
-fn median(values: &mut [f64]) -> f64 {
+pub fn median(values: &mut [f64]) -> f64 {
     if values.is_empty() {
         return f64::NAN;
     }

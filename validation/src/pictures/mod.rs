@@ -12,6 +12,7 @@ pub mod curves;
 mod dashes;
 mod font;
 mod legend;
+pub mod mosaic;
 mod particle_page;
 pub mod particles;
 pub mod speed;
