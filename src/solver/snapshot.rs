@@ -79,7 +79,7 @@ impl<const D: usize> Simulation<D> {
             };
             push(&mut frame, &open.particle, gamma, kind);
         }
-        for (number, ghost) in self.walls.ghosts.iter().enumerate() {
+        for (number, ghost) in self.walls.own().iter().enumerate() {
             let particle = Particle {
                 position: ghost.position,
                 velocity: ghost.velocity,
@@ -144,7 +144,7 @@ impl<const D: usize> Simulation<D> {
     pub fn statistics(&self) -> Statistics {
         Statistics {
             fluid: self.fluid.len(),
-            ghost: self.walls.ghosts.len(),
+            ghost: self.walls.own_count(),
             particle_updates: self.extremes.updates,
             neighbours_mean: self.neighbours_mean(),
             leaked: self
