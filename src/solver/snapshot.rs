@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Simulation;
 use super::open::add;
-use super::particle::Particle;
+use super::particle::{Ghost, Particle};
 use super::records::State;
 use super::rigid::pad;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
@@ -104,7 +104,8 @@ impl<const D: usize> Simulation<D> {
             time: self.time,
             ..SurfaceFrame::default()
         };
-        for ghost in self.walls.ghosts.iter().filter(|ghost| ghost.layer == 0) {
+        let is_shown = |ghost: &&Ghost<D>| ghost.layer == 0 && self.foot(ghost) == ghost.foot();
+        for ghost in self.walls.ghosts.iter().filter(is_shown) {
             surface.position.push(pad(&ghost.foot()).into());
             surface.normal.push(pad(&ghost.normal).into());
             surface.pressure.push(ghost.wall_pressure);

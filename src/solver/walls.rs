@@ -380,7 +380,7 @@ fn seen_by_face<const D: usize>(case: &Case<D>, ghost: &Ghost<D>, view: &View<D>
     seen.reference_mass = ghost.reference_mass;
     seen.body = ghost.body;
     // Only what lies in the body counts as its wall layer.
-    seen.layer = ((view.depth / case.spacing) as u32).max(u32::from(view.continues));
+    seen.layer = ((view.depth / body.report.spacing) as u32).max(u32::from(view.continues));
     seen.sight = view.sight;
     let reached = body.shape.signed_distance(&seen.mirror());
     seen.has_mirror = (reached - view.depth).abs() < 0.1 * view.depth;

@@ -42,7 +42,10 @@ fn plate<const D: usize>(
         motion: Motion::none(),
         ghosts,
         packed_fluid: None,
-        report: PackReport::default(),
+        report: PackReport {
+            spacing: case.spacing,
+            ..PackReport::default()
+        },
         reference_area: 1.0,
         reference_length: 1.0,
         moment_centre: Vector::zeros(),
@@ -149,6 +152,8 @@ fn a_cut_through_the_middle_of_a_thin_plate_changes_nothing() {
     assert!(whole.walls.faces().is_some() && half.walls.faces().is_some());
     advance(&mut whole, 20);
     advance(&mut half, 20);
+    let [pushed, lifted] = [&whole, &half].map(|simulation| simulation.loads()[0].force);
+    assert!(pushed[1].abs() < 1e-9 && (pushed[0] - lifted[0]).abs() < 1e-9);
     for particle in &half.fluid {
         let distance =
             |p: &crate::solver::particle::Particle<2>| (p.position - particle.position).norm();
