@@ -14,7 +14,7 @@ use super::particle::Ghost;
 use super::records::{GHOSTS, Matrix, Near, Records, State};
 use super::rigid::Pose;
 use super::side_walls;
-use crate::case::{Case, Equations, Extrapolation, Motion, WallKind};
+use crate::case::{Case, Equations, Extrapolation, Motion, Side, WallKind};
 
 /// All ghosts, and what their bodies do.
 #[derive(Clone, Debug)]
@@ -64,7 +64,7 @@ impl<const D: usize> Walls<D> {
             for (g, &position) in body.ghosts.position.iter().enumerate() {
                 let depth = -body.ghosts.distance[g];
                 let mut ghost = blank(case, position, body.ghosts.normal[g], depth);
-                ghost.volume = body.ghosts.volume[g];
+                ghost.volume = body.ghosts.volume[g] * modelled_share(case, &position);
                 ghost.reference_mass = ghost.density * ghost.volume;
                 ghost.body = number as u32;
                 ghost.layer = body.ghosts.layer[g];
@@ -370,6 +370,24 @@ fn blank<const D: usize>(
         density: gas.density,
         smoothing_length: h,
     }
+}
+
+/// The part of a ghost that belongs to the modelled side of all symmetry planes: one half of it for each plane that it
+/// lies on. Its images, at the same place, are the rest.
+fn modelled_share<const D: usize>(case: &Case<D>, position: &Vector<D>) -> f64 {
+    let bounds = &case.domain.bounds;
+    let on = |side: Side, place: f64, plane: f64| {
+        side.is_mirror() && (place - plane).abs() < 1e-9 * case.spacing
+    };
+    let planes = (0..D).flat_map(|k| {
+        let [low, high] = case.domain.sides[k];
+        let place = position[k];
+        [
+            on(low, place, bounds.min[k]),
+            on(high, place, bounds.max[k]),
+        ]
+    });
+    0.5_f64.powi(planes.filter(|&is_on| is_on).count() as i32)
 }
 
 /// `ghost` as another face sees it.
