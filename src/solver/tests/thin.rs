@@ -2,7 +2,7 @@ use aero_geometry::{Placed, Placement, Shape, bodies};
 use aero_packer::{Ghosts, PackReport};
 
 use super::*;
-use crate::case::{Body, Motion};
+use crate::case::{Body, Motion, Turning};
 use crate::solver::lattice;
 
 /// Spacings of gas above and below the plate: the mirrors of the walls' ghosts do not reach across it.
@@ -120,14 +120,8 @@ fn a_thick_plate_has_no_thin_parts() {
     assert!(start(case).walls.faces().is_none());
 }
 
-#[test]
-fn a_cut_through_the_middle_of_a_thin_plate_changes_nothing() {
-    for thickness in [1, 2] {
-        cut_changes_nothing(thickness);
-    }
-}
-
-fn cut_changes_nothing(thickness: usize) {
+/// Flow that is symmetric about the middle of a thin plate, and its upper half above a symmetry plane.
+fn cut_pair(thickness: usize) -> [Case<2>; 2] {
     let flow = |case: &mut Case<2>| {
         let middle = 0.5 * case.domain.bounds.max[1];
         case.initial = Initial::Field(Field(Arc::new(move |position: &Vector<2>| State {
@@ -154,6 +148,12 @@ fn cut_changes_nothing(thickness: usize) {
         layer: kept.iter().map(|&g| ghosts.layer[g]).collect(),
         face: kept.iter().map(|&g| ghosts.face[g]).collect(),
     };
+    [whole, half]
+}
+
+#[test]
+fn a_cut_through_the_middle_of_a_thin_plate_changes_nothing() {
+    let [whole, half] = cut_pair(2);
     let (mut whole, mut half) = (start(whole), start(half));
     assert!(whole.walls.faces().is_some() && half.walls.faces().is_some());
     advance(&mut whole, 20);
@@ -171,4 +171,73 @@ fn cut_changes_nothing(thickness: usize) {
         assert!((twin.position - particle.position).norm() < 1e-10);
         assert!((twin.velocity - particle.velocity).norm() < 1e-10);
     }
+}
+
+#[test]
+fn ghosts_on_a_symmetry_plane_share_their_volume_with_their_images() {
+    let [whole, half] = cut_pair(1).map(start);
+    let volume = |simulation: &Simulation<2>| {
+        let own = simulation.walls.own().iter();
+        own.filter(|g| g.body == 0).map(|g| g.volume).sum::<f64>()
+    };
+    assert!((volume(&half) / volume(&whole) - 0.5).abs() < 1e-12);
+}
+
+/// A short plate that turns in a closed box: gas passes around both of its ends.
+fn turning_plate() -> Case<2> {
+    let mut case = plate_2d(2);
+    let centre = case.domain.bounds.max * 0.5;
+    let place = Placement::default().moved(centre);
+    let short = bodies::rectangle(0.4, 0.2, 0.0).expect("a rectangle");
+    let shape = Placed::new(short, place);
+    case.domain.sides = [[WALL; 2]; 2];
+    let body = &mut case.bodies[0];
+    let all = body.ghosts.clone();
+    body.ghosts = Ghosts::default();
+    for (&position, &volume) in all.position.iter().zip(&all.volume) {
+        let surface = shape.closest(&position);
+        if surface.distance < 0.0 {
+            let ghosts = &mut body.ghosts;
+            ghosts.position.push(position);
+            ghosts.normal.push(surface.normal);
+            ghosts.distance.push(surface.distance);
+            ghosts.volume.push(volume);
+            ghosts.layer.push(0);
+            ghosts.face.push(surface.face);
+        }
+    }
+    body.shape = Arc::new(shape);
+    body.motion.pivot = centre;
+    body.motion.turning = Turning::Steady(nalgebra::Vector3::new(0.0, 0.0, 0.8));
+    case
+}
+
+fn bits(simulation: &Simulation<2>) -> Vec<u64> {
+    let numbers = |p: &crate::solver::particle::Particle<2>| {
+        [p.position[0], p.velocity[1], p.density, p.energy].map(f64::to_bits)
+    };
+    simulation.fluid.iter().flat_map(numbers).collect()
+}
+
+#[test]
+fn a_turning_thin_plate_gives_the_same_bits_for_any_number_of_threads_and_after_a_pause() {
+    let run = |threads: usize, pause: bool| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads);
+        pool.build().expect("a pool").install(|| {
+            let mut simulation = start(turning_plate());
+            advance(&mut simulation, 8);
+            if pause {
+                let memory = simulation.memory();
+                simulation = Simulation::resume(turning_plate(), memory).expect("the same case");
+            }
+            advance(&mut simulation, 8);
+            assert!(simulation.walls.faces().is_some());
+            assert!(greatest_speed(&simulation) > 0.01);
+            assert_eq!(simulation.statistics().leaked, 0);
+            bits(&simulation)
+        })
+    };
+    let one = run(1, false);
+    assert_eq!(one, run(2, false));
+    assert_eq!(one, run(2, true));
 }
