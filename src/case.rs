@@ -117,6 +117,8 @@ pub struct Scheme {
     pub constant_ghost_volume: bool,
     /// The artificial viscosity leaves flow alone that varies linearly; conservative scheme only.
     pub limited_viscosity: bool,
+    /// Gas on one side of a thin part feels neither gas nor ghosts of the other side.
+    pub surface_tags: bool,
     /// Courant number `C_CFL` of equation (33).
     pub cfl: f64,
 }

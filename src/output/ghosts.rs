@@ -29,11 +29,17 @@ pub fn write_ghosts<const D: usize>(path: &Path, bodies: &[&Ghosts<D>]) -> Resul
         .flat_map(|ghosts| &ghosts.layer)
         .copied()
         .collect();
+    let faces: Vec<u32> = bodies
+        .iter()
+        .flat_map(|ghosts| &ghosts.face)
+        .copied()
+        .collect();
     Cloud::new(&positions.map(in_space).collect::<Vec<_>>())
         .vectors("normal", &normals)
         .scalars("distance", joined(|ghosts| &ghosts.distance))
         .scalars("volume", joined(|ghosts| &ghosts.volume))
         .scalars("layer", layers)
+        .scalars("face", faces)
         .scalars(
             "body",
             numbers(bodies.iter().map(|ghosts| ghosts.position.len())),

@@ -39,7 +39,7 @@ pub fn shape_operator<const D: usize>(
 }
 
 /// An orthonormal basis of the plane across `normal`.
-fn tangents<const D: usize>(normal: &Vector<D>) -> Vec<Vector<D>> {
+pub fn tangents<const D: usize>(normal: &Vector<D>) -> Vec<Vector<D>> {
     let mut basis: Vec<Vector<D>> = vec![*normal];
     let mut axes: Vec<usize> = (0..D).collect();
     axes.sort_by(|&a, &b| normal[a].abs().total_cmp(&normal[b].abs()));

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::Simulation;
 use super::pairs::rates::reactions;
-use super::particle::Rates;
+use super::particle::{Ghost, Rates};
 use super::records::GHOSTS;
 use super::rigid::pad;
 use crate::case::Side;
@@ -37,7 +37,7 @@ impl<const D: usize> Simulation<D> {
         let domain = &self.case.domain.bounds;
         for (ghost, force) in self.walls.ghosts.iter().zip(&forces) {
             let body = ghost.body as usize;
-            if body < bodies.len() && !domain.contains(&ghost.foot()) {
+            if body < bodies.len() && !domain.contains(&self.foot(ghost)) {
                 continue;
             }
             for (sign, shift) in &reflections[body] {
@@ -138,9 +138,27 @@ impl<const D: usize> Simulation<D> {
             .zip(masses)
             .zip(&self.walls.ghosts)
             .map(|((rates, near), ghost)| {
-                rates.acceleration * (near.mass * self.rings.circumference(&ghost.foot()))
+                rates.acceleration * (near.mass * self.rings.circumference(&self.foot(ghost)))
             })
             .collect()
+    }
+
+    /// The foot of a ghost; of a view that looks from beyond a symmetry plane, as its own image does, the foot's
+    /// mirror image in the domain.
+    pub(super) fn foot(&self, ghost: &Ghost<D>) -> Vector<D> {
+        let mut foot = ghost.foot();
+        if !ghost.sight.is_view() {
+            return foot;
+        }
+        let bounds = &self.case.domain.bounds;
+        for (axis, [low, high]) in self.case.domain.sides.iter().enumerate() {
+            if low.is_mirror() && foot[axis] < bounds.min[axis] {
+                foot[axis] = 2.0 * bounds.min[axis] - foot[axis];
+            } else if high.is_mirror() && foot[axis] > bounds.max[axis] {
+                foot[axis] = 2.0 * bounds.max[axis] - foot[axis];
+            }
+        }
+        foot
     }
 
     /// Maps `x' = sign x + shift` that make the whole body of the modelled part.

@@ -13,6 +13,7 @@ use crate::frame::Totals;
 
 mod checkpoint;
 mod curvature;
+mod faces;
 mod failure;
 mod fill;
 mod images;
@@ -255,11 +256,14 @@ impl<const D: usize> Simulation<D> {
         self.fill_ghosts();
 
         let records = &self.records;
+        let ghosts = records.segment(GHOSTS);
+        let views = ghosts.start + self.walls.own_count();
         let sets = [
             Candidates::new(&self.fluid_pencils, records, FLUID),
             Candidates::new(&self.open_pencils, records, OPEN),
             Candidates::new(&self.flow_images.pencils, records, FLOW_IMAGES),
-            Candidates::new(&self.walls.pencils, records, GHOSTS),
+            Candidates::ghosts(&self.walls.pencils, records, ghosts.start..views),
+            Candidates::ghosts(&self.walls.view_pencils, records, views..ghosts.end),
             Candidates::new(&self.ghost_images.pencils, records, GHOST_IMAGES),
         ];
         let seeker = |i: usize| Seeker {
@@ -271,6 +275,7 @@ impl<const D: usize> Simulation<D> {
             .build(self.arch, self.fluid.len(), seeker, &sets, half_step);
         self.walls
             .build_lists(self.arch, &sets, half_step, &mut self.wall_lists);
+        self.part_thin_sides();
     }
 
     /// Copies particles near symmetry planes and periodic sides to beyond them.

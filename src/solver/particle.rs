@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 use serde::{Deserialize, Serialize};
 
+use super::faces::Sight;
 use super::records::Matrix;
 
 /// A particle of gas.
@@ -119,6 +120,8 @@ pub struct Ghost<const D: usize> {
     pub body: u32,
     /// Layer, 0 at the wall.
     pub layer: u32,
+    /// From where it is seen.
+    pub sight: Sight,
     /// Velocity of the wall here.
     pub wall_velocity: Vector<D>,
     /// Acceleration of the wall here.

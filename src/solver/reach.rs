@@ -14,7 +14,7 @@ use crate::case::Side;
 const AT_WALLS: f64 = 1.5;
 
 /// Layers of ghosts behind a wall, and what a buffer of an open side holds at least, in spacings.
-const LAYERS: f64 = 5.0;
+pub const LAYERS: f64 = 5.0;
 
 /// Largest smoothing length anywhere, relative to that of the starting lattice, by dimension: every
 /// search for neighbours reaches as far as the widest kernel.

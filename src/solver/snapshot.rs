@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Simulation;
 use super::open::add;
-use super::particle::Particle;
+use super::particle::{Ghost, Particle};
 use super::records::State;
 use super::rigid::pad;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
@@ -79,7 +79,7 @@ impl<const D: usize> Simulation<D> {
             };
             push(&mut frame, &open.particle, gamma, kind);
         }
-        for (number, ghost) in self.walls.ghosts.iter().enumerate() {
+        for (number, ghost) in self.walls.own().iter().enumerate() {
             let particle = Particle {
                 position: ghost.position,
                 velocity: ghost.velocity,
@@ -104,7 +104,8 @@ impl<const D: usize> Simulation<D> {
             time: self.time,
             ..SurfaceFrame::default()
         };
-        for ghost in self.walls.ghosts.iter().filter(|ghost| ghost.layer == 0) {
+        let is_shown = |ghost: &&Ghost<D>| ghost.layer == 0 && self.foot(ghost) == ghost.foot();
+        for ghost in self.walls.ghosts.iter().filter(is_shown) {
             surface.position.push(pad(&ghost.foot()).into());
             surface.normal.push(pad(&ghost.normal).into());
             surface.pressure.push(ghost.wall_pressure);
@@ -144,7 +145,7 @@ impl<const D: usize> Simulation<D> {
     pub fn statistics(&self) -> Statistics {
         Statistics {
             fluid: self.fluid.len(),
-            ghost: self.walls.ghosts.len(),
+            ghost: self.walls.own_count(),
             particle_updates: self.extremes.updates,
             neighbours_mean: self.neighbours_mean(),
             leaked: self

@@ -6,6 +6,7 @@ use pulp::Arch;
 use rayon::prelude::*;
 
 use super::curvature::shape_operator;
+use super::faces::{Faces, Sight, ThinParts, View, thin_parts};
 use super::lattice;
 use super::neighbours::{Candidates, GROWTH, Lists, Seeker};
 use super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
@@ -13,15 +14,17 @@ use super::particle::Ghost;
 use super::records::{GHOSTS, Matrix, Near, Records, State};
 use super::rigid::Pose;
 use super::side_walls;
-use crate::case::{Case, Equations, Extrapolation, Motion, WallKind};
+use crate::case::{Case, Equations, Extrapolation, Motion, Side, WallKind};
 
 /// All ghosts, and what their bodies do.
 #[derive(Clone, Debug)]
 pub struct Walls<const D: usize> {
-    /// Ghosts in the order of `pencils`.
+    /// Ghosts in the order of `pencils`, then their views in the order of `view_pencils`.
     pub ghosts: Vec<Ghost<D>>,
-    /// Their order in space.
+    /// Order of the ghosts in space.
     pub pencils: Pencils<D>,
+    /// Order of the views in space.
+    pub view_pencils: Pencils<D>,
     /// Ghosts whose mirror was short of neighbours at the last evaluation.
     pub mirror_fallbacks: usize,
     /// Bodies in scene order, then wall sides.
@@ -31,6 +34,7 @@ pub struct Walls<const D: usize> {
     constant_volume: bool,
     gamma: f64,
     width: f64,
+    faces: Option<Faces<D>>,
     found: Vec<Option<Interpolated<D>>>,
     mirrored: Vec<Option<Interpolated<D>>>,
 }
@@ -41,7 +45,7 @@ pub struct WallLists {
     /// Around each ghost.
     pub near: Lists,
     /// Around each mirror point; the gas only.
-    mirror: Lists,
+    pub mirror: Lists,
 }
 
 impl<const D: usize> Walls<D> {
@@ -60,7 +64,7 @@ impl<const D: usize> Walls<D> {
             for (g, &position) in body.ghosts.position.iter().enumerate() {
                 let depth = -body.ghosts.distance[g];
                 let mut ghost = blank(case, position, body.ghosts.normal[g], depth);
-                ghost.volume = body.ghosts.volume[g];
+                ghost.volume = body.ghosts.volume[g] * modelled_share(case, &position);
                 ghost.reference_mass = ghost.density * ghost.volume;
                 ghost.body = number as u32;
                 ghost.layer = body.ghosts.layer[g];
@@ -92,9 +96,25 @@ impl<const D: usize> Walls<D> {
                 ghosts.push(ghost);
             }
         }
+        let thin = case.scheme.surface_tags.then(|| thin_parts(case)).flatten();
+        if let Some(ThinParts { views, hidden, .. }) = &thin {
+            let originals = ghosts.clone();
+            let mut first = 0;
+            for (number, hidden) in hidden.iter().enumerate() {
+                for (ghost, &faces) in ghosts[first..].iter_mut().zip(hidden) {
+                    ghost.sight.hidden = faces;
+                }
+                let views = views.par_iter().filter(|view| view.body == number);
+                let seen =
+                    views.map(|view| seen_by_face(case, &originals[first + view.ghost], view));
+                ghosts.par_extend(seen);
+                first += hidden.len();
+            }
+        }
         let mut walls = Self {
             ghosts,
             pencils: Pencils::default(),
+            view_pencils: Pencils::default(),
             mirror_fallbacks: 0,
             bodies,
             extrapolation: case.scheme.extrapolation,
@@ -102,6 +122,7 @@ impl<const D: usize> Walls<D> {
             constant_volume: case.scheme.constant_ghost_volume,
             gamma: case.gamma,
             width,
+            faces: thin.map(|thin| thin.faces),
             found: Vec::new(),
             mirrored: Vec::new(),
         };
@@ -147,14 +168,25 @@ impl<const D: usize> Walls<D> {
 
     /// Sorts the ghosts in space; needed after they have moved.
     pub fn sort(&mut self) {
-        let positions: Vec<_> = self.ghosts.iter().map(|ghost| ghost.position).collect();
-        self.pencils.rebuild(&positions, self.width);
-        self.ghosts = self
-            .pencils
-            .order()
-            .iter()
-            .map(|&g| self.ghosts[g as usize])
-            .collect();
+        let (ghosts, views) = self.ghosts.split_at(self.own_count());
+        let mut all = sorted(ghosts, &mut self.pencils, self.width);
+        all.extend(sorted(views, &mut self.view_pencils, self.width));
+        self.ghosts = all;
+    }
+
+    /// Number of ghosts without their views.
+    pub fn own_count(&self) -> usize {
+        self.ghosts.partition_point(|ghost| !ghost.sight.is_view())
+    }
+
+    /// The ghosts without their views.
+    pub fn own(&self) -> &[Ghost<D>] {
+        &self.ghosts[..self.own_count()]
+    }
+
+    /// The faces of thin parts; none where there are no such parts.
+    pub fn faces(&self) -> Option<&Faces<D>> {
+        self.faces.as_ref()
     }
 
     /// Lists the gas around each ghost and, with mirrors, around each mirror point.
@@ -276,6 +308,18 @@ impl<const D: usize> Walls<D> {
     }
 }
 
+/// The ghosts in the order of `pencils`, which are made anew.
+fn sorted<const D: usize>(
+    ghosts: &[Ghost<D>],
+    pencils: &mut Pencils<D>,
+    width: f64,
+) -> Vec<Ghost<D>> {
+    let positions: Vec<_> = ghosts.iter().map(|ghost| ghost.position).collect();
+    pencils.rebuild(&positions, width);
+    let order = pencils.order().iter();
+    order.map(|&g| ghosts[g as usize]).collect()
+}
+
 fn seeker<const D: usize>(ghost: &Ghost<D>) -> Seeker<D> {
     Seeker {
         position: ghost.position,
@@ -312,6 +356,7 @@ fn blank<const D: usize>(
         has_mirror: true,
         body: 0,
         layer: 0,
+        sight: Sight::default(),
         wall_velocity: Vector::zeros(),
         wall_acceleration: Vector::zeros(),
         origin_curvature: Matrix::zeros(),
@@ -325,6 +370,43 @@ fn blank<const D: usize>(
         density: gas.density,
         smoothing_length: h,
     }
+}
+
+/// The part of a ghost that belongs to the modelled side of all symmetry planes: one half of it for each plane that it
+/// lies on. Its images, at the same place, are the rest.
+fn modelled_share<const D: usize>(case: &Case<D>, position: &Vector<D>) -> f64 {
+    let bounds = &case.domain.bounds;
+    let on = |side: Side, place: f64, plane: f64| {
+        side.is_mirror() && (place - plane).abs() < 1e-9 * case.spacing
+    };
+    let planes = (0..D).flat_map(|k| {
+        let [low, high] = case.domain.sides[k];
+        let place = position[k];
+        [
+            on(low, place, bounds.min[k]),
+            on(high, place, bounds.max[k]),
+        ]
+    });
+    0.5_f64.powi(planes.filter(|&is_on| is_on).count() as i32)
+}
+
+/// `ghost` as another face sees it.
+fn seen_by_face<const D: usize>(case: &Case<D>, ghost: &Ghost<D>, view: &View<D>) -> Ghost<D> {
+    let body = &case.bodies[view.body];
+    let mut seen = blank(case, view.position, view.normal, view.depth);
+    seen.volume = ghost.volume;
+    seen.reference_mass = ghost.reference_mass;
+    seen.body = ghost.body;
+    // Only what lies in the body counts as its wall layer.
+    seen.layer = ((view.depth / body.report.spacing) as u32).max(u32::from(view.continues));
+    seen.sight = view.sight;
+    let reached = body.shape.signed_distance(&seen.mirror());
+    seen.has_mirror = (reached - view.depth).abs() < 0.1 * view.depth;
+    if case.scheme.equations == Equations::Conservative {
+        let above = seen.foot() + view.normal * (0.1 * case.spacing);
+        seen.origin_curvature = shape_operator(&body.shape, &above, case.spacing);
+    }
+    seen
 }
 
 /// Mirrors the state of the gas at the wall. `arm` is the distance along the normal from the

@@ -1,5 +1,7 @@
 //! Sets of particles that can be neighbours.
 
+use std::ops::Range;
+
 use aero_geometry::{Bounds, Pencils, Vector};
 
 use crate::solver::records::{GHOSTS, Near, Records};
@@ -20,7 +22,25 @@ pub struct Candidates<'a, const D: usize> {
 impl<'a, const D: usize> Candidates<'a, D> {
     /// The particles of one segment of `records`, sorted by `pencils`.
     pub fn new(pencils: &'a Pencils<D>, records: &'a Records<D>, segment: usize) -> Self {
-        let slots = records.segment(segment);
+        Self::over(
+            pencils,
+            records,
+            records.segment(segment),
+            segment >= GHOSTS,
+        )
+    }
+
+    /// The ghosts at `slots`, sorted by `pencils`.
+    pub fn ghosts(pencils: &'a Pencils<D>, records: &'a Records<D>, slots: Range<usize>) -> Self {
+        Self::over(pencils, records, slots, true)
+    }
+
+    fn over(
+        pencils: &'a Pencils<D>,
+        records: &'a Records<D>,
+        slots: Range<usize>,
+        wall: bool,
+    ) -> Self {
         let near = &records.near[slots.clone()];
         let nowhere = Vector::<D>::repeat(f64::INFINITY);
         let mut velocity = Bounds::new(nowhere, -nowhere);
@@ -37,7 +57,7 @@ impl<'a, const D: usize> Candidates<'a, D> {
             near,
             half_h_max,
             velocity,
-            wall: segment >= GHOSTS,
+            wall,
         }
     }
 

@@ -12,6 +12,7 @@ use rayon::prelude::*;
 
 mod candidates;
 mod hull;
+mod restrict;
 
 pub use candidates::Candidates;
 use hull::Hull;

@@ -4,6 +4,7 @@ mod conservation;
 mod invariance;
 mod rest;
 mod rings;
+mod thin;
 mod walls;
 
 use std::sync::Arc;
@@ -38,6 +39,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
             shield: false,
             constant_ghost_volume: true,
             limited_viscosity: true,
+            surface_tags: true,
             cfl: 0.5,
         },
         domain: Domain {

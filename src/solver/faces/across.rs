@@ -1,0 +1,170 @@
+//! What lies on the far side of a body: from a ghost straight through to the opposite face.
+
+use aero_geometry::{Closest, Shape, Vector};
+
+/// Two faces look apart where the cosine of the angle between their normals is below this: the tip that they
+/// form is sharper than 60 degrees. Wider corners are corners, not thin parts.
+const APART: f64 = -0.5;
+
+/// The exit of a ray is found to this many spacings.
+const TOLERANCE: f64 = 1e-3;
+
+/// Steps of a ray; one along a wall takes many and finds no exit.
+const RAY_STEPS: usize = 60;
+
+/// Steps of the search for a foot; on a flat face one is enough.
+const FOOT_STEPS: usize = 20;
+
+/// How far above the face, in spacings, the search for a foot looks.
+const LIFT: f64 = 0.5;
+
+/// Depth, in spacings, at which an edge shows by its lack of solid below.
+const PROBE: f64 = 0.05;
+
+/// Part of the probe's depth that may be lacking: a bend of about ten degrees.
+const LACKING: f64 = 0.02;
+
+/// The plane that touches a face at the foot of a point.
+#[derive(Clone, Copy, Debug)]
+pub struct Foot<const D: usize> {
+    /// Point of the face nearest to the one asked for.
+    pub point: Vector<D>,
+    /// Unit normal there, into the gas.
+    pub normal: Vector<D>,
+    /// Number of the smooth part of the surface.
+    pub face: u32,
+}
+
+impl<const D: usize> Foot<D> {
+    /// Depth of `point` below the plane.
+    pub fn depth(&self, point: &Vector<D>) -> f64 {
+        (self.point - point).dot(&self.normal)
+    }
+
+    /// Mirror image of `point` in the plane.
+    pub fn reflected(&self, point: &Vector<D>) -> Vector<D> {
+        point + self.normal * (2.0 * self.depth(point))
+    }
+
+    /// Mirror image of the plane in another one.
+    #[must_use]
+    pub fn reflected_in(&self, plane: &Self) -> Self {
+        let normal = self.normal - plane.normal * (2.0 * self.normal.dot(&plane.normal));
+        Self {
+            point: plane.reflected(&self.point),
+            normal,
+            face: self.face,
+        }
+    }
+}
+
+/// The faces on both sides of a ghost in a thin part.
+#[derive(Clone, Copy, Debug)]
+pub struct Across<const D: usize> {
+    /// Number of the ghost in its body.
+    pub ghost: usize,
+    /// The face that it belongs to.
+    pub near: Foot<D>,
+    /// The opposite face, as the ray finds it.
+    pub far: Foot<D>,
+    /// True where `far` is the ghost's foot on the opposite face, which then is not too bent to have one.
+    pub has_foot: bool,
+}
+
+/// Looks from `point`, a depth below the surface whose normal is `normal`, through the body to the opposite
+/// face; none where `point` lies deeper than `limit` below it or where the opposite side is no opposite face.
+pub fn across<const D: usize>(
+    shape: &dyn Shape<D>,
+    (ghost, point, normal, depth): (usize, Vector<D>, Vector<D>, f64),
+    limit: f64,
+    spacing: f64,
+) -> Option<Across<D>> {
+    // A ray may be oblique to the far side.
+    let exit = exit(shape, &point, &-normal, 2.0 * limit, TOLERANCE * spacing)?;
+    let beyond = shape.closest(&exit);
+    let guess = Foot::of(&beyond);
+    if beyond.normal.dot(&normal) > APART || guess.depth(&point) > limit {
+        return None;
+    }
+    let surface = point + normal * depth;
+    let near = Foot {
+        point: surface,
+        normal,
+        face: shape.closest(&(surface + normal * (PROBE * spacing))).face,
+    };
+    let found = foot_on(shape, &point, &guess, spacing);
+    Some(Across {
+        ghost,
+        near,
+        far: found.unwrap_or(guess),
+        has_foot: found.is_some(),
+    })
+}
+
+/// Where the ray from `from` leaves the body; steps as long as the distance to the surface never leave it.
+fn exit<const D: usize>(
+    shape: &dyn Shape<D>,
+    from: &Vector<D>,
+    direction: &Vector<D>,
+    limit: f64,
+    tolerance: f64,
+) -> Option<Vector<D>> {
+    // The first step, from next to the wall, must not take the near face for the far one.
+    let mut travelled = 0.0;
+    for _ in 0..RAY_STEPS {
+        let here = from + direction * travelled;
+        let room = -shape.signed_distance(&here);
+        if room < tolerance && travelled > 0.0 {
+            return Some(here);
+        }
+        travelled += room.max(tolerance);
+        if travelled > limit {
+            return None;
+        }
+    }
+    None
+}
+
+/// The foot of `point` on the face that `guess` touches nearby: where the nearest point of the surface, seen from
+/// above it on the line from `point`, lies on that line. None where the face is so bent that `point` lies beyond
+/// its centre of curvature, or at an edge.
+pub fn foot_on<const D: usize>(
+    shape: &dyn Shape<D>,
+    point: &Vector<D>,
+    guess: &Foot<D>,
+    spacing: f64,
+) -> Option<Foot<D>> {
+    let lift = LIFT * spacing;
+    let mut direction = guess.normal;
+    let mut depth = guess.depth(point);
+    for _ in 0..FOOT_STEPS {
+        let seen = shape.closest(&(point + direction * (depth + lift)));
+        if seen.distance <= 0.0 || seen.normal.dot(&guess.normal) < -APART {
+            return None;
+        }
+        let arm = seen.point - point;
+        direction = seen.normal;
+        depth = arm.dot(&direction);
+        if (arm - direction * depth).norm() < TOLERANCE * spacing {
+            return (!is_edge(shape, &seen, spacing)).then(|| Foot::of(&seen));
+        }
+    }
+    None
+}
+
+/// True where the closest point lies on an edge: the solid below it is shallower than below a smooth surface.
+pub fn is_edge<const D: usize>(shape: &dyn Shape<D>, seen: &Closest<D>, spacing: f64) -> bool {
+    let depth = PROBE * spacing;
+    let below = shape.signed_distance(&(seen.point - seen.normal * depth));
+    below > -depth * (1.0 - LACKING)
+}
+
+impl<const D: usize> Foot<D> {
+    fn of(seen: &Closest<D>) -> Self {
+        Self {
+            point: seen.point,
+            normal: seen.normal,
+            face: seen.face,
+        }
+    }
+}

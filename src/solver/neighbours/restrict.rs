@@ -1,0 +1,76 @@
+//! Lists of which each particle sees a part only: clusters split into ones that see alike.
+
+use rayon::prelude::*;
+
+use super::{Chunk, Cluster, Lists};
+
+impl Lists {
+    /// Takes out of every list the neighbours that its particles do not see. `own(i)` is what decides what particle
+    /// `i` sees, the same for all members of a cluster afterwards; `sees(own, slot)` whether that is the neighbour.
+    pub fn restrict<K: PartialEq>(
+        &mut self,
+        own: impl Fn(usize) -> K + Sync,
+        sees: impl Fn(&K, usize) -> bool + Sync,
+    ) {
+        self.chunks
+            .par_iter_mut()
+            .for_each(|chunk| *chunk = chunk.restricted(&own, &sees));
+    }
+}
+
+impl Chunk {
+    fn restricted<K: PartialEq>(
+        &self,
+        own: &impl Fn(usize) -> K,
+        sees: &impl Fn(&K, usize) -> bool,
+    ) -> Self {
+        let mut entries = Vec::with_capacity(self.entries.len());
+        let mut clusters = Vec::with_capacity(self.clusters.len());
+        for whole in &self.clusters {
+            let Cluster { targets, gas, wall } = whole.clone();
+            let mut start = targets.start;
+            while start < targets.end {
+                let key = own(start);
+                let end = (start..targets.end).find(|&i| own(i) != key);
+                let end = end.unwrap_or(targets.end);
+                let seen = |&&slot: &&u32| sees(&key, slot as usize);
+                let begin = entries.len();
+                entries.extend(self.entries[gas.clone()].iter().filter(seen));
+                let middle = entries.len();
+                entries.extend(self.entries[wall.clone()].iter().filter(seen));
+                clusters.push(Cluster {
+                    targets: start..end,
+                    gas: begin..middle,
+                    wall: middle..entries.len(),
+                });
+                start = end;
+            }
+        }
+        Self { entries, clusters }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_cluster_is_split_where_its_members_see_different_things() {
+        let cluster = |targets, gas, wall| Cluster { targets, gas, wall };
+        let mut lists = Lists {
+            chunks: vec![Chunk {
+                entries: vec![0, 1, 2, 3, 4, 5],
+                clusters: vec![cluster(0..4, 0..4, 4..6)],
+            }],
+            lanes: 4,
+        };
+        // Particles below two and above see what is of their own parity.
+        lists.restrict(|i| i / 2, |own, slot| slot % 2 == *own);
+        let chunk = &lists.chunks[0];
+        assert_eq!(chunk.entries, [0, 2, 4, 1, 3, 5]);
+        let targets: Vec<_> = chunk.clusters.iter().map(|c| c.targets.clone()).collect();
+        assert_eq!(targets, [0..2, 2..4]);
+        assert_eq!(chunk.clusters[1].gas, 3..5);
+        assert_eq!(chunk.clusters[1].wall, 5..6);
+    }
+}
