@@ -2,7 +2,7 @@
 
 use aero_geometry::{Pencils, Vector};
 
-use super::records::{Matrix, Near, Records, State};
+use super::records::{Near, Records, State};
 use crate::case::{Domain, Side};
 
 /// A copy of a record: `x' = sign * x + shift` component by component.
@@ -146,13 +146,10 @@ impl<const D: usize> Image<D> {
     }
 
     fn state(&self, source: &State<D>) -> State<D> {
-        let reflect =
-            |m: &Matrix<D>| Matrix::from_fn(|a, b| self.sign[a] * self.sign[b] * m[(a, b)]);
         State {
             half_gradient: self.sign.component_mul(&source.half_gradient),
-            strain: reflect(&source.strain),
-            renormalisation: reflect(&source.renormalisation),
-            stress: reflect(&source.stress),
+            strain: source.strain.reflected(&self.sign),
+            stress: source.stress.reflected(&self.sign),
             ..*source
         }
     }

@@ -24,6 +24,7 @@ mod neighbours;
 mod open;
 mod pairs;
 mod particle;
+mod passes;
 mod reach;
 mod records;
 mod reservoir;
@@ -54,6 +55,7 @@ use walls::{WallLists, Walls};
 
 pub use checkpoint::Memory;
 pub use failure::Failure;
+pub use passes::Pass;
 pub use side_walls::wall_sides;
 pub use snapshot::Statistics;
 
@@ -101,7 +103,7 @@ struct StepBound {
 impl<const D: usize> Simulation<D> {
     /// Sets up the particles of `case`.
     pub fn new(case: Case<D>) -> Result<Self, String> {
-        let arch = Arch::new();
+        let arch = lanes::processor();
         let lanes = neighbours::lane_count(arch) as f64;
         let width = case.spacing * lanes.powf(1.0 / D as f64);
         let (fluid, open) = OpenBoundaries::fill(&case)?;
@@ -172,14 +174,7 @@ impl<const D: usize> Simulation<D> {
             self.read_densities();
         }
         self.evaluate(0.0);
-        let stable = time_step::time_step(
-            self.case.scheme.equations,
-            self.case.scheme.cfl,
-            self.case.gamma,
-            &self.fluid,
-            &self.rates,
-        );
-        let free = stable.min(bound.step);
+        let free = self.time_step().min(bound.step);
         let step = if self.time + free * (1.0 + 1e-9) >= limit {
             limit - self.time
         } else {
@@ -224,8 +219,25 @@ impl<const D: usize> Simulation<D> {
         StepBound { step }
     }
 
+    /// The stable step, at the rates of its start.
+    fn time_step(&self) -> f64 {
+        time_step::time_step(
+            self.case.scheme.equations,
+            self.case.scheme.cfl,
+            self.case.gamma,
+            &self.fluid,
+            &self.rates,
+        )
+    }
+
     /// Sorts all particles in space, makes images and lists neighbours.
     fn prepare(&mut self, bound: StepBound) {
+        self.sort(bound);
+        self.list(bound);
+    }
+
+    /// Sorts all particles in space, makes images and writes the records.
+    fn sort(&mut self, bound: StepBound) {
         let half_step = 0.5 * bound.step;
         let positions: Vec<_> = self.fluid.iter().map(|p| p.position).collect();
         self.fluid_pencils.rebuild(&positions, self.width);
@@ -253,7 +265,11 @@ impl<const D: usize> Simulation<D> {
         self.rates.resize(self.fluid.len(), Rates::default());
         self.fill_gas(0.0);
         self.fill_ghosts();
+    }
 
+    /// Lists the neighbours.
+    fn list(&mut self, bound: StepBound) {
+        let half_step = 0.5 * bound.step;
         let records = &self.records;
         let sets = [
             Candidates::new(&self.fluid_pencils, records, FLUID),
@@ -340,20 +356,25 @@ impl<const D: usize> Simulation<D> {
         if self.case.scheme.shield {
             self.shield();
         }
-        rates(
-            self.arch,
-            &self.lists,
-            &self.records,
-            self.case.scheme.equations,
-            self.case.scheme.shield,
-            &mut self.rates,
-        );
+        self.sum_rates();
         if self.case.scheme.limited_viscosity {
             let gamma = self.case.gamma;
             spare_smooth_flow(self.rings, gamma, &self.rates, &mut self.fluid);
         }
         self.rings
             .stretch(&self.fluid, self.case.gamma, &mut self.rates);
+    }
+
+    /// Sums the rates of the fluid.
+    fn sum_rates(&mut self) {
+        rates(
+            self.arch,
+            &self.lists,
+            &self.records,
+            &self.renormalisations,
+            (self.case.scheme.equations, self.case.scheme.shield),
+            &mut self.rates,
+        );
     }
 
     /// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
@@ -373,7 +394,7 @@ impl<const D: usize> Simulation<D> {
             .zip(near.par_iter())
             .zip(&self.renormalisations)
             .for_each(|((state, near), r)| {
-                state.renormalise(r.matrix, r.density_gradient, near.volume);
+                state.renormalise(&r.matrix, &r.density_gradient, near.volume);
             });
         self.flow_images
             .refresh(&mut self.records, FLUID, FLOW_IMAGES);

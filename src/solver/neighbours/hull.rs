@@ -65,21 +65,26 @@ impl<S: Simd, const D: usize> Hull<S, D> {
         // the velocities allow.
         let approach = half_step * (self.spread + set.fastest_relative_to(&self.velocity));
         let reach = REACH * (self.half_h + set.half_h_max) + approach;
-        let (min, max) = (self.min.add_scalar(-reach), self.max.add_scalar(reach));
         let half_step = Lane::splat(simd, half_step);
         // The runs first: within a closure the loop would lose the vector instructions.
         runs.clear();
-        set.pencils.for_each_run(&min, &max, |run| runs.push(run));
+        let mut most = 0;
+        set.pencils.for_each_run_near(&self.min, &self.max, reach, |run| {
+            most += run.len();
+            runs.push(run);
+        });
+        // Every candidate is written, and overwritten by the next unless it counts: whether it does is too
+        // irregular for the processor to guess.
+        let mut end = entries.len();
+        entries.resize(end + most, 0);
         for run in runs.iter() {
             let first = set.first + run.start;
             for (slot, near) in (first..).zip(&set.near[run.clone()]) {
-                let outside = near.position - near.position.sup(&self.min).inf(&self.max);
-                let reach = REACH * (self.half_h + near.half_h) + approach;
-                if outside.norm_squared() < reach * reach && self.meets(simd, near, half_step) {
-                    entries.push(slot as u32);
-                }
+                entries[end] = slot as u32;
+                end += usize::from(self.meets(simd, near, half_step));
             }
         }
+        entries.truncate(end);
     }
 
     /// True where any member of the cluster may meet the candidate.

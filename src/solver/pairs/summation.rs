@@ -80,5 +80,6 @@ impl<const D: usize> WithSimd for Summation<'_, D> {
 #[inline(always)]
 fn weight<S: Simd, const D: usize>(simd: S, i: &Target<S, D>, j: &Near<D>) -> Lane<S> {
     let separation = Separation::new(simd, i, j);
-    kernel_value::<S, D>(simd, separation.squared.sqrt(), separation.h.recip())
+    let roots = separation.squared.roots(separation.h);
+    kernel_value::<S, D>(simd, roots.root, roots.inverse_other)
 }
