@@ -117,6 +117,8 @@ pub struct Scheme {
     pub constant_ghost_volume: bool,
     /// The artificial viscosity leaves flow alone that varies linearly; conservative scheme only.
     pub limited_viscosity: bool,
+    /// The undisturbed free stream is moved on without pair sums.
+    pub skip_undisturbed: bool,
     /// Courant number `C_CFL` of equation (33).
     pub cfl: f64,
 }

@@ -134,11 +134,7 @@ impl<const D: usize> Pencils<D> {
                 return;
             }
             let along = along.sqrt();
-            let run = this.run(
-                this.column(cell),
-                min[D - 1] - along,
-                max[D - 1] + along,
-            );
+            let run = this.run(this.column(cell), min[D - 1] - along, max[D - 1] + along);
             if !run.is_empty() {
                 visit(run);
             }
@@ -258,10 +254,35 @@ impl<const D: usize> Pencils<D> {
         } else {
             (from, to)
         };
-        let low = along.partition_point(|&a| a < from);
-        let high = low + along[low..].partition_point(|&a| a <= to);
+        // Points are spread evenly more often than not.
+        let guess = match along {
+            [begin, .., end] => (from - begin) / (end - begin) * along.len() as f64,
+            _ => 0.0,
+        };
+        let low = partition_point_near(along, guess as usize, |a| a < from);
+        let high = partition_point_near(along, low + RUN, |a| a <= to);
         first + low..first + high
     }
+}
+
+/// Usual length of a run.
+const RUN: usize = 32;
+
+/// As [`slice::partition_point`], faster where the answer is near `guess`.
+fn partition_point_near(sorted: &[f64], guess: usize, before: impl Fn(f64) -> bool) -> usize {
+    let guess = guess.min(sorted.len());
+    let (mut low, mut high, mut stride) = (guess, guess, 4);
+    while low > 0 && !before(sorted[low - 1]) {
+        high = low;
+        low = low.saturating_sub(stride);
+        stride *= 4;
+    }
+    while high < sorted.len() && before(sorted[high]) {
+        low = high;
+        high = (high + stride).min(sorted.len());
+        stride *= 4;
+    }
+    low + sorted[low..high].partition_point(|&a| before(a))
 }
 
 #[cfg(test)]

@@ -155,7 +155,9 @@ impl<S: Simd> Lane<S> {
     #[allow(unused_variables)]
     fn rough(self, what: Rough) -> Option<Self> {
         #[cfg(target_arch = "x86_64")]
-        if option_env!("AERO_NO_SEEDS").is_none() && let Some(simd) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V4>() {
+        if option_env!("AERO_NO_SEEDS").is_none()
+            && let Some(simd) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V4>()
+        {
             let value = pulp::cast(*(&self.value as &dyn Any).downcast_ref::<pulp::f64x8>()?);
             let rough: pulp::f64x8 = pulp::cast(match what {
                 Rough::Reciprocal => simd.avx512f._mm512_rcp14_pd(value),

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use crate::case::{Case, Equations, Side};
 use crate::frame::Totals;
 
+mod calm;
 mod checkpoint;
 mod curvature;
 mod failure;
@@ -40,6 +41,7 @@ mod time_step;
 mod turning;
 mod walls;
 
+use calm::Calm;
 use images::Images;
 use neighbours::{Candidates, GROWTH, Lists, Seeker};
 use open::OpenBoundaries;
@@ -73,6 +75,8 @@ pub struct Simulation<const D: usize> {
     open: OpenBoundaries<D>,
     rings: Rings,
     walls: Walls<D>,
+    /// Where there is a free stream whose pair sums may be skipped.
+    calm: Option<Calm<D>>,
     flow_images: Images<D>,
     ghost_images: Images<D>,
     records: Records<D>,
@@ -122,6 +126,7 @@ impl<const D: usize> Simulation<D> {
             open,
             rings: Rings::new(&case),
             walls,
+            calm: Calm::new(&case),
             flow_images: Images::default(),
             ghost_images: Images::default(),
             records: Records::default(),
@@ -182,17 +187,11 @@ impl<const D: usize> Simulation<D> {
         };
         self.last_step = free;
 
-        self.saved.clone_from(&self.fluid);
-        self.advance(0.5 * step);
-        self.check()?;
+        self.predict(0.5 * step)?;
         self.walls.update_smoothing_lengths();
         self.evaluate(0.5 * step);
         self.account(step);
-        self.advance(step);
-        if self.case.scheme.equations == Equations::Conservative {
-            self.settle_energy(step);
-        }
-        self.check()?;
+        self.correct(step)?;
 
         let before = self.time;
         self.time = if limit - self.time == step {
@@ -239,7 +238,7 @@ impl<const D: usize> Simulation<D> {
     /// Sorts all particles in space, makes images and writes the records.
     fn sort(&mut self, bound: StepBound) {
         let half_step = 0.5 * bound.step;
-        let positions: Vec<_> = self.fluid.iter().map(|p| p.position).collect();
+        let positions: Vec<_> = self.fluid.par_iter().map(|p| p.position).collect();
         self.fluid_pencils.rebuild(&positions, self.width);
         self.fluid = permuted(&self.fluid, self.fluid_pencils.order());
         let positions: Vec<_> = self
@@ -271,6 +270,23 @@ impl<const D: usize> Simulation<D> {
     fn list(&mut self, bound: StepBound) {
         let half_step = 0.5 * bound.step;
         let records = &self.records;
+        let (fluid, open, images) = (&self.fluid, &self.open.particles, &self.flow_images);
+        let gas = |slot: usize| match slot.checked_sub(fluid.len()) {
+            None => fluid[slot].is_calm,
+            Some(slot) => open[slot].lattice.is_some() || open[slot].particle.is_calm,
+        };
+        let is_calm = |slot: usize| {
+            if slot >= records.start[GHOSTS] {
+                return false;
+            }
+            match slot.checked_sub(records.start[FLOW_IMAGES]) {
+                None => gas(slot),
+                Some(image) => gas(images.source(image).0),
+            }
+        };
+        if let Some(calm) = &mut self.calm {
+            calm.draw(&records.near, is_calm, half_step);
+        }
         let sets = [
             Candidates::new(&self.fluid_pencils, records, FLUID),
             Candidates::new(&self.open_pencils, records, OPEN),
@@ -283,8 +299,14 @@ impl<const D: usize> Simulation<D> {
             half_h: records.near[i].half_h,
             velocity: records.near[i].velocity,
         };
-        self.lists
-            .build(self.arch, self.fluid.len(), seeker, &sets, half_step);
+        self.lists.build(
+            self.arch,
+            self.fluid.len(),
+            seeker,
+            &sets,
+            half_step,
+            self.calm.as_ref(),
+        );
         self.walls
             .build_lists(self.arch, &sets, half_step, &mut self.wall_lists);
     }
@@ -295,20 +317,19 @@ impl<const D: usize> Simulation<D> {
         if !self.case.domain.sides.iter().flatten().any(mirrors) {
             return;
         }
-        let gas: Vec<_> = self
-            .fluid
-            .iter()
-            .chain(self.open.particles.iter().map(|open| &open.particle))
-            .copied()
-            .collect();
         let ghosts = &self.walls.ghosts;
-        let h = gas.iter().map(|p| p.smoothing_length);
-        let h = h
-            .chain(ghosts.iter().map(|g| g.smoothing_length))
-            .fold(0.0, f64::max);
-        let fastest = gas.iter().map(|p| p.velocity.norm()).fold(0.0, f64::max);
-        let reach = GROWTH * SUPPORT * h + 2.0 * half_step * fastest;
-        let gas: Vec<_> = gas.iter().map(|p| p.position).collect();
+        let (fluid, open) = (&self.fluid, &self.open.particles);
+        let gas = || {
+            fluid
+                .par_iter()
+                .chain(open.par_iter().map(|open| &open.particle))
+        };
+        let [h, fastest] = gas()
+            .map(|p| [p.smoothing_length, p.velocity.norm_squared()])
+            .reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        let h = ghosts.iter().map(|g| g.smoothing_length).fold(h, f64::max);
+        let reach = GROWTH * SUPPORT * h + 2.0 * half_step * fastest.sqrt();
+        let gas: Vec<_> = gas().map(|p| p.position).collect();
         let ghosts: Vec<_> = ghosts.iter().map(|g| g.position).collect();
         self.flow_images
             .rebuild(&self.case.domain, &gas, reach, self.width);
@@ -338,7 +359,7 @@ impl<const D: usize> Simulation<D> {
             .for_each(|((particle, &density), widest)| {
                 particle.density = density;
                 let mass = rings.spanned_mass(particle);
-                let h = SMOOTHING_RATIO * (mass / density).powf(1.0 / D as f64);
+                let h = SMOOTHING_RATIO * edge::<D>(mass / density);
                 particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);
             });
     }
@@ -421,6 +442,15 @@ impl<const D: usize> Simulation<D> {
             wall,
             &mut self.rates,
         );
+    }
+}
+
+/// Edge of a cube of this `D`-dimensional volume.
+fn edge<const D: usize>(volume: f64) -> f64 {
+    match D {
+        1 => volume,
+        2 => volume.sqrt(),
+        _ => volume.cbrt(),
     }
 }
 

@@ -50,6 +50,8 @@ impl<const D: usize> Simulation<D> {
     /// Neighbours listed and pairs in those lists, lanes of a cluster counted one by one.
     pub fn listed_pairs(&self) -> usize {
         let clusters = self.lists.chunks.iter().flat_map(|chunk| &chunk.clusters);
-        clusters.map(|c| (c.gas.len() + c.wall.len()) * c.targets.len()).sum()
+        clusters
+            .map(|c| (c.gas.len() + c.wall.len()) * c.targets.len())
+            .sum()
     }
 }

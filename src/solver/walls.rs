@@ -170,10 +170,12 @@ impl<const D: usize> Walls<D> {
         let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
         lists
             .near
-            .build(arch, count, |g| seeker(&ghosts[g]), &gas, half_step);
+            .build(arch, count, |g| seeker(&ghosts[g]), &gas, half_step, None);
         if self.extrapolation == Extrapolation::Wm {
             let seeker = |g: usize| mirror_seeker(&ghosts[g]);
-            lists.mirror.build(arch, count, seeker, &gas, half_step);
+            lists
+                .mirror
+                .build(arch, count, seeker, &gas, half_step, None);
         }
     }
 

@@ -46,12 +46,7 @@ impl<S: Simd, const D: usize> Target<S, D> {
 
     /// Points in space, half the smoothing length and half the density there.
     #[inline(always)]
-    fn new(
-        simd: S,
-        position: LaneVector<S, D>,
-        half_h: Lane<S>,
-        half_density: Lane<S>,
-    ) -> Self {
+    fn new(simd: S, position: LaneVector<S, D>, half_h: Lane<S>, half_density: Lane<S>) -> Self {
         Self {
             position,
             half_h,

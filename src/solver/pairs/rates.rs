@@ -247,6 +247,11 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
         let (chunk, records) = (pass.chunk, pass.records);
         let mut results = pass.rates.iter_mut();
         for cluster in &chunk.clusters {
+            if cluster.is_calm {
+                let calm = results.by_ref().take(cluster.targets.len());
+                calm.for_each(|rates| *rates = Rates::default());
+                continue;
+            }
             let (start, last) = (cluster.targets.start, cluster.targets.end - 1);
             let own = Own::load(simd, records, |l| (start + l).min(last));
             let mut sums = Sums::new(simd);

@@ -1,5 +1,6 @@
 //! Golden physics: what must hold whatever the speed.
 
+mod calm;
 mod conservation;
 mod invariance;
 mod rest;
@@ -38,6 +39,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
             shield: false,
             constant_ghost_volume: true,
             limited_viscosity: true,
+            skip_undisturbed: true,
             cfl: 0.5,
         },
         domain: Domain {
