@@ -1,6 +1,7 @@
 //! What a run spends its time on: passes of a step, whole steps, packing and frames, per particle.
 //!
-//! `cargo bench`, or `cargo bench -- 2D` for a part of it. Times are wall times: on a busy machine they mean little.
+//! `cargo bench --bench solver`, or `cargo bench --bench solver -- 2D` for a part of it. Times are wall times: on a busy
+//! machine they mean little.
 //! `AERO_VECTORS=avx2` or `plain` measures the narrower instruction sets.
 
 use std::sync::Arc;

@@ -106,6 +106,7 @@ pub enum Extrapolation {
 
 /// Equations and boundary treatment.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(clippy::struct_excessive_bools)] // as many switches of their own
 pub struct Scheme {
     /// Set of equations.
     pub equations: Equations,

@@ -11,13 +11,32 @@ pub const MAX_LANES: usize = 8;
 
 /// The widest instruction set that the processor has; `AERO_VECTORS` may ask for a narrower one, `avx2` or
 /// `plain`, to compare them.
-pub fn processor() -> Arch {
-    match std::env::var("AERO_VECTORS").as_deref() {
-        Ok("plain") => Arch::Scalar,
-        #[cfg(target_arch = "x86_64")]
-        Ok("avx2") => pulp::x86::V3::try_new().map_or(Arch::Scalar, Arch::V3),
-        _ => Arch::new(),
-    }
+///
+/// # Errors
+/// One that it does not have, or that there is not.
+pub fn processor() -> Result<Arch, String> {
+    let Ok(wanted) = std::env::var("AERO_VECTORS") else {
+        return Ok(Arch::new());
+    };
+    let found = match wanted.as_str() {
+        "plain" => Some(Arch::Scalar),
+        "avx2" => avx2(),
+        _ => None,
+    };
+    found.ok_or_else(|| {
+        format!(
+            "the environment variable `AERO_VECTORS` is `{wanted}`, which this processor does not have; \
+             set it to `avx2` or `plain`, or leave it out for the widest vectors"
+        )
+    })
+}
+
+/// Vectors of four `f64`, where the processor has them.
+pub fn avx2() -> Option<Arch> {
+    #[cfg(target_arch = "x86_64")]
+    return pulp::x86::V3::try_new().map(Arch::V3);
+    #[cfg(not(target_arch = "x86_64"))]
+    None
 }
 
 /// One `f64` per lane.
@@ -155,9 +174,7 @@ impl<S: Simd> Lane<S> {
     #[allow(unused_variables)]
     fn rough(self, what: Rough) -> Option<Self> {
         #[cfg(target_arch = "x86_64")]
-        if option_env!("AERO_NO_SEEDS").is_none()
-            && let Some(simd) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V4>()
-        {
+        if let Some(simd) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V4>() {
             let value = pulp::cast(*(&self.value as &dyn Any).downcast_ref::<pulp::f64x8>()?);
             let rough: pulp::f64x8 = pulp::cast(match what {
                 Rough::Reciprocal => simd.avx512f._mm512_rcp14_pd(value),

@@ -107,7 +107,7 @@ struct StepBound {
 impl<const D: usize> Simulation<D> {
     /// Sets up the particles of `case`.
     pub fn new(case: Case<D>) -> Result<Self, String> {
-        let arch = lanes::processor();
+        let arch = lanes::processor()?;
         let lanes = neighbours::lane_count(arch) as f64;
         let width = case.spacing * lanes.powf(1.0 / D as f64);
         let (fluid, open) = OpenBoundaries::fill(&case)?;

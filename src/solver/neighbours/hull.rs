@@ -33,10 +33,15 @@ impl<S: Simd, const D: usize> Hull<S, D> {
     #[inline(always)]
     pub fn new(simd: S, seeker: impl Fn(usize) -> Seeker<D>) -> Self {
         let first = seeker(0);
+        let (mut slowest, mut fastest) = (first.velocity, first.velocity);
+        for seeker in (1..S::F64_LANES).map(&seeker) {
+            slowest = slowest.inf(&seeker.velocity);
+            fastest = fastest.sup(&seeker.velocity);
+        }
         let mut hull = Self {
             min: first.position,
             max: first.position,
-            velocity: first.velocity,
+            velocity: (slowest + fastest) * 0.5,
             spread: 0.0,
             positions: std::array::from_fn(|k| Lane::gather(simd, |l| seeker(l).position[k])),
             reaches: Lane::gather(simd, |l| REACH * seeker(l).half_h),
