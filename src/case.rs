@@ -106,6 +106,7 @@ pub enum Extrapolation {
 
 /// Equations and boundary treatment.
 #[derive(Clone, Copy, Debug, PartialEq)]
+#[allow(clippy::struct_excessive_bools)] // as many switches of their own
 pub struct Scheme {
     /// Set of equations.
     pub equations: Equations,
@@ -119,6 +120,8 @@ pub struct Scheme {
     pub limited_viscosity: bool,
     /// Gas on one side of a thin part feels neither gas nor ghosts of the other side.
     pub surface_tags: bool,
+    /// The undisturbed free stream is moved on without pair sums.
+    pub skip_undisturbed: bool,
     /// Courant number `C_CFL` of equation (33).
     pub cfl: f64,
 }

@@ -101,6 +101,54 @@ impl<const D: usize> Pencils<D> {
         max: &Vector<D>,
         mut visit: impl FnMut(Range<usize>),
     ) {
+        self.for_each_column(min, max, |this, cell| {
+            let run = this.run(this.column(cell), min[D - 1], max[D - 1]);
+            if !run.is_empty() {
+                visit(run);
+            }
+        });
+    }
+
+    /// As [`Self::for_each_run`] for the points nearer than `reach` to the box: at its edges and
+    /// corners the runs are shorter than those of the box grown by `reach`.
+    pub fn for_each_run_near(
+        &self,
+        min: &Vector<D>,
+        max: &Vector<D>,
+        reach: f64,
+        mut visit: impl FnMut(Range<usize>),
+    ) {
+        // Columns know their points' places to round-off only.
+        let reach = reach * (1.0 + 1e-9);
+        let (low, high) = (min.add_scalar(-reach), max.add_scalar(reach));
+        self.for_each_column(&low, &high, |this, cell| {
+            let mut across = 0.0;
+            for k in 0..D - 1 {
+                let begin = this.origin[k] + cell[k] as f64 / this.inverse_width;
+                let end = begin + 1.0 / this.inverse_width;
+                let gap = (begin - max[k]).max(min[k] - end).max(0.0);
+                across += gap * gap;
+            }
+            let along = reach * reach - across;
+            if along <= 0.0 {
+                return;
+            }
+            let along = along.sqrt();
+            let run = this.run(this.column(cell), min[D - 1] - along, max[D - 1] + along);
+            if !run.is_empty() {
+                visit(run);
+            }
+        });
+    }
+
+    /// Calls `visit` with every column that the box `min..=max` meets.
+    #[inline(always)]
+    fn for_each_column(
+        &self,
+        min: &Vector<D>,
+        max: &Vector<D>,
+        mut visit: impl FnMut(&Self, &[usize; D]),
+    ) {
         if self.order.is_empty() {
             return;
         }
@@ -118,10 +166,7 @@ impl<const D: usize> Pencils<D> {
         }
         let mut cell = low;
         loop {
-            let run = self.run(self.column(&cell), min[D - 1], max[D - 1]);
-            if !run.is_empty() {
-                visit(run);
-            }
+            visit(self, &cell);
             // Next column of the box, odometer fashion over all axes but the last.
             let mut axis = 0;
             loop {
@@ -209,10 +254,35 @@ impl<const D: usize> Pencils<D> {
         } else {
             (from, to)
         };
-        let low = along.partition_point(|&a| a < from);
-        let high = low + along[low..].partition_point(|&a| a <= to);
+        // Points are spread evenly more often than not.
+        let guess = match along {
+            [begin, .., end] => (from - begin) / (end - begin) * along.len() as f64,
+            _ => 0.0,
+        };
+        let low = partition_point_near(along, guess as usize, |a| a < from);
+        let high = partition_point_near(along, low + RUN, |a| a <= to);
         first + low..first + high
     }
+}
+
+/// Usual length of a run.
+const RUN: usize = 32;
+
+/// As [`slice::partition_point`], faster where the answer is near `guess`.
+fn partition_point_near(sorted: &[f64], guess: usize, before: impl Fn(f64) -> bool) -> usize {
+    let guess = guess.min(sorted.len());
+    let (mut low, mut high, mut stride) = (guess, guess, 4);
+    while low > 0 && !before(sorted[low - 1]) {
+        high = low;
+        low = low.saturating_sub(stride);
+        stride *= 4;
+    }
+    while high < sorted.len() && before(sorted[high]) {
+        low = high;
+        high = (high + stride).min(sorted.len());
+        stride *= 4;
+    }
+    low + sorted[low..high].partition_point(|&a| before(a))
 }
 
 #[cfg(test)]
@@ -253,6 +323,37 @@ mod tests {
                 .collect();
             assert_eq!(found, expected);
         }
+    }
+
+    fn near_a_box_finds_what_brute_force_finds<const D: usize>() {
+        let points = scattered::<D>(500);
+        let pencils = Pencils::new(&points, 0.13);
+        let (reach, size) = (0.2, 0.1);
+        for min in &points[..50] {
+            let max = min.add_scalar(size);
+            let near = |point: &Vector<D>| {
+                let outside = point - point.sup(min).inf(&max);
+                outside.norm() < reach
+            };
+            let mut found: Vec<u32> = Vec::new();
+            pencils.for_each_run_near(min, &max, reach, |run| {
+                found.extend(
+                    pencils.order()[run]
+                        .iter()
+                        .filter(|&&p| near(&points[p as usize])),
+                );
+            });
+            found.sort_unstable();
+            let expected: Vec<u32> = (0..500).filter(|&p| near(&points[p as usize])).collect();
+            assert_eq!(found, expected);
+        }
+    }
+
+    #[test]
+    fn a_search_around_a_box_finds_what_brute_force_finds_in_every_dimension() {
+        near_a_box_finds_what_brute_force_finds::<1>();
+        near_a_box_finds_what_brute_force_finds::<2>();
+        near_a_box_finds_what_brute_force_finds::<3>();
     }
 
     #[test]

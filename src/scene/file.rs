@@ -71,6 +71,8 @@ pub struct SchemeEntry {
     pub limited_viscosity: Option<bool>,
     /// On unless given.
     pub surface_tags: Option<bool>,
+    /// Moves the undisturbed free stream on without pair sums.
+    pub skip_undisturbed: Option<bool>,
     /// 0.5 unless given.
     pub cfl: Option<Courant>,
 }

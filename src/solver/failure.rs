@@ -8,6 +8,7 @@ use super::Simulation;
 use super::particle::Particle;
 use super::records::GHOSTS;
 use super::rigid::pad;
+use super::snapshot::Extremes;
 use crate::case::Body;
 
 /// Mach number at which heat is a thousandth of the motion's energy, and within its errors.
@@ -30,19 +31,18 @@ pub struct Failure {
 }
 
 impl<const D: usize> Simulation<D> {
-    /// Stops the run when a particle's state stops making sense, at the last good state.
-    pub(super) fn check(&mut self) -> Result<(), Failure> {
-        let mut bad = None;
-        for (number, particle) in self.fluid.iter().enumerate() {
-            if !makes_sense(particle) {
-                bad = Some((number, *particle));
-                break;
-            }
-            self.extremes.meet(particle);
+    /// Stops the run when a particle's state stops making sense, at the last good state. `extremes` are
+    /// those of all particles now.
+    pub(super) fn check(&mut self, extremes: Extremes) -> Result<(), Failure> {
+        if extremes.make_sense() {
+            self.extremes = self.extremes.merge(extremes);
+            return Ok(());
         }
-        let Some((number, particle)) = bad else {
+        let mut fluid = self.fluid.iter();
+        let Some(number) = fluid.position(|particle| !particle.makes_sense()) else {
             return Ok(());
         };
+        let particle = self.fluid[number];
         // The fluid keeps its order within a step.
         self.fluid.clone_from(&self.saved);
         let reason = format!("{}; {}", symptom(&particle), self.likely_cause(number));
@@ -171,20 +171,6 @@ impl<const D: usize> Simulation<D> {
 
 fn wall_name((axis, end): (usize, usize)) -> String {
     format!("the wall {}_{}", ["x", "y", "z"][axis], ["min", "max"][end])
-}
-
-fn makes_sense<const D: usize>(particle: &Particle<D>) -> bool {
-    particle.density > 0.0
-        && particle.energy > 0.0
-        && particle.smoothing_length > 0.0
-        && particle.energy.is_finite()
-        && particle.density.is_finite()
-        && particle.smoothing_length.is_finite()
-        && particle
-            .position
-            .iter()
-            .chain(&particle.velocity)
-            .all(|x| x.is_finite())
 }
 
 fn symptom<const D: usize>(particle: &Particle<D>) -> String {

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::Simulation;
 use super::particle::Particle;
-use super::records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, State};
+use super::records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, State, Symmetric};
 
 impl<const D: usize> Simulation<D> {
     /// Writes the records of ghosts and their images.
@@ -30,7 +30,7 @@ impl<const D: usize> Simulation<D> {
             let (mut place, mut open_state) =
                 record(&open.particle, rings.plane_mass(&open.particle), gamma);
             place.position += open.particle.velocity * ahead;
-            open_state.renormalise(open.renormalisation, open.gradient, place.volume);
+            open_state.renormalise(&open.renormalisation, &open.gradient, place.volume);
             near[slot] = place;
             state[slot] = open_state;
         }
@@ -43,7 +43,7 @@ impl<const D: usize> Simulation<D> {
 fn record<const D: usize>(particle: &Particle<D>, mass: f64, gamma: f64) -> (Near<D>, State<D>) {
     let pressure = (gamma - 1.0) * particle.density * particle.energy;
     let mut state = State::new(pressure, particle.density, particle.energy, gamma);
-    state.strain = particle.strain;
+    state.strain = Symmetric::new(&particle.strain);
     let near = Near {
         position: particle.position,
         half_h: 0.5 * particle.smoothing_length,

@@ -1,8 +1,9 @@
 //! Images of particles beyond symmetry planes and periodic sides.
 
 use aero_geometry::{Pencils, Vector};
+use rayon::prelude::*;
 
-use super::records::{Matrix, Near, Records, State};
+use super::records::{Near, Records, State};
 use crate::case::{Domain, Side};
 
 /// A copy of a record: `x' = sign * x + shift` component by component.
@@ -46,12 +47,17 @@ impl<const D: usize> Images<D> {
                 continue;
             }
             let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
+            let is_near = |place: f64| [place - low < reach, high - place < reach];
+            let near: Vec<_> = positions
+                .par_iter()
+                .enumerate()
+                .filter(|(_, position)| is_near(position[axis]).contains(&true))
+                .map(|(source, _)| Image::identity(source))
+                .collect();
             let earlier = self.images.clone();
-            let bases = (0..positions.len()).map(Image::identity).chain(earlier);
-            for base in bases {
+            for base in near.into_iter().chain(earlier) {
                 let place = base.place(positions[base.source as usize])[axis];
-                let is_near = [place - low < reach, high - place < reach];
-                for (map, is_near) in maps.into_iter().zip(is_near) {
+                for (map, is_near) in maps.into_iter().zip(is_near(place)) {
                     if let (Some(map), true) = (map, is_near) {
                         self.images.push(base.mapped(axis, map));
                     }
@@ -75,11 +81,18 @@ impl<const D: usize> Images<D> {
     /// Copies the records of the sources, which start with one segment, to the images' segment.
     pub fn refresh(&self, records: &mut Records<D>, sources: usize, images: usize) {
         let (sources, first) = (records.start[sources], records.start[images]);
-        for (number, image) in self.images.iter().enumerate() {
-            let source = sources + image.source as usize;
-            records.near[first + number] = image.near(&records.near[source]);
-            records.state[first + number] = image.state(&records.state[source]);
-        }
+        // Images come after their sources.
+        let (near, near_images) = records.near.split_at_mut(first);
+        let (state, state_images) = records.state.split_at_mut(first);
+        self.images
+            .par_iter()
+            .zip(near_images)
+            .zip(state_images)
+            .for_each(|((image, near_image), state_image)| {
+                let source = sources + image.source as usize;
+                *near_image = image.near(&near[source]);
+                *state_image = image.state(&state[source]);
+            });
     }
 
     /// Source of image `number` and the reflection that maps vectors to it.
@@ -146,13 +159,10 @@ impl<const D: usize> Image<D> {
     }
 
     fn state(&self, source: &State<D>) -> State<D> {
-        let reflect =
-            |m: &Matrix<D>| Matrix::from_fn(|a, b| self.sign[a] * self.sign[b] * m[(a, b)]);
         State {
             half_gradient: self.sign.component_mul(&source.half_gradient),
-            strain: reflect(&source.strain),
-            renormalisation: reflect(&source.renormalisation),
-            stress: reflect(&source.stress),
+            strain: source.strain.reflected(&self.sign),
+            stress: source.stress.reflected(&self.sign),
             ..*source
         }
     }

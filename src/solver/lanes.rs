@@ -1,12 +1,43 @@
 //! Arithmetic on as many particles at once as the processor's vectors hold. The width is chosen
 //! at run time (`pulp`), the formulas are written once.
 
+use std::any::Any;
 use std::ops::{Add, AddAssign, Mul, Neg, Sub};
 
-use pulp::Simd;
+use pulp::{Arch, Simd};
 
 /// Most lanes of any instruction set: eight `f64` with AVX-512.
 pub const MAX_LANES: usize = 8;
+
+/// The widest instruction set that the processor has; `AERO_VECTORS` may ask for a narrower one, `avx2` or
+/// `plain`, to compare them.
+///
+/// # Errors
+/// One that it does not have, or that there is not.
+pub fn processor() -> Result<Arch, String> {
+    let Ok(wanted) = std::env::var("AERO_VECTORS") else {
+        return Ok(Arch::new());
+    };
+    let found = match wanted.as_str() {
+        "plain" => Some(Arch::Scalar),
+        "avx2" => avx2(),
+        _ => None,
+    };
+    found.ok_or_else(|| {
+        format!(
+            "the environment variable `AERO_VECTORS` is `{wanted}`, which this processor does not have; \
+             set it to `avx2` or `plain`, or leave it out for the widest vectors"
+        )
+    })
+}
+
+/// Vectors of four `f64`, where the processor has them.
+pub fn avx2() -> Option<Arch> {
+    #[cfg(target_arch = "x86_64")]
+    return pulp::x86::V3::try_new().map(Arch::V3);
+    #[cfg(not(target_arch = "x86_64"))]
+    None
+}
 
 /// One `f64` per lane.
 #[derive(Clone, Copy)]
@@ -93,15 +124,87 @@ impl<S: Simd> Lane<S> {
         }
     }
 
-    /// `1 / self`.
+    /// `1 / self`, for positive or negative but no zero or infinite numbers.
     #[inline(always)]
     pub fn recip(self) -> Self {
-        let one = self.simd.splat_f64s(1.0);
-        Self {
-            simd: self.simd,
-            value: self.simd.div_f64s(one, self.value),
+        let one = Self::splat(self.simd, 1.0);
+        let Some(rough) = self.rough(Rough::Reciprocal) else {
+            return Self {
+                simd: self.simd,
+                value: self.simd.div_f64s(one.value, self.value),
+            };
+        };
+        // 1 / (1 - e) = (1 + e) (1 + e^2) + O(e^4).
+        let error = (-self).mul_add(rough, one);
+        let better = rough.mul_add(error, rough);
+        better.mul_add(error * error, better)
+    }
+
+    /// `sqrt(self)`, `1 / sqrt(self)` and `1 / other` of positive numbers.
+    #[inline(always)]
+    pub fn roots(self, other: Self) -> Roots<S> {
+        let Some(rough) = self.rough(Rough::ReciprocalRoot) else {
+            // One division serves both, and need not wait for the root.
+            let root = self.sqrt();
+            let both = (self * other).recip();
+            return Roots {
+                root,
+                inverse_root: both * other * root,
+                inverse_other: both * self,
+            };
+        };
+        // (1 - e)^(-1/2) = 1 + e/2 + 3/8 e^2 + 5/16 e^3 + O(e^4).
+        let error = (-(self * rough)).mul_add(rough, Self::splat(self.simd, 1.0));
+        let series = error.mul_add(
+            Self::splat(self.simd, 5.0 / 16.0),
+            Self::splat(self.simd, 3.0 / 8.0),
+        );
+        let series = series.mul_add(error, Self::splat(self.simd, 0.5));
+        let inverse_root = (rough * error).mul_add(series, rough);
+        Roots {
+            root: self * inverse_root,
+            inverse_root,
+            inverse_other: other.recip(),
         }
     }
+
+    /// An estimate with a relative error below 2^-14, where the instruction set has one for `f64`: a
+    /// polynomial makes it exact to an ulp or two in less time than a division takes.
+    #[inline(always)]
+    #[allow(unused_variables)]
+    fn rough(self, what: Rough) -> Option<Self> {
+        #[cfg(target_arch = "x86_64")]
+        if let Some(simd) = (&self.simd as &dyn Any).downcast_ref::<pulp::x86::V4>() {
+            let value = pulp::cast(*(&self.value as &dyn Any).downcast_ref::<pulp::f64x8>()?);
+            let rough: pulp::f64x8 = pulp::cast(match what {
+                Rough::Reciprocal => simd.avx512f._mm512_rcp14_pd(value),
+                Rough::ReciprocalRoot => simd.avx512f._mm512_rsqrt14_pd(value),
+            });
+            let &value = (&rough as &dyn Any).downcast_ref()?;
+            return Some(Self {
+                simd: self.simd,
+                value,
+            });
+        }
+        None
+    }
+}
+
+/// What [`Lane::rough`] estimates.
+#[derive(Clone, Copy)]
+enum Rough {
+    Reciprocal,
+    ReciprocalRoot,
+}
+
+/// What [`Lane::roots`] finds.
+pub struct Roots<S: Simd> {
+    /// `sqrt(x)`.
+    pub root: Lane<S>,
+    /// `1 / sqrt(x)`.
+    pub inverse_root: Lane<S>,
+    /// `1 / y`.
+    pub inverse_other: Lane<S>,
 }
 
 impl<S: Simd> Add for Lane<S> {

@@ -2,6 +2,7 @@
 
 use aero_geometry::Vector;
 use nalgebra::Vector3;
+use rayon::prelude::*;
 
 use super::Simulation;
 use super::pairs::rates::reactions;
@@ -10,6 +11,9 @@ use super::records::GHOSTS;
 use super::rigid::pad;
 use crate::case::Side;
 use crate::frame::{Load, Totals};
+
+/// Particles that are summed up at once.
+const BLOCK: usize = 4096;
 
 impl<const D: usize> Simulation<D> {
     /// Loads on the bodies, in scene order; then on the wall sides in the order of
@@ -95,21 +99,35 @@ impl<const D: usize> Simulation<D> {
             .flatten()
             .any(|side| side.is_mirror());
         let is_open = self.case.has_open_sides();
+        if !is_open && !has_planes && self.walls.ghosts.is_empty() {
+            return;
+        }
+        // Block by block, whatever the threads: a sum depends on its order.
+        let blocks: Vec<(Vector<D>, f64)> = self
+            .fluid
+            .par_chunks(BLOCK)
+            .zip(self.rates.par_chunks(BLOCK))
+            .map(|(fluid, rates)| {
+                let (mut impulse, mut work) = (Vector::zeros(), 0.0);
+                for (particle, rates) in fluid.iter().zip(rates) {
+                    let mut acceleration = rates.wall_acceleration;
+                    if is_open || has_planes {
+                        acceleration += rates.acceleration;
+                    }
+                    impulse += acceleration * particle.mass;
+                    if is_open {
+                        let power = particle.velocity.dot(&acceleration) + rates.energy;
+                        work += particle.mass * power;
+                    }
+                }
+                (impulse, work)
+            })
+            .collect();
         let mut impulse = Vector::<D>::zeros();
         let mut work = 0.0;
-        for (particle, rates) in self.fluid.iter().zip(&self.rates) {
-            let mut acceleration = rates.wall_acceleration;
-            if is_open || has_planes {
-                acceleration += rates.acceleration;
-            }
-            impulse += acceleration * particle.mass;
-            if is_open {
-                work += particle.mass
-                    * (particle
-                        .velocity
-                        .dot(&(rates.acceleration + rates.wall_acceleration))
-                        + rates.energy);
-            }
+        for (block_impulse, block_work) in blocks {
+            impulse += block_impulse;
+            work += block_work;
         }
         if !is_open && self.walls.are_moving() {
             for (ghost, force) in self.walls.ghosts.iter().zip(self.ghost_forces()) {

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use crate::case::{Case, Equations, Side};
 use crate::frame::Totals;
 
+mod calm;
 mod checkpoint;
 mod curvature;
 mod faces;
@@ -25,6 +26,7 @@ mod neighbours;
 mod open;
 mod pairs;
 mod particle;
+mod passes;
 mod reach;
 mod records;
 mod reservoir;
@@ -40,6 +42,7 @@ mod time_step;
 mod turning;
 mod walls;
 
+use calm::Calm;
 use images::Images;
 use neighbours::{Candidates, GROWTH, Lists, Seeker};
 use open::OpenBoundaries;
@@ -55,6 +58,7 @@ use walls::{WallLists, Walls};
 
 pub use checkpoint::Memory;
 pub use failure::Failure;
+pub use passes::Pass;
 pub use side_walls::wall_sides;
 pub use snapshot::Statistics;
 
@@ -72,6 +76,8 @@ pub struct Simulation<const D: usize> {
     open: OpenBoundaries<D>,
     rings: Rings,
     walls: Walls<D>,
+    /// Where there is a free stream whose pair sums may be skipped.
+    calm: Option<Calm<D>>,
     flow_images: Images<D>,
     ghost_images: Images<D>,
     records: Records<D>,
@@ -102,7 +108,7 @@ struct StepBound {
 impl<const D: usize> Simulation<D> {
     /// Sets up the particles of `case`.
     pub fn new(case: Case<D>) -> Result<Self, String> {
-        let arch = Arch::new();
+        let arch = lanes::processor()?;
         let lanes = neighbours::lane_count(arch) as f64;
         let width = case.spacing * lanes.powf(1.0 / D as f64);
         let (fluid, open) = OpenBoundaries::fill(&case)?;
@@ -121,6 +127,7 @@ impl<const D: usize> Simulation<D> {
             open,
             rings: Rings::new(&case),
             walls,
+            calm: Calm::new(&case),
             flow_images: Images::default(),
             ghost_images: Images::default(),
             records: Records::default(),
@@ -173,14 +180,7 @@ impl<const D: usize> Simulation<D> {
             self.read_densities();
         }
         self.evaluate(0.0);
-        let stable = time_step::time_step(
-            self.case.scheme.equations,
-            self.case.scheme.cfl,
-            self.case.gamma,
-            &self.fluid,
-            &self.rates,
-        );
-        let free = stable.min(bound.step);
+        let free = self.time_step().min(bound.step);
         let step = if self.time + free * (1.0 + 1e-9) >= limit {
             limit - self.time
         } else {
@@ -188,17 +188,11 @@ impl<const D: usize> Simulation<D> {
         };
         self.last_step = free;
 
-        self.saved.clone_from(&self.fluid);
-        self.advance(0.5 * step);
-        self.check()?;
+        self.predict(0.5 * step)?;
         self.walls.update_smoothing_lengths();
         self.evaluate(0.5 * step);
         self.account(step);
-        self.advance(step);
-        if self.case.scheme.equations == Equations::Conservative {
-            self.settle_energy(step);
-        }
-        self.check()?;
+        self.correct(step)?;
 
         let before = self.time;
         self.time = if limit - self.time == step {
@@ -225,10 +219,27 @@ impl<const D: usize> Simulation<D> {
         StepBound { step }
     }
 
+    /// The stable step, at the rates of its start.
+    fn time_step(&self) -> f64 {
+        time_step::time_step(
+            self.case.scheme.equations,
+            self.case.scheme.cfl,
+            self.case.gamma,
+            &self.fluid,
+            &self.rates,
+        )
+    }
+
     /// Sorts all particles in space, makes images and lists neighbours.
     fn prepare(&mut self, bound: StepBound) {
+        self.sort(bound);
+        self.list(bound);
+    }
+
+    /// Sorts all particles in space, makes images and writes the records.
+    fn sort(&mut self, bound: StepBound) {
         let half_step = 0.5 * bound.step;
-        let positions: Vec<_> = self.fluid.iter().map(|p| p.position).collect();
+        let positions: Vec<_> = self.fluid.par_iter().map(|p| p.position).collect();
         self.fluid_pencils.rebuild(&positions, self.width);
         self.fluid = permuted(&self.fluid, self.fluid_pencils.order());
         let positions: Vec<_> = self
@@ -254,10 +265,31 @@ impl<const D: usize> Simulation<D> {
         self.rates.resize(self.fluid.len(), Rates::default());
         self.fill_gas(0.0);
         self.fill_ghosts();
+    }
 
+    /// Lists the neighbours.
+    fn list(&mut self, bound: StepBound) {
+        let half_step = 0.5 * bound.step;
         let records = &self.records;
         let ghosts = records.segment(GHOSTS);
         let views = ghosts.start + self.walls.own_count();
+        let (fluid, open, images) = (&self.fluid, &self.open.particles, &self.flow_images);
+        let gas = |slot: usize| match slot.checked_sub(fluid.len()) {
+            None => fluid[slot].is_calm,
+            Some(slot) => open[slot].lattice.is_some() || open[slot].particle.is_calm,
+        };
+        let is_calm = |slot: usize| {
+            if slot >= records.start[GHOSTS] {
+                return false;
+            }
+            match slot.checked_sub(records.start[FLOW_IMAGES]) {
+                None => gas(slot),
+                Some(image) => gas(images.source(image).0),
+            }
+        };
+        if let Some(calm) = &mut self.calm {
+            calm.draw(&records.near, is_calm, half_step);
+        }
         let sets = [
             Candidates::new(&self.fluid_pencils, records, FLUID),
             Candidates::new(&self.open_pencils, records, OPEN),
@@ -271,8 +303,14 @@ impl<const D: usize> Simulation<D> {
             half_h: records.near[i].half_h,
             velocity: records.near[i].velocity,
         };
-        self.lists
-            .build(self.arch, self.fluid.len(), seeker, &sets, half_step);
+        self.lists.build(
+            self.arch,
+            self.fluid.len(),
+            seeker,
+            &sets,
+            half_step,
+            self.calm.as_ref(),
+        );
         self.walls
             .build_lists(self.arch, &sets, half_step, &mut self.wall_lists);
         self.part_thin_sides();
@@ -284,20 +322,19 @@ impl<const D: usize> Simulation<D> {
         if !self.case.domain.sides.iter().flatten().any(mirrors) {
             return;
         }
-        let gas: Vec<_> = self
-            .fluid
-            .iter()
-            .chain(self.open.particles.iter().map(|open| &open.particle))
-            .copied()
-            .collect();
         let ghosts = &self.walls.ghosts;
-        let h = gas.iter().map(|p| p.smoothing_length);
-        let h = h
-            .chain(ghosts.iter().map(|g| g.smoothing_length))
-            .fold(0.0, f64::max);
-        let fastest = gas.iter().map(|p| p.velocity.norm()).fold(0.0, f64::max);
-        let reach = GROWTH * SUPPORT * h + 2.0 * half_step * fastest;
-        let gas: Vec<_> = gas.iter().map(|p| p.position).collect();
+        let (fluid, open) = (&self.fluid, &self.open.particles);
+        let gas = || {
+            fluid
+                .par_iter()
+                .chain(open.par_iter().map(|open| &open.particle))
+        };
+        let [h, fastest] = gas()
+            .map(|p| [p.smoothing_length, p.velocity.norm_squared()])
+            .reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        let h = ghosts.iter().map(|g| g.smoothing_length).fold(h, f64::max);
+        let reach = GROWTH * SUPPORT * h + 2.0 * half_step * fastest.sqrt();
+        let gas: Vec<_> = gas().map(|p| p.position).collect();
         let ghosts: Vec<_> = ghosts.iter().map(|g| g.position).collect();
         self.flow_images
             .rebuild(&self.case.domain, &gas, reach, self.width);
@@ -327,7 +364,7 @@ impl<const D: usize> Simulation<D> {
             .for_each(|((particle, &density), widest)| {
                 particle.density = density;
                 let mass = rings.spanned_mass(particle);
-                let h = SMOOTHING_RATIO * (mass / density).powf(1.0 / D as f64);
+                let h = SMOOTHING_RATIO * edge::<D>(mass / density);
                 particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);
             });
     }
@@ -345,20 +382,25 @@ impl<const D: usize> Simulation<D> {
         if self.case.scheme.shield {
             self.shield();
         }
-        rates(
-            self.arch,
-            &self.lists,
-            &self.records,
-            self.case.scheme.equations,
-            self.case.scheme.shield,
-            &mut self.rates,
-        );
+        self.sum_rates();
         if self.case.scheme.limited_viscosity {
             let gamma = self.case.gamma;
             spare_smooth_flow(self.rings, gamma, &self.rates, &mut self.fluid);
         }
         self.rings
             .stretch(&self.fluid, self.case.gamma, &mut self.rates);
+    }
+
+    /// Sums the rates of the fluid.
+    fn sum_rates(&mut self) {
+        rates(
+            self.arch,
+            &self.lists,
+            &self.records,
+            &self.renormalisations,
+            (self.case.scheme.equations, self.case.scheme.shield),
+            &mut self.rates,
+        );
     }
 
     /// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
@@ -378,7 +420,7 @@ impl<const D: usize> Simulation<D> {
             .zip(near.par_iter())
             .zip(&self.renormalisations)
             .for_each(|((state, near), r)| {
-                state.renormalise(r.matrix, r.density_gradient, near.volume);
+                state.renormalise(&r.matrix, &r.density_gradient, near.volume);
             });
         self.flow_images
             .refresh(&mut self.records, FLUID, FLOW_IMAGES);
@@ -405,6 +447,15 @@ impl<const D: usize> Simulation<D> {
             wall,
             &mut self.rates,
         );
+    }
+}
+
+/// Edge of a cube of this `D`-dimensional volume.
+fn edge<const D: usize>(volume: f64) -> f64 {
+    match D {
+        1 => volume,
+        2 => volume.sqrt(),
+        _ => volume.cbrt(),
     }
 }
 

@@ -7,6 +7,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
+use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::lattice;
@@ -113,6 +114,7 @@ impl<const D: usize> Case<D> {
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,
             strain: Matrix::zeros(),
+            is_calm: false,
             id,
         }
     }
@@ -273,7 +275,9 @@ impl<const D: usize> OpenBoundaries<D> {
                 open.particle.position = case.lattice_position(index, &drift);
             }
             match (case.zone(&open.particle.position), open.lattice) {
-                (Zone::Interior, _) => {
+                (Zone::Interior, lattice) => {
+                    // The lattice is the free stream itself.
+                    open.particle.is_calm |= lattice.is_some() && case.scheme.skip_undisturbed;
                     entering.push(open.particle);
                     false
                 }
@@ -286,15 +290,14 @@ impl<const D: usize> OpenBoundaries<D> {
                 (Zone::Outside, _) => false,
             }
         });
-        let mut kept = 0;
-        for i in 0..fluid.len() {
+        let leaving: Vec<_> = fluid
+            .par_iter()
+            .enumerate()
+            .map(|(i, particle)| (i, case.zone(&particle.position)))
+            .filter(|(_, zone)| *zone != Zone::Interior)
+            .collect();
+        for &(i, zone) in &leaving {
             let particle = fluid[i];
-            let zone = case.zone(&particle.position);
-            if zone == Zone::Interior {
-                fluid[kept] = particle;
-                kept += 1;
-                continue;
-            }
             add(&mut self.inflow, &particle, -1.0);
             if zone == Zone::Outlet {
                 let (renormalisation, gradient) = frozen(i);
@@ -307,7 +310,10 @@ impl<const D: usize> OpenBoundaries<D> {
                 self.particles.push(open);
             }
         }
-        fluid.truncate(kept);
+        // From the end, so that the last particle, which takes the place, is never one that leaves.
+        for &(i, _) in leaving.iter().rev() {
+            fluid.swap_remove(i);
+        }
         for particle in entering {
             add(&mut self.inflow, &particle, 1.0);
             fluid.push(particle);

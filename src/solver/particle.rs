@@ -25,8 +25,27 @@ pub struct Particle<const D: usize> {
     pub first_plane_mass: f64,
     /// Rate of strain at the last evaluation that the artificial viscosity leaves alone.
     pub strain: Matrix<D>,
+    /// Moves with the undisturbed free stream ([`super::calm`]); without meaning where none is looked for.
+    pub is_calm: bool,
     /// Number that the particle keeps for life.
     pub id: u64,
+}
+
+impl<const D: usize> Particle<D> {
+    /// True of a state that gas can be in.
+    pub fn makes_sense(&self) -> bool {
+        self.density > 0.0
+            && self.energy > 0.0
+            && self.smoothing_length > 0.0
+            && self.energy.is_finite()
+            && self.density.is_finite()
+            && self.smoothing_length.is_finite()
+            && self
+                .position
+                .iter()
+                .chain(&self.velocity)
+                .all(|x| x.is_finite())
+    }
 }
 
 /// Rates of change of one particle, and what walls contribute to them.

@@ -38,11 +38,62 @@ pub struct State<const D: usize> {
     /// Half the density gradient.
     pub half_gradient: Vector<D>,
     /// Rate of strain.
-    pub strain: Matrix<D>,
-    /// Renormalisation matrix `L`.
-    pub renormalisation: Matrix<D>,
+    pub strain: Symmetric<D>,
     /// `V p L`.
-    pub stress: Matrix<D>,
+    pub stress: Symmetric<D>,
+}
+
+/// A symmetric `D x D` matrix without its lower triangle.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Symmetric<const D: usize> {
+    diagonal: Vector<D>,
+    /// Above the diagonal, row by row: at most as many as on it.
+    above: Vector<D>,
+}
+
+impl<const D: usize> Symmetric<D> {
+    /// The upper triangle of `matrix`.
+    pub fn new(matrix: &Matrix<D>) -> Self {
+        let mut above = Vector::zeros();
+        for a in 0..D {
+            for b in a + 1..D {
+                above[a + b - 1] = matrix[(a, b)];
+            }
+        }
+        Self {
+            diagonal: matrix.diagonal(),
+            above,
+        }
+    }
+
+    /// All zero.
+    pub fn zeros() -> Self {
+        Self {
+            diagonal: Vector::zeros(),
+            above: Vector::zeros(),
+        }
+    }
+
+    /// Component `a, b`.
+    #[inline(always)]
+    pub fn get(&self, a: usize, b: usize) -> f64 {
+        if a == b {
+            self.diagonal[a]
+        } else {
+            self.above[a + b - 1]
+        }
+    }
+
+    /// The mirror image where `sign` is -1 along the axes that turn round.
+    pub fn reflected(mut self, sign: &Vector<D>) -> Self {
+        for a in 0..D {
+            for b in a + 1..D {
+                self.above[a + b - 1] *= sign[a] * sign[b];
+            }
+        }
+        self
+    }
 }
 
 impl<const D: usize> Near<D> {
@@ -65,17 +116,15 @@ impl<const D: usize> State<D> {
             energy,
             pressure,
             half_gradient: Vector::zeros(),
-            strain: Matrix::zeros(),
-            renormalisation: Matrix::identity(),
-            stress: Matrix::zeros(),
+            strain: Symmetric::zeros(),
+            stress: Symmetric::zeros(),
         }
     }
 
-    /// Sets the renormalisation matrix and density gradient, and the stress that follows.
-    pub fn renormalise(&mut self, matrix: Matrix<D>, gradient: Vector<D>, volume: f64) {
-        self.renormalisation = matrix;
+    /// Sets the density gradient and the stress that follows from the renormalisation `matrix`.
+    pub fn renormalise(&mut self, matrix: &Matrix<D>, gradient: &Vector<D>, volume: f64) {
         self.half_gradient = 0.5 * gradient;
-        self.stress = matrix * (volume * self.pressure);
+        self.stress = Symmetric::new(&(matrix * (volume * self.pressure)));
     }
 }
 

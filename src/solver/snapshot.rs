@@ -52,10 +52,29 @@ impl Default for Extremes {
 }
 
 impl Extremes {
-    /// Takes note of a particle in good state.
+    /// Takes note of a particle; one whose state makes no sense leaves a density that is not a number.
     pub(super) fn meet<const D: usize>(&mut self, particle: &Particle<D>) {
-        self.min_density = self.min_density.min(particle.density);
+        let density = if particle.makes_sense() {
+            particle.density
+        } else {
+            f64::NAN
+        };
+        self.min_density = smaller(self.min_density, density);
         self.min_energy = self.min_energy.min(particle.energy);
+    }
+
+    /// What both met.
+    pub(super) fn merge(self, other: Self) -> Self {
+        Self {
+            updates: self.updates + other.updates,
+            min_density: smaller(self.min_density, other.min_density),
+            min_energy: self.min_energy.min(other.min_energy),
+        }
+    }
+
+    /// False after a particle whose state made no sense.
+    pub(super) fn make_sense(&self) -> bool {
+        !self.min_density.is_nan()
     }
 }
 
@@ -89,6 +108,7 @@ impl<const D: usize> Simulation<D> {
                 mass: ghost.density * ghost.volume,
                 first_plane_mass: ghost.density * ghost.volume,
                 strain: ghost.strain,
+                is_calm: false,
                 id: number as u64,
             };
             push(&mut frame, &particle, gamma, Kind::Ghost);
@@ -164,7 +184,7 @@ impl<const D: usize> Simulation<D> {
         let mut pairs = 0_usize;
         let mut particles = 0_usize;
         for chunk in &self.lists.chunks {
-            for cluster in &chunk.clusters {
+            for cluster in chunk.clusters.iter().filter(|cluster| !cluster.is_calm) {
                 for i in cluster.targets.clone() {
                     particles += 1;
                     pairs += chunk.entries[cluster.gas.start..cluster.wall.end]
@@ -186,6 +206,11 @@ impl<const D: usize> Simulation<D> {
         self.body_around(position).is_some()
             || self.side_depths(position).any(|(_, depth)| depth > 0.0)
     }
+}
+
+/// The smaller number; none, where one of the two is none.
+fn smaller(a: f64, b: f64) -> f64 {
+    if a.is_nan() || a < b { a } else { b }
 }
 
 fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gamma: f64, kind: Kind) {

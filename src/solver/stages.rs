@@ -1,53 +1,86 @@
-//! Moves the fluid by its rates, and what a finished step leaves to do: energy to settle, sides to cross.
+//! Moves the fluid by its rates, and lets it cross sides.
 
 use rayon::prelude::*;
 
 use super::Simulation;
+use super::failure::Failure;
 use super::neighbours::GROWTH;
+use super::particle::{Particle, Rates};
+use super::snapshot::Extremes;
 use crate::case::{Equations, Side};
 
+/// Particles that a task moves at once.
+const BLOCK: usize = 1024;
+
 impl<const D: usize> Simulation<D> {
-    /// Sets the fluid to its state at the start of the step plus `ahead` times the rates.
-    pub(super) fn advance(&mut self, ahead: f64) {
-        let paper = self.case.scheme.equations == Equations::Paper;
-        // The velocity that moves the particle is the one at which the rates were evaluated.
-        self.fluid
-            .par_iter_mut()
-            .zip(&self.saved)
-            .zip(&self.rates)
-            .for_each(|((particle, saved), rates)| {
-                particle.position = saved.position + (particle.velocity + rates.shift) * ahead;
-                let acceleration = rates.acceleration + rates.wall_acceleration;
-                particle.velocity = saved.velocity + acceleration * ahead;
-                if paper {
-                    // Eq. 17, at the stage whose density gave the rate.
-                    let growth = -rates.density / (D as f64 * particle.density);
-                    particle.smoothing_length = saved.smoothing_length
-                        + (particle.smoothing_length * growth * ahead)
-                            .min((GROWTH - 1.0) * saved.smoothing_length);
+    /// Predicts the state half a step ahead: the fluid as it was, plus `ahead` times its rates. Keeps the
+    /// fluid as it was.
+    pub(super) fn predict(&mut self, ahead: f64) -> Result<(), Failure> {
+        std::mem::swap(&mut self.fluid, &mut self.saved);
+        self.fluid.truncate(self.saved.len());
+        let missing = &self.saved[self.fluid.len()..];
+        self.fluid.extend_from_slice(missing);
+        let stage = self.stage(ahead);
+        let extremes = self
+            .fluid
+            .par_chunks_mut(BLOCK)
+            .zip(self.saved.par_chunks(BLOCK))
+            .zip(self.rates.par_chunks(BLOCK))
+            .map(|((fluid, saved), rates)| {
+                let mut extremes = Extremes::default();
+                for ((particle, saved), rates) in fluid.iter_mut().zip(saved).zip(rates) {
+                    *particle = *saved;
+                    stage.advance(particle, saved, rates);
+                    extremes.meet(particle);
                 }
-                particle.density = saved.density + rates.density * ahead;
-                particle.energy = saved.energy + rates.energy * ahead;
-            });
+                extremes
+            })
+            .reduce(Extremes::default, Extremes::merge);
+        self.check(extremes)
     }
 
-    /// Settles the total energy of a finished step to round-off.
+    /// Corrects the state: the fluid at the start of the step plus `step` times the rates of its middle.
     ///
+    /// The conservative scheme settles the total energy to round-off.
     /// Forces are paid for at the velocity `v` that they were evaluated at; the kinetic energy
     /// changes by their work at the mean of the velocities before and after. The difference,
     /// of third order in the step, is heat: `-dt a.((u0 + u1) / 2 - v)`, the same in every frame
-    /// of reference. Needs the records of the second evaluation, which hold `v`.
-    pub(super) fn settle_energy(&mut self, step: f64) {
-        self.fluid
-            .par_iter_mut()
-            .zip(&self.saved)
-            .zip(&self.rates)
-            .zip(&self.records.near)
-            .for_each(|(((particle, saved), rates), evaluated)| {
-                let mean = (saved.velocity + particle.velocity) * 0.5;
-                let acceleration = rates.acceleration + rates.wall_acceleration;
-                particle.energy -= step * acceleration.dot(&(mean - evaluated.velocity));
-            });
+    /// of reference.
+    pub(super) fn correct(&mut self, step: f64) -> Result<(), Failure> {
+        let settles = self.case.scheme.equations == Equations::Conservative;
+        let stage = self.stage(step);
+        let calm = self.calm.as_ref();
+        let extremes = self
+            .fluid
+            .par_chunks_mut(BLOCK)
+            .zip(self.saved.par_chunks(BLOCK))
+            .zip(self.rates.par_chunks(BLOCK))
+            .map(|((fluid, saved), rates)| {
+                let mut extremes = Extremes::default();
+                for ((particle, saved), rates) in fluid.iter_mut().zip(saved).zip(rates) {
+                    let evaluated = particle.velocity;
+                    stage.advance(particle, saved, rates);
+                    if settles {
+                        let mean = (saved.velocity + particle.velocity) * 0.5;
+                        let acceleration = rates.acceleration + rates.wall_acceleration;
+                        particle.energy -= step * acceleration.dot(&(mean - evaluated));
+                    }
+                    if let Some(calm) = calm {
+                        particle.is_calm = calm.holds(particle, rates);
+                    }
+                    extremes.meet(particle);
+                }
+                extremes
+            })
+            .reduce(Extremes::default, Extremes::merge);
+        self.check(extremes)
+    }
+
+    fn stage(&self, ahead: f64) -> Stage {
+        Stage {
+            ahead,
+            widens: self.case.scheme.equations == Equations::Paper,
+        }
     }
 
     /// Lets particles change sides after the step that began at `before`.
@@ -73,7 +106,13 @@ impl<const D: usize> Simulation<D> {
         for axis in 0..D {
             let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
             let sides = domain.sides[axis];
-            for particle in &mut self.fluid {
+            if !sides
+                .iter()
+                .any(|side| side.is_mirror() || *side == Side::Periodic)
+            {
+                continue;
+            }
+            self.fluid.par_iter_mut().for_each(|particle| {
                 let x = particle.position[axis];
                 if x < low && sides[0] == Side::Periodic {
                     particle.position[axis] += high - low;
@@ -84,7 +123,40 @@ impl<const D: usize> Simulation<D> {
                     particle.position[axis] = 2.0 * plane - x;
                     particle.velocity[axis] = -particle.velocity[axis];
                 }
-            }
+            });
         }
+    }
+}
+
+/// One of the two stages of a step.
+#[derive(Clone, Copy, Debug)]
+struct Stage {
+    ahead: f64,
+    /// The smoothing length has a rate of its own.
+    widens: bool,
+}
+
+impl Stage {
+    /// Sets `particle` to its state at the start of the step plus `ahead` times its rates.
+    fn advance<const D: usize>(
+        &self,
+        particle: &mut Particle<D>,
+        saved: &Particle<D>,
+        rates: &Rates<D>,
+    ) {
+        let ahead = self.ahead;
+        // The velocity that moves the particle is the one at which the rates were evaluated.
+        particle.position = saved.position + (particle.velocity + rates.shift) * ahead;
+        let acceleration = rates.acceleration + rates.wall_acceleration;
+        particle.velocity = saved.velocity + acceleration * ahead;
+        if self.widens {
+            // Eq. 17, at the stage whose density gave the rate.
+            let growth = -rates.density / (D as f64 * particle.density);
+            particle.smoothing_length = saved.smoothing_length
+                + (particle.smoothing_length * growth * ahead)
+                    .min((GROWTH - 1.0) * saved.smoothing_length);
+        }
+        particle.density = saved.density + rates.density * ahead;
+        particle.energy = saved.energy + rates.energy * ahead;
     }
 }

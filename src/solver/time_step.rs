@@ -1,5 +1,7 @@
 //! The stable time step.
 
+use rayon::prelude::*;
+
 use super::particle::{Particle, Rates};
 use crate::case::Equations;
 
@@ -22,42 +24,58 @@ pub fn time_step<const D: usize>(
     particles: &[Particle<D>],
     rates: &[Rates<D>],
 ) -> f64 {
-    let each = particles.iter().zip(rates).map(|(particle, rates)| {
-        let acceleration = (rates.acceleration + rates.wall_acceleration).norm();
-        (
-            particle.smoothing_length,
-            sound_speed(gamma, particle.energy),
-            acceleration,
-        )
-    });
-    match equations {
+    let bounds = match equations {
         Equations::Paper => {
-            let (h, c, a) = each.fold((f64::INFINITY, 0.0_f64, 0.0_f64), |most, one| {
-                (most.0.min(one.0), most.1.max(one.1), most.2.max(one.2))
+            let extremes = particles.par_iter().zip(rates).map(|(particle, rates)| {
+                let acceleration = rates.acceleration + rates.wall_acceleration;
+                [
+                    particle.smoothing_length,
+                    -particle.energy,
+                    -acceleration.norm_squared(),
+                ]
             });
-            cfl * (h / c).min(C_FORCE * (h / a).sqrt())
+            let [h, energy, acceleration] = extremes.reduce(|| [f64::INFINITY; 3], smaller);
+            [
+                h / sound_speed(gamma, -energy),
+                C_FORCE * (h / (-acceleration).sqrt()).sqrt(),
+                f64::INFINITY,
+            ]
         }
         Equations::Conservative => {
-            let courant = each.fold(f64::INFINITY, |least: f64, (h, c, a)| {
-                least.min(h / c).min(C_FORCE * (h / a).sqrt())
-            });
-            let changes = particles.iter().zip(rates).map(|(particle, rates)| {
+            let each = particles.par_iter().zip(rates).map(|(particle, rates)| {
+                let h = particle.smoothing_length;
+                let acceleration = rates.acceleration + rates.wall_acceleration;
                 let thins = particle.density / rates.density.abs();
                 let cools = particle.energy / (-rates.energy).max(0.0);
-                C_CHANGE * thins.min(cools)
+                [
+                    h * h / particle.energy,
+                    h * h / acceleration.norm_squared(),
+                    thins.min(cools),
+                ]
             });
-            cfl * changes.fold(courant, f64::min)
+            let [courant, force, change] = each.reduce(|| [f64::INFINITY; 3], smaller);
+            [
+                courant.sqrt() / sound_speed(gamma, 1.0),
+                C_FORCE * force.sqrt().sqrt(),
+                C_CHANGE * change,
+            ]
         }
-    }
+    };
+    cfl * bounds.into_iter().fold(f64::INFINITY, f64::min)
 }
 
 /// The bound from the speed of sound alone, known before any rate.
 pub fn acoustic_step<const D: usize>(cfl: f64, gamma: f64, particles: &[Particle<D>]) -> f64 {
-    cfl * particles
-        .iter()
-        .fold(f64::INFINITY, |least: f64, particle| {
-            least.min(particle.smoothing_length / sound_speed(gamma, particle.energy))
-        })
+    let each = particles
+        .par_iter()
+        .map(|p| p.smoothing_length * p.smoothing_length / p.energy);
+    let squared = each.reduce(|| f64::INFINITY, f64::min);
+    cfl * squared.sqrt() / sound_speed(gamma, 1.0)
+}
+
+/// The smaller ones. Unlike a sum they do not depend on the order, and so not on the threads.
+fn smaller(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
+    std::array::from_fn(|k| a[k].min(b[k]))
 }
 
 /// Speed of sound of an ideal gas, `sqrt(gamma (gamma - 1) e)`.

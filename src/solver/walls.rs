@@ -11,7 +11,7 @@ use super::lattice;
 use super::neighbours::{Candidates, GROWTH, Lists, Seeker};
 use super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
 use super::particle::Ghost;
-use super::records::{GHOSTS, Matrix, Near, Records, State};
+use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
 use super::rigid::Pose;
 use super::side_walls;
 use crate::case::{Case, Equations, Extrapolation, Motion, Side, WallKind};
@@ -42,7 +42,7 @@ pub struct Walls<const D: usize> {
 /// Neighbours of the ghosts.
 #[derive(Clone, Debug, Default)]
 pub struct WallLists {
-    /// Around each ghost.
+    /// Around each ghost; the gas only.
     pub near: Lists,
     /// Around each mirror point; the gas only.
     pub mirror: Lists,
@@ -199,13 +199,15 @@ impl<const D: usize> Walls<D> {
     ) {
         let ghosts = &self.ghosts;
         let count = ghosts.len();
+        let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
         lists
             .near
-            .build(arch, count, |g| seeker(&ghosts[g]), sets, half_step);
+            .build(arch, count, |g| seeker(&ghosts[g]), &gas, half_step, None);
         if self.extrapolation == Extrapolation::Wm {
-            let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
             let seeker = |g: usize| mirror_seeker(&ghosts[g]);
-            lists.mirror.build(arch, count, seeker, &gas, half_step);
+            lists
+                .mirror
+                .build(arch, count, seeker, &gas, half_step, None);
         }
     }
 
@@ -284,7 +286,7 @@ impl<const D: usize> Walls<D> {
     /// of a lattice, which the gas at rest has too.
     pub fn fill(&self, records: &mut Records<D>) {
         let slots = records.segment(GHOSTS);
-        let even = Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO);
+        let even = even_renormalisation();
         let (near, state) = (
             &mut records.near[slots.clone()],
             &mut records.state[slots.clone()],
@@ -302,8 +304,8 @@ impl<const D: usize> Walls<D> {
                     velocity: ghost.velocity,
                 };
                 *state = State::new(ghost.pressure, ghost.density, ghost.energy, self.gamma);
-                state.strain = ghost.strain;
-                state.renormalise(even, Vector::zeros(), ghost.volume);
+                state.strain = Symmetric::new(&ghost.strain);
+                state.renormalise(&even, &Vector::zeros(), ghost.volume);
             });
     }
 }
@@ -318,6 +320,11 @@ fn sorted<const D: usize>(
     pencils.rebuild(&positions, width);
     let order = pencils.order().iter();
     order.map(|&g| ghosts[g as usize]).collect()
+}
+
+/// Renormalisation matrix of ghosts.
+pub fn even_renormalisation<const D: usize>() -> Matrix<D> {
+    Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO)
 }
 
 fn seeker<const D: usize>(ghost: &Ghost<D>) -> Seeker<D> {

@@ -17,6 +17,8 @@ mod restrict;
 pub use candidates::Candidates;
 use hull::Hull;
 
+use super::calm::Calm;
+
 /// A smoothing length may grow by this factor in one step; the lists allow for it.
 pub const GROWTH: f64 = 1.03;
 
@@ -43,6 +45,8 @@ pub struct Cluster {
     pub gas: Range<usize>,
     /// Neighbours among the ghosts.
     pub wall: Range<usize>,
+    /// Nothing but the undisturbed free stream: no neighbours are listed, and all sums are zero.
+    pub is_calm: bool,
 }
 
 /// Neighbour lists of a run of clusters.
@@ -69,7 +73,7 @@ impl Lists {
     }
 
     /// Lists the neighbours of `count` seekers in clusters as wide as the processor's vectors,
-    /// for a step whose half is at most `half_step` long.
+    /// for a step whose half is at most `half_step` long. In what is `calm` none are listed.
     pub fn build<const D: usize>(
         &mut self,
         arch: Arch,
@@ -77,6 +81,7 @@ impl Lists {
         seeker: impl Fn(usize) -> Seeker<D> + Sync,
         sets: &[Candidates<'_, D>],
         half_step: f64,
+        calm: Option<&Calm<D>>,
     ) {
         self.lanes = arch.dispatch(LaneCount);
         let per_chunk = self.chunk_targets();
@@ -93,6 +98,7 @@ impl Lists {
                     seeker: &seeker,
                     sets,
                     half_step,
+                    calm,
                 });
             });
     }
@@ -105,6 +111,7 @@ struct Build<'a, F, const D: usize> {
     seeker: &'a F,
     sets: &'a [Candidates<'a, D>],
     half_step: f64,
+    calm: Option<&'a Calm<D>>,
 }
 
 impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
@@ -120,6 +127,17 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
             let targets = start..self.targets.end.min(start + S::F64_LANES);
             let hull = Hull::new(simd, |l| (self.seeker)((start + l).min(targets.end - 1)));
             let begin = entries.len();
+            let is_calm = hull.is_calm(self.calm);
+            if is_calm {
+                let (gas, wall) = (begin..begin, begin..begin);
+                clusters.push(Cluster {
+                    targets,
+                    gas,
+                    wall,
+                    is_calm,
+                });
+                continue;
+            }
             for set in self.sets.iter().filter(|set| !set.is_wall()) {
                 hull.collect(simd, set, self.half_step, &mut runs, entries);
             }
@@ -128,7 +146,12 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
                 hull.collect(simd, set, self.half_step, &mut runs, entries);
             }
             let (gas, wall) = (begin..middle, middle..entries.len());
-            clusters.push(Cluster { targets, gas, wall });
+            clusters.push(Cluster {
+                targets,
+                gas,
+                wall,
+                is_calm,
+            });
         }
     }
 }

@@ -27,7 +27,12 @@ impl Chunk {
         let mut entries = Vec::with_capacity(self.entries.len());
         let mut clusters = Vec::with_capacity(self.clusters.len());
         for whole in &self.clusters {
-            let Cluster { targets, gas, wall } = whole.clone();
+            let Cluster {
+                targets,
+                gas,
+                wall,
+                is_calm,
+            } = whole.clone();
             let mut start = targets.start;
             while start < targets.end {
                 let key = own(start);
@@ -42,6 +47,7 @@ impl Chunk {
                     targets: start..end,
                     gas: begin..middle,
                     wall: middle..entries.len(),
+                    is_calm,
                 });
                 start = end;
             }
@@ -56,7 +62,12 @@ mod tests {
 
     #[test]
     fn a_cluster_is_split_where_its_members_see_different_things() {
-        let cluster = |targets, gas, wall| Cluster { targets, gas, wall };
+        let cluster = |targets, gas, wall| Cluster {
+            targets,
+            gas,
+            wall,
+            is_calm: false,
+        };
         let mut lists = Lists {
             chunks: vec![Chunk {
                 entries: vec![0, 1, 2, 3, 4, 5],

@@ -3,7 +3,6 @@
 use pulp::Simd;
 
 use super::super::lanes::Lane;
-use super::Pair;
 
 /// Coefficient (Villodi & Ramachandran 2024, below eq. 14).
 pub const KAPPA: f64 = 0.1;
@@ -21,16 +20,13 @@ pub fn exchange_speed<S: Simd>(simd: S, closing: Lane<S>, sound: Lane<S>) -> Lan
     closing.mul_add(Lane::splat(simd, -COMPRESSED / KAPPA), sound)
 }
 
-/// `kappa c_ij h_ij E_ij.grad_i W_ij` with `E_ij = 2 (e_j - e_i) r_ji / r_ij^2` [Villodi &
+/// What the sum of all [`heat_flow`] is to be multiplied with: `r_ji.grad_i W_ij / r_ij^2` is `-F`.
+pub const CONDUCTION: f64 = -2.0 * KAPPA;
+
+/// `kappa c_ij h_ij E_ij.grad_i W_ij` over [`CONDUCTION`], with `E_ij = 2 (e_j - e_i) r_ji / r_ij^2` [Villodi &
 /// Ramachandran 2024, eqs 14-15]; the caller weighs it by `m_j / rho_j` (as printed) or by
-/// `m_j / rho_ij`, which exchanges energy pairwise and so conserves it.
+/// `m_j / rho_ij`, which exchanges energy pairwise and so conserves it. `reach` is `h_ij F`.
 #[inline(always)]
-pub fn heat_flow<S: Simd, const D: usize>(
-    simd: S,
-    pair: &Pair<S, D>,
-    energy_difference: Lane<S>,
-    speed: Lane<S>,
-) -> Lane<S> {
-    // r_ji . grad_i W_ij / r_ij^2 = -F.
-    Lane::splat(simd, -2.0 * KAPPA) * speed * pair.h * energy_difference * pair.gradient_factor
+pub fn heat_flow<S: Simd>(energy_difference: Lane<S>, speed: Lane<S>, reach: Lane<S>) -> Lane<S> {
+    speed * reach * energy_difference
 }

@@ -36,12 +36,13 @@ pub fn closing_speed<S: Simd, const D: usize>(
     let (own, other) = (own.min(zero), other.min(zero));
     // Kept off zero, where both vanish and nothing is taken away.
     let both = own + other + Lane::splat(simd, -LEAST);
-    // a both = approach both - 2 own other; one division serves this and the softening,
-    // 1 / (r^2 + s h^2) = 1/r^2 / (1 + s h^2 / r^2).
-    let left = (approach.min(zero) * both + -((own + own) * other)).max(zero);
-    let softening = Lane::splat(simd, SOFTENING) * pair.h * pair.h;
-    let softened = softening.mul_add(pair.inverse_distance_squared, Lane::splat(simd, 1.0));
-    pair.h * pair.inverse_distance_squared * left * (both * softened).recip()
+    // a both = approach both - 2 own other.
+    let left = approach
+        .min(zero)
+        .mul_add(both, -((own + own) * other))
+        .max(zero);
+    let softened = (Lane::splat(simd, SOFTENING) * pair.h).mul_add(pair.h, pair.squared);
+    pair.h * left * (both * softened).recip()
 }
 
 /// The same without softening [Villodi & Ramachandran 2024, eq. 13].
@@ -51,7 +52,8 @@ pub fn bare_closing_speed<S: Simd, const D: usize>(
     pair: &Pair<S, D>,
     approach: Lane<S>,
 ) -> Lane<S> {
-    pair.h * approach.min(Lane::splat(simd, 0.0)) * pair.inverse_distance_squared
+    let inverse_squared = pair.inverse_distance * pair.inverse_distance;
+    pair.h * approach.min(Lane::splat(simd, 0.0)) * inverse_squared
 }
 
 /// `Pi_ij = alpha c_ij mu - beta mu^2`; never positive, so that it repels [Villodi & Ramachandran 2024,

@@ -113,11 +113,12 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
             let seekers: [Seeker<D>; MAX_LANES] = std::array::from_fn(|l| {
                 (self.seeker)((cluster.targets.start + l).min(cluster.targets.end - 1))
             });
-            let target = Target {
-                position: std::array::from_fn(|k| Lane::gather(simd, |l| seekers[l].position[k])),
-                half_h: Lane::gather(simd, |l| seekers[l].half_h),
-                half_density: Lane::splat(simd, 0.0),
-            };
+            let target = Target::new(
+                simd,
+                std::array::from_fn(|k| Lane::gather(simd, |l| seekers[l].position[k])),
+                Lane::gather(simd, |l| seekers[l].half_h),
+                Lane::splat(simd, 0.0),
+            );
             let zero = Lane::splat(simd, 0.0);
             let mut moments = Moments::<S, D> {
                 weight: zero,
@@ -133,15 +134,15 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
                 let near = &self.records.near[j as usize];
                 let state = &self.records.state[j as usize];
                 let separation = Separation::new(simd, &target, near);
-                let inverse_h = separation.h.recip();
-                let mut weight = kernel_value::<S, D>(simd, separation.squared.sqrt(), inverse_h);
+                let roots = separation.squared.roots(separation.h);
+                let mut weight = kernel_value::<S, D>(simd, roots.root, roots.inverse_other);
                 if first_order {
                     weight = weight * Lane::splat(simd, near.volume);
                 }
                 let scalars = [state.pressure, state.energy, near.smoothing_length()];
                 for a in 0..D {
                     for b in a..D {
-                        let strain = Lane::splat(simd, state.strain[(a, b)]);
+                        let strain = Lane::splat(simd, state.strain.get(a, b));
                         moments.strain[a][b] = weight.mul_add(strain, moments.strain[a][b]);
                     }
                 }

@@ -27,16 +27,31 @@ pub struct Target<S: Simd, const D: usize> {
     position: LaneVector<S, D>,
     half_h: Lane<S>,
     half_density: Lane<S>,
+    /// Keeps squared distances off zero, so that a particle meets itself without dividing by zero;
+    /// all terms of that pair carry a factor `r_ij` or a difference and vanish.
+    least: Lane<S>,
 }
 
 impl<S: Simd, const D: usize> Target<S, D> {
     /// Loads the particles `near(l)`, one per lane.
     #[inline(always)]
     pub fn load<'a>(simd: S, near: impl Fn(usize) -> &'a Near<D>) -> Self {
+        Self::new(
+            simd,
+            std::array::from_fn(|k| Lane::gather(simd, |l| near(l).position[k])),
+            Lane::gather(simd, |l| near(l).half_h),
+            Lane::gather(simd, |l| near(l).half_density),
+        )
+    }
+
+    /// Points in space, half the smoothing length and half the density there.
+    #[inline(always)]
+    fn new(simd: S, position: LaneVector<S, D>, half_h: Lane<S>, half_density: Lane<S>) -> Self {
         Self {
-            position: std::array::from_fn(|k| Lane::gather(simd, |l| near(l).position[k])),
-            half_h: Lane::gather(simd, |l| near(l).half_h),
-            half_density: Lane::gather(simd, |l| near(l).half_density),
+            position,
+            half_h,
+            half_density,
+            least: Lane::splat(simd, 1e-24) * half_h * half_h,
         }
     }
 }
@@ -46,8 +61,10 @@ impl<S: Simd, const D: usize> Target<S, D> {
 pub struct Pair<S: Simd, const D: usize> {
     /// `r_ij = r_i - r_j`.
     pub separation: LaneVector<S, D>,
-    /// `1 / r_ij^2`; finite for the particle with itself.
-    pub inverse_distance_squared: Lane<S>,
+    /// `r_ij^2`; positive for the particle with itself.
+    pub squared: Lane<S>,
+    /// `1 / r_ij`.
+    pub inverse_distance: Lane<S>,
     /// `h_ij`, the mean smoothing length.
     pub h: Lane<S>,
     /// `F` in `grad_i W_ij = F r_ij`; never positive.
@@ -59,8 +76,7 @@ pub struct Pair<S: Simd, const D: usize> {
 /// A pair's geometry before any law is applied.
 struct Separation<S: Simd, const D: usize> {
     vector: LaneVector<S, D>,
-    /// Squared distance, kept off zero so that a particle meets itself without dividing by zero;
-    /// all its terms carry a factor `r_ij` or a difference and vanish.
+    /// Squared distance, kept off zero by a part in 10^24 of `h^2`.
     squared: Lane<S>,
     h: Lane<S>,
 }
@@ -70,41 +86,31 @@ impl<S: Simd, const D: usize> Separation<S, D> {
     fn new(simd: S, i: &Target<S, D>, j: &Near<D>) -> Self {
         let vector: LaneVector<S, D> =
             std::array::from_fn(|k| i.position[k] - Lane::splat(simd, j.position[k]));
-        let squared = dot(&vector, &vector);
-        let h = i.half_h + Lane::splat(simd, j.half_h);
-        let least = Lane::splat(simd, 1e-24) * h * h;
         Self {
             vector,
-            squared: squared.max(least),
-            h,
+            squared: dot_add(&vector, &vector, i.least),
+            h: i.half_h + Lane::splat(simd, j.half_h),
         }
     }
 }
 
 impl<S: Simd, const D: usize> Pair<S, D> {
-    /// The pair of the particles in `i` with `j`. One division serves all three reciprocals.
+    /// The pair of the particles in `i` with `j`.
     #[inline(always)]
     pub fn new(simd: S, i: &Target<S, D>, j: &Near<D>) -> Self {
-        let separation = Separation::new(simd, i, j);
+        let Separation { vector, squared, h } = Separation::new(simd, i, j);
         let density = i.half_density + Lane::splat(simd, j.half_density);
-        let h_density = separation.h * density;
-        let all = (separation.squared * h_density).recip();
-        let inverse_distance_squared = all * h_density;
-        let inverse_h = all * (separation.squared * density);
-        let inverse_density = all * (separation.squared * separation.h);
-        let distance = separation.squared.sqrt();
-        let gradient_factor = gradient_factor::<S, D>(
-            simd,
-            distance,
-            distance * inverse_distance_squared,
-            inverse_h,
-        );
+        let roots = squared.roots(h * density);
+        let inverse_h = roots.inverse_other * density;
+        let gradient_factor =
+            gradient_factor::<S, D>(simd, roots.root, roots.inverse_root, inverse_h);
         Self {
-            separation: separation.vector,
-            inverse_distance_squared,
-            h: separation.h,
+            separation: vector,
+            squared,
+            inverse_distance: roots.inverse_root,
+            h,
             gradient_factor,
-            inverse_density,
+            inverse_density: roots.inverse_other * h,
         }
     }
 }
@@ -167,6 +173,20 @@ fn power<S: Simd, const D: usize>(a: Lane<S>) -> Lane<S> {
 pub fn dot<S: Simd, const D: usize>(a: &LaneVector<S, D>, b: &LaneVector<S, D>) -> Lane<S> {
     let mut sum = a[0] * b[0];
     for k in 1..D {
+        sum = a[k].mul_add(b[k], sum);
+    }
+    sum
+}
+
+/// Scalar product, and what is added to it.
+#[inline(always)]
+pub fn dot_add<S: Simd, const D: usize>(
+    a: &LaneVector<S, D>,
+    b: &LaneVector<S, D>,
+    addend: Lane<S>,
+) -> Lane<S> {
+    let mut sum = addend;
+    for k in 0..D {
         sum = a[k].mul_add(b[k], sum);
     }
     sum

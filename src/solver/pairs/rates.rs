@@ -10,10 +10,12 @@ use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
 use super::super::particle::Rates;
 use super::super::records::{GHOSTS, Matrix, Near, Records, State};
-use super::artificial_conduction::{exchange_speed, heat_flow};
+use super::super::walls::even_renormalisation;
+use super::artificial_conduction::{CONDUCTION, exchange_speed, heat_flow};
 use super::artificial_viscosity::{bare_closing_speed, closing_speed, viscous_pressure};
-use super::density_diffusion::diffusion;
-use super::{LaneVector, Pair, Target, dot, unlane, zeros};
+use super::density_diffusion::{DIFFUSION, diffusion};
+use super::renormalisation::Renormalisation;
+use super::{LaneVector, Pair, Target, dot, dot_add, unlane, zeros};
 
 /// Rates of every listed particle of the fluid [Villodi & Ramachandran 2024, eqs 10, 12, 14, and
 /// 19-21 where `shifted`; signs as derived from the continuum equations].
@@ -23,8 +25,8 @@ pub fn rates<const D: usize>(
     arch: Arch,
     lists: &Lists,
     records: &Records<D>,
-    equations: Equations,
-    shifted: bool,
+    renormalisations: &[Renormalisation<D>],
+    (equations, shifted): (Equations, bool),
     rates: &mut [Rates<D>],
 ) {
     lists
@@ -35,16 +37,18 @@ pub fn rates<const D: usize>(
             let pass = Pass {
                 chunk,
                 records,
-                first: 0,
                 rates,
             };
+            let own = renormalisations;
             match (equations, shifted) {
-                (Equations::Paper, false) => arch.dispatch(FluidPass::<D, false, false>(pass)),
-                (Equations::Paper, true) => arch.dispatch(FluidPass::<D, false, true>(pass)),
+                (Equations::Paper, false) => arch.dispatch(FluidPass::<D, false, false>(pass, own)),
+                (Equations::Paper, true) => arch.dispatch(FluidPass::<D, false, true>(pass, own)),
                 (Equations::Conservative, false) => {
-                    arch.dispatch(FluidPass::<D, true, false>(pass));
+                    arch.dispatch(FluidPass::<D, true, false>(pass, own));
                 }
-                (Equations::Conservative, true) => arch.dispatch(FluidPass::<D, true, true>(pass)),
+                (Equations::Conservative, true) => {
+                    arch.dispatch(FluidPass::<D, true, true>(pass, own));
+                }
             }
         });
 }
@@ -58,7 +62,6 @@ pub fn reactions<const D: usize>(
     equations: Equations,
     rates: &mut [Rates<D>],
 ) {
-    let first = records.start[GHOSTS];
     lists
         .chunks
         .par_iter()
@@ -67,7 +70,6 @@ pub fn reactions<const D: usize>(
             let pass = Pass {
                 chunk,
                 records,
-                first,
                 rates,
             };
             match equations {
@@ -80,11 +82,14 @@ pub fn reactions<const D: usize>(
 struct Pass<'a, const D: usize> {
     chunk: &'a Chunk,
     records: &'a Records<D>,
-    first: usize,
     rates: &'a mut [Rates<D>],
 }
 
-struct FluidPass<'a, const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool>(Pass<'a, D>);
+/// With the renormalisation of the fluid.
+struct FluidPass<'a, const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool>(
+    Pass<'a, D>,
+    &'a [Renormalisation<D>],
+);
 
 struct ReactionPass<'a, const D: usize, const CONSERVATIVE: bool>(Pass<'a, D>);
 
@@ -112,7 +117,9 @@ struct Sums<S: Simd, const D: usize> {
     energy_gradient: LaneVector<S, D>,
     /// `sum m_j / rho_ij Pi u_ij . grad W`.
     viscous_heat: Lane<S>,
+    /// Over [`CONDUCTION`].
     conduction: Lane<S>,
+    /// Over [`DIFFUSION`].
     diffusion: Lane<S>,
 }
 
@@ -131,7 +138,7 @@ impl<S: Simd, const D: usize> Own<S, D> {
                 Lane::gather(simd, |l| state(l).half_gradient[k])
             }),
             strain: std::array::from_fn(|a| {
-                std::array::from_fn(|b| Lane::gather(simd, |l| state(l).strain[(a, b)]))
+                std::array::from_fn(|b| Lane::gather(simd, |l| state(l).strain.get(a, b)))
             }),
         }
     }
@@ -163,6 +170,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     ) {
         let pair = Pair::new(simd, &i.target, near);
         let volume = Lane::splat(simd, near.volume);
+        let reach = pair.h * pair.gradient_factor;
         let mass = Lane::splat(simd, near.mass);
         let gradient_volume = volume * pair.gradient_factor;
         let pairwise = mass * pair.inverse_density;
@@ -172,12 +180,13 @@ impl<S: Simd, const D: usize> Sums<S, D> {
         let sound = i.half_sound + Lane::splat(simd, state.half_sound);
         let closing = if CONSERVATIVE {
             let (mut own, mut other) = (Lane::splat(simd, 0.0), Lane::splat(simd, 0.0));
-            for a in 0..D {
-                for b in a..D {
-                    let twice = Lane::splat(simd, if a == b { 1.0 } else { 2.0 });
-                    let product = pair.separation[a] * pair.separation[b] * twice;
+            for b in 0..D {
+                let twice = pair.separation[b] + pair.separation[b];
+                for a in 0..=b {
+                    let factor = if a == b { pair.separation[b] } else { twice };
+                    let product = pair.separation[a] * factor;
                     own = i.strain[a][b].mul_add(product, own);
-                    other = Lane::splat(simd, state.strain[(a, b)]).mul_add(product, other);
+                    other = Lane::splat(simd, state.strain.get(a, b)).mul_add(product, other);
                 }
             }
             closing_speed(simd, &pair, approach, own, other)
@@ -194,7 +203,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             let r = pair.separation[a];
             self.gradient[a] = gradient_volume.mul_add(r, self.gradient[a]);
             let row: LaneVector<S, D> =
-                std::array::from_fn(|b| Lane::splat(simd, state.stress[(a, b)]));
+                std::array::from_fn(|b| Lane::splat(simd, state.stress.get(a, b)));
             let stress = dot(&row, &pair.separation);
             self.stress[a] = stress.mul_add(pair.gradient_factor, self.stress[a]);
             self.stress[a] = resistance.mul_add(r, self.stress[a]);
@@ -214,15 +223,15 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             } else {
                 (volume, sound)
             };
-            self.conduction =
-                heat_flow(simd, &pair, energy, speed).mul_add(weight, self.conduction);
+            let flow = heat_flow(energy, speed, reach);
+            self.conduction = flow.mul_add(weight, self.conduction);
             let slopes: LaneVector<S, D> = std::array::from_fn(|k| {
                 i.half_gradient[k] + Lane::splat(simd, state.half_gradient[k])
             });
             let rise = Lane::splat(simd, near.half_density) - i.target.half_density;
-            let deviation = rise + rise + dot(&slopes, &pair.separation);
-            self.diffusion =
-                diffusion(simd, &pair, deviation, sound).mul_add(volume, self.diffusion);
+            let deviation = dot_add(&slopes, &pair.separation, rise + rise);
+            let flow = diffusion(deviation, sound, reach);
+            self.diffusion = flow.mul_add(volume, self.diffusion);
         }
     }
 }
@@ -234,18 +243,16 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let Pass {
-            chunk,
-            records,
-            first,
-            rates,
-        } = self.0;
-        let mut results = rates.iter_mut();
+        let Self(pass, renormalisations) = self;
+        let (chunk, records) = (pass.chunk, pass.records);
+        let mut results = pass.rates.iter_mut();
         for cluster in &chunk.clusters {
-            let (start, last) = (
-                first + cluster.targets.start,
-                first + cluster.targets.end - 1,
-            );
+            if cluster.is_calm {
+                let calm = results.by_ref().take(cluster.targets.len());
+                calm.for_each(|rates| *rates = Rates::default());
+                continue;
+            }
+            let (start, last) = (cluster.targets.start, cluster.targets.end - 1);
             let own = Own::load(simd, records, |l| (start + l).min(last));
             let mut sums = Sums::new(simd);
             for &j in &chunk.entries[cluster.gas.clone()] {
@@ -266,21 +273,26 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
 
             for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {
                 let (near, state) = (&records.near[start + l], &records.state[start + l]);
-                let renormalisation = &state.renormalisation;
+                let Renormalisation {
+                    matrix: renormalisation,
+                    density_gradient,
+                } = &renormalisations[start + l];
                 let slope = Matrix::<D>::from_fn(|a, b| velocity_gradient[a][b][l]);
                 let divergence = slope.component_mul(renormalisation).sum();
-                let total = forces.acceleration(l, near, state);
                 rates.velocity_gradient = slope * renormalisation;
-                rates.acceleration = by_gas.acceleration(l, near, state);
+                let pressure = state.pressure;
+                let total = forces.acceleration(l, near, pressure, renormalisation);
+                rates.acceleration = by_gas.acceleration(l, near, pressure, renormalisation);
                 rates.wall_acceleration = total - rates.acceleration;
-                rates.density = diffusion[l] - near.density() * divergence;
-                rates.energy =
-                    conduction[l] - 0.5 * heat[l] - state.pressure / near.density() * divergence;
+                rates.density = DIFFUSION * diffusion[l] - near.density() * divergence;
+                rates.energy = CONDUCTION * conduction[l]
+                    - 0.5 * heat[l]
+                    - state.pressure / near.density() * divergence;
                 if SHIFTED {
                     let shift = renormalisation * rates.shift;
                     rates.acceleration += slope * shift;
                     rates.energy += unlane(&energy_gradient, l).dot(&shift);
-                    rates.density += 2.0 * state.half_gradient.dot(&rates.shift);
+                    rates.density += density_gradient.dot(&rates.shift);
                 }
             }
         }
@@ -295,9 +307,10 @@ impl<const D: usize, const CONSERVATIVE: bool> WithSimd for ReactionPass<'_, D, 
         let Pass {
             chunk,
             records,
-            first,
             rates,
         } = self.0;
+        let first = records.start[GHOSTS];
+        let even = even_renormalisation();
         let mut results = rates.iter_mut();
         for cluster in &chunk.clusters {
             let (start, last) = (
@@ -313,7 +326,7 @@ impl<const D: usize, const CONSERVATIVE: bool> WithSimd for ReactionPass<'_, D, 
             let forces = Forces::from(&sums);
             for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {
                 let (near, state) = (&records.near[start + l], &records.state[start + l]);
-                rates.acceleration = forces.acceleration(l, near, state);
+                rates.acceleration = forces.acceleration(l, near, state.pressure, &even);
             }
         }
     }
@@ -336,8 +349,14 @@ impl<const D: usize> Forces<D> {
 
     /// `-1/rho_i sum V_j (p_i L_i + p_j L_j) grad W + sum m_j / rho_ij Pi grad W` of lane `l`.
     #[inline(always)]
-    fn acceleration(&self, l: usize, near: &Near<D>, state: &State<D>) -> Vector<D> {
-        let own = state.renormalisation * unlane(&self.gradient, l) * state.pressure;
+    fn acceleration(
+        &self,
+        l: usize,
+        near: &Near<D>,
+        pressure: f64,
+        renormalisation: &Matrix<D>,
+    ) -> Vector<D> {
+        let own = renormalisation * unlane(&self.gradient, l) * pressure;
         -(own + unlane(&self.stress, l)) / near.density()
     }
 }

@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
 use super::super::records::{Matrix, Near};
+use super::super::walls::even_renormalisation;
 use super::{Pair, Target, unlane, zeros};
 
 /// Below this determinant, relative to that of a ball of the same trace, the neighbours lie too
@@ -45,6 +46,7 @@ pub fn renormalise<const D: usize>(
     first: usize,
     results: &mut [Renormalisation<D>],
 ) {
+    let even = even_renormalisation();
     lists
         .chunks
         .par_iter()
@@ -54,6 +56,7 @@ pub fn renormalise<const D: usize>(
                 chunk,
                 near,
                 first,
+                even,
                 results,
             });
         });
@@ -63,6 +66,8 @@ struct Pass<'a, const D: usize> {
     chunk: &'a Chunk,
     near: &'a [Near<D>],
     first: usize,
+    /// That of a lattice.
+    even: Matrix<D>,
     results: &'a mut [Renormalisation<D>],
 }
 
@@ -73,6 +78,13 @@ impl<const D: usize> WithSimd for Pass<'_, D> {
     fn with_simd<S: Simd>(self, simd: S) {
         let mut results = self.results.iter_mut();
         for cluster in &self.chunk.clusters {
+            if cluster.is_calm {
+                for result in results.by_ref().take(cluster.targets.len()) {
+                    result.matrix = self.even;
+                    result.density_gradient = Vector::zeros();
+                }
+                continue;
+            }
             let last = self.first + cluster.targets.end - 1;
             let first = self.first + cluster.targets.start;
             let target = Target::load(simd, |l| &self.near[(first + l).min(last)]);

@@ -52,6 +52,14 @@ impl<const D: usize> WithSimd for Summation<'_, D> {
         for cluster in &self.chunk.clusters {
             let last = cluster.targets.end - 1;
             let first = cluster.targets.start;
+            if cluster.is_calm {
+                for i in cluster.targets.clone() {
+                    if let Some(density) = results.next() {
+                        *density = self.near[i].density();
+                    }
+                }
+                continue;
+            }
             let target = Target::load(simd, |l| &self.near[(first + l).min(last)]);
             let mass: [f64; MAX_LANES] = {
                 let mut sum = Lane::splat(simd, 0.0);
@@ -80,5 +88,6 @@ impl<const D: usize> WithSimd for Summation<'_, D> {
 #[inline(always)]
 fn weight<S: Simd, const D: usize>(simd: S, i: &Target<S, D>, j: &Near<D>) -> Lane<S> {
     let separation = Separation::new(simd, i, j);
-    kernel_value::<S, D>(simd, separation.squared.sqrt(), separation.h.recip())
+    let roots = separation.squared.roots(separation.h);
+    kernel_value::<S, D>(simd, roots.root, roots.inverse_other)
 }

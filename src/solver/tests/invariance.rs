@@ -119,3 +119,29 @@ fn any_number_of_threads_gives_the_same_bits() {
     assert_eq!(one, bits(2));
     assert_eq!(one, bits(4));
 }
+
+/// A stirred box in space after some steps, with these vectors.
+fn with_vectors(arch: pulp::Arch) -> Vec<[f64; 5]> {
+    let mut simulation = start(stirred::<3>(12));
+    simulation.arch = arch;
+    advance(&mut simulation, 5);
+    let mut particles = simulation.fluid.clone();
+    particles.sort_by_key(|particle| particle.id);
+    let numbers = particles.iter().map(|p| {
+        let [x, y, z] = p.position.into();
+        [x, y, z, p.density, p.energy]
+    });
+    numbers.collect()
+}
+
+#[test]
+fn any_width_of_vectors_gives_the_same_flow_to_round_off() {
+    let plain = with_vectors(pulp::Arch::Scalar);
+    let avx2 = crate::solver::lanes::avx2();
+    for arch in [Some(pulp::Arch::new()), avx2].into_iter().flatten() {
+        let wide = with_vectors(arch);
+        for (plain, wide) in plain.iter().flatten().zip(wide.iter().flatten()) {
+            assert!((plain - wide).abs() < 1e-11, "{plain} became {wide}");
+        }
+    }
+}

@@ -1,5 +1,6 @@
 //! Golden physics: what must hold whatever the speed.
 
+mod calm;
 mod conservation;
 mod invariance;
 mod rest;
@@ -40,6 +41,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
             constant_ghost_volume: true,
             limited_viscosity: true,
             surface_tags: true,
+            skip_undisturbed: true,
             cfl: 0.5,
         },
         domain: Domain {
