@@ -106,7 +106,7 @@ pub enum Extrapolation {
 
 /// Equations and boundary treatment.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(clippy::struct_excessive_bools)] // as many switches of their own
+#[allow(clippy::struct_excessive_bools)] // switches that do not depend on each other
 pub struct Scheme {
     /// Set of equations.
     pub equations: Equations,

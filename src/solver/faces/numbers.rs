@@ -41,13 +41,11 @@ impl<const D: usize> Numbers<D> {
             let mut pair =
                 [&crossing.near, &crossing.far].map(|foot| numbers.key(foot.face, &foot.normal));
             pair.sort_unstable();
-            let index = match pairs.iter().position(|(known, _)| *known == pair) {
-                Some(index) => index,
-                None => {
-                    pairs.push((pair, [0; 2]));
-                    pairs.len() - 1
-                }
-            };
+            let known = pairs.iter().position(|(known, _)| *known == pair);
+            let index = known.unwrap_or_else(|| {
+                pairs.push((pair, [0; 2]));
+                pairs.len() - 1
+            });
             pairs[index].1[usize::from(crossing.has_foot)] += 1;
         }
         pairs.retain(|(pair, [without, with])| {
