@@ -42,7 +42,9 @@ pub fn pack_mesh(
         file: path.to_owned(),
         unit,
     });
-    let made = entry.make::<3>(None, Path::new(""), false).map_err(fail)?;
+    let made = entry
+        .make::<3>(None, Path::new(""), false, &wishes.watch)
+        .map_err(fail)?;
     let bounds = made.shape.bounds();
     let (spacing, spacing_reason) = match wishes.spacing {
         Some(spacing) => (spacing, "as asked for".to_owned()),
@@ -51,6 +53,7 @@ pub fn pack_mesh(
     let options = PackOptions {
         layers: wishes.layers,
         fluid_layers: wishes.fluid_layers,
+        watch: wishes.watch.clone(),
         ..PackOptions::new(spacing)
     };
     let mut packing = made.pack(&options).map_err(fail)?;

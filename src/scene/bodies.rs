@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use aero_geometry::Bounds;
+use aero_geometry::{Bounds, Watch};
 use aero_packer::{PackOptions, Packing};
 
 use super::axis;
@@ -24,7 +24,7 @@ use crate::case::{Body, Domain, State};
 const LAYERS: usize = 5;
 
 /// How to pack the bodies of a scene.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug)]
 pub struct PackWishes {
     /// Spacing in place of those in the scene.
     pub spacing: Option<f64>,
@@ -32,6 +32,8 @@ pub struct PackWishes {
     pub layers: usize,
     /// Number of conforming fluid layers.
     pub fluid_layers: usize,
+    /// Told how far the packing is.
+    pub watch: Watch,
 }
 
 impl Default for PackWishes {
@@ -40,6 +42,7 @@ impl Default for PackWishes {
             spacing: None,
             layers: LAYERS,
             fluid_layers: 0,
+            watch: Watch::default(),
         }
     }
 }
@@ -85,7 +88,7 @@ pub(super) fn plans<const D: usize>(
             check_spacing(entry, file, domain)?;
             let made = entry
                 .shape
-                .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric())
+                .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric(), &wishes.watch)
                 .map_err(|message| SceneError::body(name, message))?;
             check_inside(name, &made.shape.bounds(), domain)?;
             Ok(BodyPlan {
@@ -117,6 +120,7 @@ fn options<const D: usize>(
         },
         region: Some(ghost_region(domain, margin)),
         anchor: domain.bounds.min,
+        watch: wishes.watch.clone(),
         ..PackOptions::new(spacing)
     }
 }

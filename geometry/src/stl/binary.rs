@@ -42,6 +42,7 @@ pub(super) fn parse(mut bytes: Vec<u8>) -> Result<Soup, GeometryError> {
     let triangles = stl_io::create_stl_reader(&mut cursor).map_err(damaged)?;
     let mut soup = Soup::default();
     soup.begin("");
+    soup.facets.reserve_exact((promised - PREAMBLE) / RECORD);
     for (index, triangle) in triangles.enumerate() {
         let corners = triangle
             .map_err(damaged)?
