@@ -8,6 +8,7 @@ mod edges;
 mod exposed;
 mod holes;
 mod orient;
+mod pinches;
 mod slivers;
 mod smooth;
 mod symmetry;

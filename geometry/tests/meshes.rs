@@ -532,3 +532,17 @@ fn the_winding_number_is_whole_among_thousands_of_small_solids() {
         assert!([0.0, 1.0].contains(&mesh.winding_number(&place(n))));
     }
 }
+
+#[test]
+fn pinches_are_kept_and_told_of() {
+    let beside = |offset| [unit_block(), shifted(unit_block(), offset)].concat();
+    for (offset, words) in [
+        (at(1.0, 1.0, 0.0), "kept 1 edges and 0 single"),
+        (at(1.0, 1.0, 1.0), "kept 0 edges and 1 single"),
+    ] {
+        let mesh = mesh(beside(offset));
+        assert!(mesh.repairs()[0].contains(words), "{:?}", mesh.repairs());
+        assert_relative_eq!(mesh.volume(), 2.0, epsilon = 1e-12);
+        assert!(mesh.signed_distance(&(0.9 * offset)) < 0.0);
+    }
+}

@@ -10,7 +10,7 @@ use super::slivers::is_sliver;
 use super::smooth::{Smooth, normal, vertex_normals};
 use super::tree::Tree;
 use super::weld::{BackToBack, Indexed, drop_duplicates, weld};
-use super::{Mesh, orient, slivers, symmetry, weld as welding};
+use super::{Mesh, orient, pinches, slivers, symmetry, weld as welding};
 use crate::error::GeometryError;
 use crate::stl::{self, Facet, Soup, Unit};
 use crate::{Bounds, Vector, Watch};
@@ -86,7 +86,7 @@ impl Mesh {
     fn assemble(
         surface: &Indexed,
         names: Vec<String>,
-        repairs: Vec<String>,
+        mut repairs: Vec<String>,
         watch: &Watch,
     ) -> Result<Self, GeometryError> {
         watch.begin("sorting triangles");
@@ -96,7 +96,10 @@ impl Mesh {
             vertices, facets, ..
         } = &closed;
         let corners = |f: u32| facets[f as usize].map(|v| vertices[v as usize]);
-        let across = neighbours(facets, &half_edges(facets));
+        let half_edges = half_edges(facets);
+        let across = neighbours(facets, &half_edges);
+        repairs.extend(pinches::found(&closed, &half_edges, &across));
+        drop(half_edges);
         let bounds: Bounds<3> = welding::bounds((0..facets.len() as u32).flat_map(corners));
         let smooth = Smooth::new(vertices, facets, &across, bounds.size().max());
         let hidden: Vec<bool> = facets.iter().map(|&f| is_sliver(&closed, f)).collect();
