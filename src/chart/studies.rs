@@ -48,7 +48,7 @@ pub(super) fn all() -> [Study; 5] {
         Study {
             scene: cylinder::SCENE,
             title: "Cylinder, Mach 10: accuracy against cost",
-            error: "wall pressure on the nose, mean departure from finite volumes / stagnation pressure, %",
+            error: "nose pressure, mean departure / stagnation pressure, %",
             unit: "R",
             cells: [&[10, 14, 20, 28], &[40, 56]],
             settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],

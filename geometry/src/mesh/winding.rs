@@ -64,9 +64,9 @@ pub(super) fn crossings(
             true
         });
         if clear {
-            found
-                .into_iter()
-                .for_each(|(facet, side)| visit(facet, side));
+            for (facet, side) in found {
+                visit(facet, side);
+            }
             return true;
         }
     }
