@@ -1,6 +1,7 @@
 //! Compressible flow around real bodies without a mesh.
 
 pub mod case;
+pub mod chart;
 pub mod frame;
 pub mod output;
 pub mod pack;

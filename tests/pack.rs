@@ -95,6 +95,45 @@ fn a_body_as_large_as_a_house_is_asked_for_its_unit() {
 }
 
 #[test]
+fn a_body_as_small_as_a_grain_is_asked_whether_its_unit_is_right() {
+    let place = Workplace::new();
+    place.write("gem.stl", octahedron("gem").replace('1', "0.5"));
+    let answer = place.aero(&["pack", "gem.stl", "--unit", "mm", "--spacing", "0.0001"]);
+    answer.succeeds();
+    assert!(answer.out.contains("leave out `--unit`"), "{}", answer.out);
+}
+
+#[test]
+fn bodies_with_nothing_half_way_between_them_show_a_slice() {
+    let place = Workplace::new();
+    let far: Vec<String> = octahedron("far")
+        .lines()
+        .map(|line| match line.strip_prefix("vertex ") {
+            Some(numbers) => {
+                let x: Vec<f64> = numbers
+                    .split(' ')
+                    .map(|word| word.parse().unwrap())
+                    .collect();
+                format!("vertex {} {} {}", x[0] + 5.0, x[1] + 5.0, x[2] + 5.0)
+            }
+            None => line.to_owned(),
+        })
+        .collect();
+    place.write(
+        "two.stl",
+        format!("{}{}\n", octahedron("near"), far.join("\n")),
+    );
+    let answer = place.aero(&["pack", "two.stl", "--spacing", "0.2", "--layers", "2"]);
+    answer.succeeds();
+    assert!(place.path("out/two/two-slice.png").exists());
+    assert!(
+        !answer.err.contains('%'),
+        "short work is silent: {}",
+        answer.err
+    );
+}
+
+#[test]
 fn all_bodies_of_a_scene_are_packed_into_one_file() {
     let place = Workplace::new();
     place.write("posts.toml", format!("{BOX}{TWO_POSTS}"));

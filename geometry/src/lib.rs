@@ -15,6 +15,7 @@ mod revolution;
 mod shape;
 pub mod stl;
 mod tessellate;
+mod watch;
 
 pub use bounds::Bounds;
 pub use error::GeometryError;
@@ -24,6 +25,7 @@ pub use pencils::Pencils;
 pub use placement::{Placed, Placement};
 pub use revolution::Revolution;
 pub use shape::{Closest, Shape};
+pub use watch::Watch;
 
 /// A point or a vector in `D` dimensions, SI units (metres) unless a case says otherwise.
 pub type Vector<const D: usize> = nalgebra::SVector<f64, D>;

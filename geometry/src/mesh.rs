@@ -8,6 +8,7 @@ mod edges;
 mod exposed;
 mod holes;
 mod orient;
+mod pinches;
 mod slivers;
 mod smooth;
 mod symmetry;
@@ -21,7 +22,7 @@ use exposed::Exposed;
 use smooth::{Smooth, normal};
 use tree::Tree;
 use triangle::{Feature, OnTriangle, closest_on};
-use winding::Winding;
+use winding::winding_number;
 
 use crate::{Bounds, Closest, Shape, Vector};
 
@@ -43,7 +44,6 @@ pub struct Mesh {
     vertex_normals: Vec<Vector<3>>,
     smooth: Smooth,
     tree: Tree,
-    winding: Winding,
     /// True where every triangle parts inside from outside, so that the nearest one tells the
     /// side.
     simple: bool,
@@ -84,9 +84,9 @@ impl Mesh {
         (0..self.facets.len() as u32).map(doubled).sum::<f64>() / 6.0
     }
 
-    /// How many times the surface winds around `p`: above a half inside of the body.
+    /// How many times the surface winds around `p`: a whole number, above zero inside of the body.
     pub fn winding_number(&self, p: &Vector<3>) -> f64 {
-        self.winding.number(&self.tree, p, |f| self.corners(f))
+        winding_number(&self.tree, p, |f| self.corners(f))
     }
 
     #[inline]

@@ -517,3 +517,32 @@ fn blocks_that_share_a_face_or_an_edge_or_a_corner_are_one_body() {
         assert!(pair.signed_distance(&at(1.0, -0.1, 0.0)) > 0.0);
     }
 }
+
+#[test]
+fn the_winding_number_is_whole_among_thousands_of_small_solids() {
+    // Sums of dipoles were off by more than a half here.
+    let place = |n: usize| at((n % 20) as f64, (n / 20 % 20) as f64, (n / 400) as f64);
+    let cubes = (0..8000).flat_map(|n| shifted(block([0.0; 3], [0.6; 3]), place(n)));
+    let mesh = mesh(cubes.collect());
+    assert_eq!(mesh.repairs(), [""; 0]);
+    for n in (0..8000).step_by(37) {
+        assert_eq!(mesh.winding_number(&(place(n) + at(0.3, 0.31, 1e-4))), 1.0);
+        assert_eq!(mesh.winding_number(&(place(n) + at(0.3, 0.31, -1e-4))), 0.0);
+        // On a corner, either answer is right.
+        assert!([0.0, 1.0].contains(&mesh.winding_number(&place(n))));
+    }
+}
+
+#[test]
+fn pinches_are_kept_and_told_of() {
+    let beside = |offset| [unit_block(), shifted(unit_block(), offset)].concat();
+    for (offset, words) in [
+        (at(1.0, 1.0, 0.0), "kept 1 edges and 0 single"),
+        (at(1.0, 1.0, 1.0), "kept 0 edges and 1 single"),
+    ] {
+        let mesh = mesh(beside(offset));
+        assert!(mesh.repairs()[0].contains(words), "{:?}", mesh.repairs());
+        assert_relative_eq!(mesh.volume(), 2.0, epsilon = 1e-12);
+        assert!(mesh.signed_distance(&(0.9 * offset)) < 0.0);
+    }
+}

@@ -1,6 +1,6 @@
 //! What the caller asks of the packer.
 
-use aero_geometry::{Bounds, Vector};
+use aero_geometry::{Bounds, Vector, Watch};
 
 use crate::PackError;
 
@@ -21,10 +21,12 @@ pub struct PackOptions<const D: usize> {
     /// A corner of the fluid lattice, whose points are `anchor + (i + 1/2) dx`. Walls along the
     /// lattice get ghosts that continue it.
     pub anchor: Vector<D>,
+    /// Told how far the packing is.
+    pub watch: Watch,
 }
 
 impl<const D: usize> PackOptions<D> {
-    /// Five layers at `spacing`, no fluid, lattice corner at the origin.
+    /// Five layers at `spacing`, no fluid, lattice corner at the origin, nobody told.
     pub fn new(spacing: f64) -> Self {
         Self {
             spacing,
@@ -32,6 +34,7 @@ impl<const D: usize> PackOptions<D> {
             region: None,
             fluid_layers: 0,
             anchor: Vector::zeros(),
+            watch: Watch::default(),
         }
     }
 

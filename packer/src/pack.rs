@@ -39,6 +39,8 @@ pub fn pack<const D: usize>(
 ) -> Result<Packing<D>, PackError> {
     let start = Instant::now();
     options.check()?;
+    let watch = &options.watch;
+    watch.begin("finding the layers");
     let plan = Plan::new(shape, options, Mirrors::of(shape), Side::Ghosts, 2.0)?;
     let thinnest = least_thickness(&plan)?;
     let (mut cloud, left) = seed(&plan);
@@ -50,6 +52,7 @@ pub fn pack<const D: usize>(
     settle(&plan, &mut cloud, &target);
     let strays = leave_out_strays(&plan, &mut cloud);
 
+    watch.begin("measuring");
     let finished = Finished::new(&plan, &cloud);
     let kept = finished.kept(&plan);
     if kept.is_empty() {
@@ -72,8 +75,10 @@ pub fn pack<const D: usize>(
         ));
     }
     if options.fluid_layers > 0 {
+        watch.begin("finding the fluid's layers");
         let fluid = pack_fluid(shape, options, &finished.all)?;
         let all_fluid = Finished::new(&fluid.plan, &fluid.cloud);
+        watch.begin("measuring");
         packing.fluid = all_fluid.only(&all_fluid.kept(&fluid.plan));
         packing.lattice_begins = Some(lattice_begins(options));
         packing.report.fluid = packing.fluid.position.len();

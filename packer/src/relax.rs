@@ -44,6 +44,8 @@ const STEPS_BETWEEN_TARGETS: [usize; 2] = [1, 5];
 /// One run of relaxation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxation {
+    /// Its name, for those who watch.
+    pub stage: &'static str,
     /// Number of steps.
     pub steps: usize,
     /// Smoothing length, in spacings.
@@ -69,6 +71,7 @@ pub(crate) fn relax<const D: usize>(
     let mut wanted = vec![Vector::zeros(); cloud.len()];
     let mut normals = normals_of_locked(shape, cloud);
     for step in 0..run.steps {
+        plan.options.watch.show(run.stage, step, run.steps);
         let everything = cloud.particles().chain(fixed.iter().copied());
         let sources = Sources::new(mirrors, everything, reach);
         if let Some(target) = target

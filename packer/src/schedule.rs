@@ -27,6 +27,7 @@ pub(crate) fn fluid_steps<const D: usize>() -> [Relaxation; 2] {
 /// Steps that act on the spacing of neighbours.
 const fn gaps(steps: usize) -> Relaxation {
     Relaxation {
+        stage: "closing gaps",
         steps,
         smoothing: 1.0,
         strength: 0.8,
@@ -36,6 +37,7 @@ const fn gaps(steps: usize) -> Relaxation {
 /// Steps that act on the density that the flow sees.
 const fn waves(steps: usize) -> Relaxation {
     Relaxation {
+        stage: "evening out",
         steps,
         smoothing: 1.5,
         strength: 1.5,

@@ -8,6 +8,9 @@ use crate::rows::RowPlan;
 use crate::sheets::{BlockVolumes, Sheets};
 use crate::thin::fits;
 
+/// Stage of the work, for those who watch.
+const LAYING: &str = "laying the layers";
+
 /// Particles of all layers in the packed part of space, each on the middle of its layer, where
 /// that has room; and the volume that they leave.
 pub(crate) fn seed<const D: usize>(plan: &Plan<'_, D>) -> (Cloud<D>, f64) {
@@ -39,6 +42,7 @@ fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
     let mut cloud = Cloud::default();
     let mut carry = 0.0;
     for layer in 0..plan.layers {
+        plan.options.watch.show(LAYING, layer, plan.layers);
         let level = plan.level(layer);
         for contour in &corners.trace(level) {
             for s in rows.seeds(contour, &mut carry) {
@@ -65,6 +69,7 @@ fn in_space<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
     let mut cloud = Cloud::default();
     let mut carry = 0.0;
     for (layer, wanted) in BlockVolumes::of_layers(plan).iter().enumerate() {
+        plan.options.watch.show(LAYING, layer, plan.layers);
         for point in sheets.seeds(layer, wanted, &mut carry) {
             let lock = Lock::Level(plan.level(layer));
             cloud.push(point, layer as u32, lock, plan.particle_volume());

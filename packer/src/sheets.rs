@@ -17,6 +17,7 @@ use crate::thin::Room;
 
 /// Evens out what projection and repair leave; a short smoothing length acts on single gaps.
 const SPREADING: Relaxation = Relaxation {
+    stage: "laying the layers",
     steps: 24,
     smoothing: 1.0,
     strength: 0.8,

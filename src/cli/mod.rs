@@ -1,5 +1,6 @@
 //! What can be typed, and what becomes of it.
 
+mod chart;
 mod error;
 mod interrupt;
 mod pack;
@@ -28,7 +29,7 @@ enum Command {
     /// Compare cases with theory
     Validate(validate::ValidateArgs),
     /// Chart speed against accuracy
-    Chart(validate::ChartArgs),
+    Chart(chart::ChartArgs),
 }
 
 impl Cli {
@@ -38,7 +39,7 @@ impl Cli {
             Command::Pack(args) => pack::pack(&args),
             Command::Run(args) => run::run(&args),
             Command::Validate(args) => validate::validate(&args),
-            Command::Chart(args) => validate::chart(&args),
+            Command::Chart(args) => chart::chart(&args),
         }
     }
 }

@@ -7,9 +7,11 @@ use aero::pack::{PackFile, Packed, pack_mesh, pack_scene};
 use aero::scene::number::Positive;
 use aero::scene::shapes::Unit;
 use aero::scene::{PackWishes, Scene};
+use aero_geometry::Watch;
 use clap::{Args, ValueEnum};
 
 use super::CommandError;
+use super::progress::watched;
 
 /// What `aero pack` takes.
 #[derive(Args, Debug)]
@@ -34,6 +36,9 @@ pub struct PackArgs {
     out: Option<PathBuf>,
 }
 
+/// The report and the files that were written.
+type Made = (PackFile, Vec<PathBuf>);
+
 /// A unit of length.
 #[derive(Clone, Copy, Debug, ValueEnum)]
 enum UnitWord {
@@ -57,20 +62,25 @@ impl From<UnitWord> for Unit {
 
 /// Packs the body or the bodies and says how good the packing is.
 pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
+    let (report, files) = watched(|watch| make(args, watch))?;
+    print!("{}", lines(&report, &files));
+    Ok(())
+}
+
+/// Packs and writes the files; gives their names and the report.
+fn make(args: &PackArgs, watch: Watch) -> Result<Made, CommandError> {
     let wishes = PackWishes {
         spacing: args.spacing,
         layers: args.layers.map(usize::from),
         fluid_layers: args.fluid_layers.into(),
+        watch,
     };
     let path = &args.input;
     let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
     match ending.to_str() {
         Some("stl") => {
-            let unit = args.unit.map(Unit::from);
-            finish(
-                &pack_mesh(path, unit, &wishes).map_err(CommandError::wrong)?,
-                args,
-            )
+            let packed = pack_mesh(path, args.unit.map(Unit::from), &wishes);
+            write(&packed.map_err(CommandError::wrong)?, args, &wishes.watch)
         }
         Some("toml") => {
             if args.unit.is_some() {
@@ -80,14 +90,8 @@ pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
             }
             let scene = Scene::load(path).map_err(CommandError::wrong)?;
             match scene.dimension() {
-                2 => finish(
-                    &pack_scene::<2>(&scene, &wishes).map_err(CommandError::wrong)?,
-                    args,
-                ),
-                3 => finish(
-                    &pack_scene::<3>(&scene, &wishes).map_err(CommandError::wrong)?,
-                    args,
-                ),
+                2 => scene_bodies::<2>(&scene, args, &wishes),
+                3 => scene_bodies::<3>(&scene, args, &wishes),
                 _ => Err(CommandError::wrong(format!(
                     "`{}` has dimension 1 and so no bodies to pack",
                     path.display()
@@ -101,14 +105,27 @@ pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
     }
 }
 
-fn finish<const D: usize>(packed: &Packed<D>, args: &PackArgs) -> Result<(), CommandError> {
+fn scene_bodies<const D: usize>(
+    scene: &Scene,
+    args: &PackArgs,
+    wishes: &PackWishes,
+) -> Result<Made, CommandError> {
+    let packed = pack_scene::<D>(scene, wishes).map_err(CommandError::wrong)?;
+    write(&packed, args, &wishes.watch)
+}
+
+fn write<const D: usize>(
+    packed: &Packed<D>,
+    args: &PackArgs,
+    watch: &Watch,
+) -> Result<Made, CommandError> {
+    watch.begin("writing");
     let folder = match &args.out {
         Some(folder) => folder.clone(),
         None => Path::new("out").join(&packed.name),
     };
     let files = packed.write(&folder).map_err(CommandError::wrong)?;
-    print!("{}", lines(&packed.report(), &files));
-    Ok(())
+    Ok((packed.report(), files))
 }
 
 /// The report for people.

@@ -71,7 +71,7 @@ fn run_case(case: AnyCase, place: Place<'_>, stopwatch: Stopwatch) -> Result<(),
         eprintln!("{line}");
     }
     let interrupt = Interrupt::listen()?;
-    let mut display = Display::new();
+    let mut display = Display::of_run();
     let result = run_any(case, place, stopwatch, &mut |progress| {
         display.show(progress);
         interrupt.wish()

@@ -1,4 +1,4 @@
-//! `aero validate` and `aero chart`.
+//! `aero validate`.
 
 use std::path::PathBuf;
 
@@ -23,17 +23,6 @@ pub struct ValidateArgs {
     #[arg(long)]
     full: bool,
     /// Folder for the table and the pictures
-    #[arg(long, value_name = "DIR")]
-    out: Option<PathBuf>,
-}
-
-/// What `aero chart` takes.
-#[derive(Args, Debug)]
-pub struct ChartArgs {
-    /// Cases to chart; all of them unless named
-    #[arg(value_name = "CASE")]
-    cases: Vec<String>,
-    /// Folder for the charts
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
@@ -69,15 +58,4 @@ pub fn validate(args: &ValidateArgs) -> Result<(), CommandError> {
         )));
     }
     Ok(())
-}
-
-/// Charts speed against accuracy.
-pub fn chart(args: &ChartArgs) -> Result<(), CommandError> {
-    Err(not_built("chart", &args.cases))
-}
-
-fn not_built(command: &str, _cases: &[String]) -> CommandError {
-    CommandError::wrong(format!(
-        "`aero {command}` is not built yet; run a scene with `aero run`"
-    ))
 }

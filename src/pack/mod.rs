@@ -18,6 +18,9 @@ use crate::scene::{LAYERS, PackWishes, Scene, SceneError};
 /// A body longer than this, in metres, whose unit nobody has named is rather one in millimetres.
 const LARGE: f64 = 10.0;
 
+/// A body smaller than this, in metres, was rather not in the unit that was named.
+const SMALL: f64 = 2e-3;
+
 /// Packed bodies and the name that their files carry.
 #[derive(Clone, Debug)]
 pub struct Packed<const D: usize> {
@@ -42,7 +45,9 @@ pub fn pack_mesh(
         file: path.to_owned(),
         unit,
     });
-    let made = entry.make::<3>(None, Path::new(""), false).map_err(fail)?;
+    let made = entry
+        .make::<3>(None, Path::new(""), false, &wishes.watch)
+        .map_err(fail)?;
     let bounds = made.shape.bounds();
     let layers = wishes.layers.unwrap_or(LAYERS);
     let (spacing, spacing_reason) = match wishes.spacing {
@@ -52,20 +57,32 @@ pub fn pack_mesh(
     let options = PackOptions {
         layers,
         fluid_layers: wishes.fluid_layers,
+        watch: wishes.watch.clone(),
         ..PackOptions::new(spacing)
     };
     let mut packing = made.pack(&options).map_err(fail)?;
-    let size = bounds.size().max();
-    if unit.is_none() && size > LARGE {
-        packing.report.warnings.push(format!(
-            "the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`"
-        ));
-    }
+    packing
+        .report
+        .warnings
+        .extend(odd_size(bounds.size().max(), unit));
     Ok(Packed {
         name: name.clone(),
         spacing_reason,
         bodies: vec![(name, packing)],
     })
+}
+
+/// A question for whoever named no unit for a house, or one for a grain of sand.
+fn odd_size(size: f64, unit: Option<Unit>) -> Option<String> {
+    match unit {
+        None if size > LARGE => Some(format!(
+            "the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`"
+        )),
+        Some(Unit::Mm | Unit::In) if size < SMALL => Some(format!(
+            "the body is {size:.1e} m long: if its file is in metres, leave out `--unit`"
+        )),
+        _ => None,
+    }
 }
 
 /// Packs all bodies of a scene.

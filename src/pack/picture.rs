@@ -46,6 +46,25 @@ impl Set {
     }
 }
 
+impl Set {
+    /// Where a slice across an axis shows something: half-way along, or, where a slab of that half
+    /// thickness passes between bodies, through the particle in the middle of the order.
+    fn middle(&self, axis: usize, half: f64) -> f64 {
+        let [low, high] = self.ends(axis);
+        let middle = 0.5 * (low + high);
+        if self
+            .position
+            .iter()
+            .any(|p| (p[axis] - middle).abs() < half)
+        {
+            return middle;
+        }
+        let mut places: Vec<f64> = self.position.iter().map(|p| p[axis]).collect();
+        places.sort_by(f64::total_cmp);
+        places.get(places.len() / 2).copied().unwrap_or(middle)
+    }
+}
+
 /// Draws the packing of `bodies` into `STEM-pack.png`, or `STEM-slice.png` and `STEM-wall.png`;
 /// returns the files.
 pub(super) fn draw<const D: usize>(
@@ -58,7 +77,7 @@ pub(super) fn draw<const D: usize>(
         let path = stem.with_file_name(format!("{name}-{ending}.png"));
         match picture.save(&path) {
             Ok(()) => files.push(path),
-            // A slice may pass through the hole of a ring.
+            // No wall ghost may look towards the eye.
             Err(PictureError::Empty(_)) => {}
             Err(error) => return Err(OutputError::new(&path, std::io::Error::other(error))),
         }
@@ -85,16 +104,16 @@ pub(super) fn draw<const D: usize>(
     let axes = [[1, 2], [0, 2], [0, 1]][across];
     let axis_labels = axes.map(|k| words[k]);
 
-    let [low, high] = all.ends(across);
     let title = format!("{name}: slice");
     let widest = all.diameter.iter().fold(0.0, |a: f64, &b| a.max(b));
+    let half = 0.5 / DISC * widest;
     let slice = ParticlePicture {
         axes,
         axis_labels,
         slab: Some(Slab {
             axis: across,
-            centre: 0.5 * (low + high),
-            half: 0.5 / DISC * widest,
+            centre: all.middle(across, half),
+            half,
         }),
         ..ParticlePicture::new(&title, &all.position, &all.diameter, &all.value, label)
     };

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use aero_geometry::Bounds;
+use aero_geometry::{Bounds, Watch};
 use aero_packer::{PackOptions, Packing};
 
 use super::axis;
@@ -25,7 +25,7 @@ use crate::case::{Body, Domain, State};
 pub(crate) const LAYERS: usize = 5;
 
 /// How to pack the bodies of a scene.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, Default)]
 pub struct PackWishes {
     /// Spacing in place of those in the scene.
     pub spacing: Option<f64>,
@@ -33,8 +33,9 @@ pub struct PackWishes {
     pub layers: Option<usize>,
     /// Number of conforming fluid layers.
     pub fluid_layers: usize,
+    /// Told how far the packing is.
+    pub watch: Watch,
 }
-
 /// A body before it is packed.
 #[derive(Clone, Debug)]
 pub struct BodyPlan<const D: usize> {
@@ -76,7 +77,7 @@ pub(super) fn plans<const D: usize>(
             check_spacing(entry, file, domain)?;
             let made = entry
                 .shape
-                .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric())
+                .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric(), &wishes.watch)
                 .map_err(|message| SceneError::body(name, message))?;
             check_inside(name, &made.shape.bounds(), domain)?;
             Ok(BodyPlan {
@@ -112,6 +113,7 @@ fn options<const D: usize>(
         },
         region: Some(ghost_region(domain, margin)),
         anchor: domain.bounds.min,
+        watch: wishes.watch.clone(),
         ..PackOptions::new(spacing)
     }
 }

@@ -8,13 +8,13 @@ use aero_validation::table::{Check, Subject};
 use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
 
-const SCENE: Source = Source {
+pub(crate) const SCENE: Source = Source {
     name: "biconvex",
     text: include_str!("../../cases/biconvex.toml"),
 };
 const THEORY: &str = "shock-expansion theory (Anderson, Modern Compressible Flow, 4.15)";
-const THICKNESS: f64 = 0.1;
-const MACH: f64 = 4.04;
+pub(crate) const THICKNESS: f64 = 0.1;
+pub(crate) const MACH: f64 = 4.04;
 const GAMMA: f64 = 1.4;
 /// Chordwise stations that are judged: the tips, thinner than the kernel, are left out.
 const JUDGED: [f64; 2] = [0.1, 0.98];
@@ -184,7 +184,7 @@ impl Variant {
 
 /// Mean size of the departure of the pressure coefficient from theory, and mean size of the
 /// coefficient, over the stations judged.
-fn departure(outcome: &Outcome, theory: &Biconvex) -> Result<(f64, f64), ValidateError> {
+pub(crate) fn departure(outcome: &Outcome, theory: &Biconvex) -> Result<(f64, f64), ValidateError> {
     let wall = &outcome.surface;
     let (mut departure, mut scale, mut count) = (0.0, 0.0, 0.0);
     for (foot, cp) in wall.position.iter().zip(&wall.pressure_coefficient) {

@@ -11,13 +11,13 @@ use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
 use crate::frame::Frame;
 
-const SCENE: Source = Source {
+pub(crate) const SCENE: Source = Source {
     name: "cone",
     text: include_str!("../../cases/cone.toml"),
 };
 const THEORY: &str = "Taylor and Maccoll (1933)";
-const MACH: f64 = 3.0;
-const HALF_ANGLE: f64 = 20.0;
+pub(crate) const MACH: f64 = 3.0;
+pub(crate) const HALF_ANGLE: f64 = 20.0;
 const GAMMA: f64 = 1.4;
 /// Where along the axis the surface is read: far from the tip, which the kernel rounds, and from the outlet.
 const STATIONS: [f64; 2] = [1.0, 1.4];
@@ -118,6 +118,14 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     Ok(checks)
 }
 
+/// Pressures along the judged part of the surface.
+pub(crate) fn surface_pressures(outcome: &Outcome) -> impl Iterator<Item = f64> {
+    let wall = &outcome.surface;
+    let points = wall.position.iter().zip(&wall.pressure);
+    let judged = points.filter(|(foot, _)| (STATIONS[0]..STATIONS[1]).contains(&foot[0]));
+    judged.map(|(_, pressure)| *pressure)
+}
+
 impl Variant {
     fn settings(&self) -> Vec<String> {
         let mut settings = vec![
@@ -155,14 +163,7 @@ impl Variant {
         let gas = &outcome.gas;
         let line = fit_shock_line(&meridian(gas), &gas.density, &search)
             .map_err(|error| SCENE.unread(error))?;
-        let wall = &outcome.surface;
-        let read: Vec<f64> = wall
-            .position
-            .iter()
-            .zip(&wall.pressure)
-            .filter(|(foot, _)| (STATIONS[0]..STATIONS[1]).contains(&foot[0]))
-            .map(|(_, pressure)| *pressure)
-            .collect();
+        let read: Vec<f64> = surface_pressures(outcome).collect();
         let pressure = read.iter().sum::<f64>() / read.len() as f64;
         let names = [
             label("half-jump shock angle, deg"),

@@ -11,9 +11,10 @@ use aero_validation::table::{Check, Subject};
 
 use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
+pub(crate) use flow::wall as wall_departure;
 use flow::{Measured, angle, nose, volumes_wall};
 
-const SCENE: Source = Source {
+pub(crate) const SCENE: Source = Source {
     name: "cylinder",
     text: include_str!("../../cases/cylinder.toml"),
 };

@@ -4,20 +4,20 @@
 //! table; exact solutions and metrics are not here.
 
 mod apollo;
-mod biconvex;
-mod cone;
-mod cylinder;
+pub(crate) mod biconvex;
+pub(crate) mod cone;
+pub(crate) mod cylinder;
 mod double_mach;
 mod nozzle;
-mod outcome;
+pub(crate) mod outcome;
 pub mod report;
-mod sod;
+pub(crate) mod sod;
 mod sphere;
 mod square;
 mod stability;
 mod step;
 mod stress;
-mod wedge;
+pub(crate) mod wedge;
 
 use std::path::Path;
 

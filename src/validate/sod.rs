@@ -9,7 +9,7 @@ use aero_validation::table::{Check, Subject};
 use super::outcome::{Outcome, Source, run};
 use super::{Context, Level, ValidateError};
 
-const SCENE: Source = Source {
+pub(crate) const SCENE: Source = Source {
     name: "sod",
     text: include_str!("../../cases/sod.toml"),
 };
@@ -88,7 +88,8 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
     Ok(checks)
 }
 
-fn density_error(outcome: &Outcome, tube: &ClosedTube) -> Result<f64, ValidateError> {
+/// Mean departure of the density from the exact solution, over the particles.
+pub(crate) fn density_error(outcome: &Outcome, tube: &ClosedTube) -> Result<f64, ValidateError> {
     let gas = &outcome.gas;
     let x: Vec<f64> = gas.position.iter().map(|p| p[0]).collect();
     let exact = |x: f64| tube.at(x, gas.time).ok().map(|state| state.density);

@@ -14,7 +14,7 @@ use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
 use crate::frame::Frame;
 
-const SCENE: Source = Source {
+pub(crate) const SCENE: Source = Source {
     name: "wedge",
     text: include_str!("../../cases/wedge.toml"),
 };

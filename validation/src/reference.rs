@@ -160,6 +160,8 @@ tables! {
     wedge = "wedge/oblique_shock.csv";
     /// Finite-volume codes on the Mach 2.5, 20 degree wedge: error against CPU seconds.
     wedge_peers = "wedge/peers.csv";
+    /// Particle updates per CPU second that `PySPH` reaches on the wedge, against the number of particles.
+    wedge_pysph = "wedge/pysph.csv";
     /// Detachment angles and stagnation values against Mach number.
     detachment = "wedge/detachment.csv";
     /// Reflecting Sod tube: exact profiles at four times.

@@ -10,11 +10,10 @@ use super::slivers::is_sliver;
 use super::smooth::{Smooth, normal, vertex_normals};
 use super::tree::Tree;
 use super::weld::{BackToBack, Indexed, drop_duplicates, weld};
-use super::winding::Winding;
-use super::{Mesh, orient, slivers, symmetry, weld as welding};
+use super::{Mesh, orient, pinches, slivers, symmetry, weld as welding};
 use crate::error::GeometryError;
 use crate::stl::{self, Facet, Soup, Unit};
-use crate::{Bounds, Vector};
+use crate::{Bounds, Vector, Watch};
 
 /// A mesh encloses no solid whose volume is below this part of its bounding cube.
 const NO_VOLUME: f64 = 1e-9;
@@ -28,11 +27,20 @@ impl Mesh {
     /// # Errors
     /// A file that cannot be read or is damaged; triangles that do not enclose a solid.
     pub fn read(path: &Path, unit: Unit) -> Result<Self, GeometryError> {
+        Self::read_watched(path, unit, &Watch::default())
+    }
+
+    /// As [`Mesh::read`], and tells `watch` how far it is.
+    ///
+    /// # Errors
+    /// See [`Mesh::read`].
+    pub fn read_watched(path: &Path, unit: Unit, watch: &Watch) -> Result<Self, GeometryError> {
+        watch.begin("reading");
         let mut soup = stl::read(path)?;
         for corner in soup.facets.iter_mut().flatten() {
             *corner *= unit.metres();
         }
-        Self::new(&soup).map_err(|source| GeometryError::In {
+        Self::make(&soup, watch).map_err(|source| GeometryError::In {
             path: path.to_owned(),
             source: Box::new(source),
         })
@@ -54,6 +62,10 @@ impl Mesh {
     /// # Errors
     /// See [`Mesh::from_facets`].
     pub fn new(soup: &Soup) -> Result<Self, GeometryError> {
+        Self::make(soup, &Watch::default())
+    }
+
+    fn make(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
         let not_finite = |facet: &Facet| !facet.iter().flatten().all(|x| x.is_finite());
         if let Some(index) = soup.facets.iter().position(not_finite) {
             return Err(GeometryError::Surface(format!(
@@ -61,27 +73,33 @@ impl Mesh {
                 index + 1
             )));
         }
+        watch.begin("welding");
         let mut repairs = Vec::new();
         let welded = weld(&soup.facets, &mut repairs);
+        watch.begin("repairing");
         let mut closed = close(welded, &mut repairs)?;
         slivers::flip(&mut closed, &mut repairs);
         let names = soup.solids.iter().map(|(name, _)| name.clone()).collect();
-        Self::assemble(&closed, names, repairs)
+        Self::assemble(&closed, names, repairs, watch)
     }
 
     fn assemble(
         surface: &Indexed,
         names: Vec<String>,
-        repairs: Vec<String>,
+        mut repairs: Vec<String>,
+        watch: &Watch,
     ) -> Result<Self, GeometryError> {
+        watch.begin("sorting triangles");
         let (tree, order) = Tree::new(&surface.vertices, &surface.facets);
         let closed = reorder(surface, &order);
         let Indexed {
             vertices, facets, ..
         } = &closed;
         let corners = |f: u32| facets[f as usize].map(|v| vertices[v as usize]);
-        let winding = Winding::new(&tree, corners);
-        let across = neighbours(facets, &half_edges(facets));
+        let half_edges = half_edges(facets);
+        let across = neighbours(facets, &half_edges);
+        repairs.extend(pinches::found(&closed, &half_edges, &across));
+        drop(half_edges);
         let bounds: Bounds<3> = welding::bounds((0..facets.len() as u32).flat_map(corners));
         let smooth = Smooth::new(vertices, facets, &across, bounds.size().max());
         let hidden: Vec<bool> = facets.iter().map(|&f| is_sliver(&closed, f)).collect();
@@ -95,12 +113,12 @@ impl Mesh {
             across,
             smooth,
             tree,
-            winding,
             bounds,
             mirrors: Vec::new(),
             names,
             repairs,
         };
+        watch.begin("finding out inside and outside");
         mesh.hide_buried(closed.tolerance);
         let solid = mesh.volume() > NO_VOLUME * mesh.bounds.size().max().powi(3);
         if !solid || mesh.hidden.iter().all(|&hidden| hidden) {
@@ -108,6 +126,7 @@ impl Mesh {
                 "encloses no volume; give a closed surface around a solid".into(),
             ));
         }
+        watch.begin("looking for symmetry");
         mesh.mirrors = symmetry::mirrors(&mesh, closed.tolerance);
         Ok(mesh)
     }
@@ -198,7 +217,7 @@ fn close(mut mesh: Indexed, repairs: &mut Vec<String>) -> Result<Indexed, Geomet
                 "has no triangles with an area; give a closed surface around a solid".into(),
             ))
         } else {
-            orient::orient(&mut mesh, &mut notes).and_then(|()| refuse_open(&mesh))
+            orient::orient(&mut mesh, &mut notes)
         };
         match result {
             Ok(()) => {
@@ -212,14 +231,4 @@ fn close(mut mesh: Indexed, repairs: &mut Vec<String>) -> Result<Indexed, Geomet
         }
     }
     Err(last.unwrap_or_else(|| GeometryError::Surface("has no triangles".into())))
-}
-
-fn refuse_open(mesh: &Indexed) -> Result<(), GeometryError> {
-    let Some((count, p)) = orient::open_edges(mesh) else {
-        return Ok(());
-    };
-    Err(GeometryError::Surface(format!(
-        "is open at {count} edges, the first near ({:.6}, {:.6}, {:.6}); close it",
-        p.x, p.y, p.z
-    )))
 }

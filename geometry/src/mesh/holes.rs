@@ -1,6 +1,6 @@
 //! Small holes, cracks and T-junctions are filled; large ones are left for the caller to refuse.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, HashMap};
 
 use super::edges::{by_edge, half_edges};
 use super::weld::{Indexed, bounds};
@@ -81,6 +81,7 @@ fn loops(mesh: &Indexed) -> Vec<Vec<u32>> {
     let mut loops = Vec::new();
     while let Some(&start) = next.keys().next() {
         let mut path = vec![start];
+        let mut places = HashMap::from([(start, 0)]);
         while let Some(&last) = path.last() {
             let Some(ends) = next.get_mut(&last) else {
                 // Runs in and not out: nothing to fill here.
@@ -90,12 +91,16 @@ fn loops(mesh: &Indexed) -> Vec<Vec<u32>> {
             if ends.is_empty() {
                 next.remove(&last);
             }
-            if let Some(place) = path.iter().position(|&v| v == to) {
+            if let Some(&place) = places.get(&to) {
                 let ring: Vec<u32> = path.drain(place..).collect();
+                for vertex in &ring {
+                    places.remove(vertex);
+                }
                 if ring.len() > 2 {
                     loops.push(ring);
                 }
             }
+            places.insert(to, path.len());
             path.push(to);
             if !next.contains_key(&to) {
                 break;

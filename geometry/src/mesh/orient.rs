@@ -1,13 +1,17 @@
 //! One orientation for the whole surface: outwards, and inwards around cavities.
 
+use std::collections::BTreeMap;
+
 use super::edges::{NONE, by_edge, half_edges, neighbours, parts};
 use super::holes;
+use super::tree::Tree;
 use super::weld::{Indexed, bounds};
-use super::winding::solid_angle;
+use super::winding::crossings;
+use crate::Vector;
 use crate::error::GeometryError;
-use crate::{Bounds, Vector};
 
-/// Turns triangles so that neighbours agree and the solid is inside, and fills small holes.
+/// Turns triangles so that neighbours agree and the solid is inside, and fills small holes; refuses
+/// what is open then.
 pub(super) fn orient(mesh: &mut Indexed, repairs: &mut Vec<String>) -> Result<(), GeometryError> {
     let half_edges = half_edges(&mesh.facets);
     let across = neighbours(&mesh.facets, &half_edges);
@@ -22,6 +26,7 @@ pub(super) fn orient(mesh: &mut Indexed, repairs: &mut Vec<String>) -> Result<()
     } else {
         across
     };
+    refuse_open(mesh)?;
     let (part, count) = parts(&across);
     turn_outwards(mesh, &part, count, repairs);
     Ok(())
@@ -83,49 +88,17 @@ fn runs(facet: &[u32; 3], a: u32, b: u32) -> bool {
     (0..3).any(|k| facet[k] == a && facet[(k + 1) % 3] == b)
 }
 
-/// What is known of one connected part of the surface.
-struct Part {
-    facets: Vec<u32>,
-    bounds: Bounds<3>,
-    volume: f64,
-}
-
-impl Part {
-    fn new(mesh: &Indexed, facets: Vec<u32>) -> Self {
-        let corners = |&f: &u32| corners(mesh, f);
-        let bounds = bounds(facets.iter().flat_map(corners));
-        // About a point nearby, lest cancellation eat the digits.
-        let middle = 0.5 * (bounds.min + bounds.max);
-        let volume = facets
-            .iter()
-            .map(|&f| {
-                let [a, b, c] = corners(&f).map(|v| v - middle);
-                a.dot(&b.cross(&c)) / 6.0
-            })
-            .sum();
-        Self {
-            facets,
-            bounds,
-            volume,
-        }
-    }
-
-    /// True where the part's surface winds around `p`, either way.
-    fn encloses(&self, mesh: &Indexed, p: &Vector<3>) -> bool {
-        if !self.bounds.contains(p) {
-            return false;
-        }
-        let total: f64 = self
-            .facets
-            .iter()
-            .map(|&f| solid_angle(&corners(mesh, f).map(|v| v - p)))
-            .sum();
-        total.abs() > 2.0 * std::f64::consts::PI
-    }
-}
-
-fn corners(mesh: &Indexed, facet: u32) -> [Vector<3>; 3] {
-    mesh.facets[facet as usize].map(|v| mesh.vertices[v as usize])
+/// Six times the volume that a connected part of the surface encloses.
+fn volume(mesh: &Indexed, facets: &[u32]) -> f64 {
+    let corners = |f: u32| mesh.facets[f as usize].map(|v| mesh.vertices[v as usize]);
+    let bounds = bounds(facets.iter().flat_map(|&f| corners(f)));
+    // About a point nearby, lest cancellation eat the digits.
+    let middle = 0.5 * (bounds.min + bounds.max);
+    let doubled = |&f: &u32| {
+        let [a, b, c] = corners(f).map(|v| v - middle);
+        a.dot(&b.cross(&c))
+    };
+    facets.iter().map(doubled).sum()
 }
 
 /// Turns whole parts that are inside out. A part inside of an odd number of others that faces
@@ -135,27 +108,37 @@ fn turn_outwards(mesh: &mut Indexed, part: &[u32], count: usize, repairs: &mut V
     for (facet, &number) in part.iter().enumerate() {
         lists[number as usize].push(facet as u32);
     }
-    let parts: Vec<Part> = lists
-        .into_iter()
-        .map(|facets| Part::new(mesh, facets))
-        .collect();
+    lists.retain(|facets: &Vec<u32>| volume(mesh, facets) < 0.0);
+    if lists.is_empty() {
+        return;
+    }
     let (mut turned, mut cavities) = (0, 0);
-    for (index, part) in parts.iter().enumerate().filter(|(_, p)| p.volume < 0.0) {
-        let [a, b, c] = corners(mesh, part.facets[0]);
+    let (tree, order) = Tree::new(&mesh.vertices, &mesh.facets);
+    let own = |place: u32| part[order[place as usize] as usize];
+    let mut outwards: Vec<u32> = Vec::new();
+    for facets in &lists {
+        let corners = |f: u32| mesh.facets[f as usize].map(|v| mesh.vertices[v as usize]);
+        let [a, b, c] = corners(facets[0]);
         let probe = (a + b + c) / 3.0;
-        let depth = parts
-            .iter()
-            .enumerate()
-            .filter(|&(other, p)| other != index && p.encloses(mesh, &probe))
-            .count();
+        // Which others wind around it, either way.
+        let mut around: BTreeMap<u32, i32> = BTreeMap::new();
+        crossings(
+            &tree,
+            &probe,
+            |place| corners(order[place as usize]),
+            |place| own(place) != part[facets[0] as usize],
+            |place, side| *around.entry(own(place)).or_default() += side,
+        );
+        let depth = around.values().filter(|&&times| times != 0).count();
         if depth % 2 == 1 {
             cavities += 1;
-            continue;
+        } else {
+            turned += 1;
+            outwards.extend(facets);
         }
-        turned += 1;
-        for &facet in &part.facets {
-            mesh.facets[facet as usize].swap(1, 2);
-        }
+    }
+    for &facet in &outwards {
+        mesh.facets[facet as usize].swap(1, 2);
     }
     if turned > 0 {
         repairs.push(format!(
@@ -167,9 +150,19 @@ fn turn_outwards(mesh: &mut Indexed, part: &[u32], count: usize, repairs: &mut V
     }
 }
 
+fn refuse_open(mesh: &Indexed) -> Result<(), GeometryError> {
+    let Some((count, p)) = open_edges(mesh) else {
+        return Ok(());
+    };
+    Err(GeometryError::Surface(format!(
+        "is open at {count} edges, the first near ({:.6}, {:.6}, {:.6}); close it",
+        p.x, p.y, p.z
+    )))
+}
+
 /// Edges at which the surface does not close: how many, and the middle of the first one, which is
 /// that of the triangle that comes first in the file.
-pub(super) fn open_edges(mesh: &Indexed) -> Option<(usize, Vector<3>)> {
+fn open_edges(mesh: &Indexed) -> Option<(usize, Vector<3>)> {
     let half_edges = half_edges(&mesh.facets);
     let mut count = 0;
     let mut first: Option<(u32, [u32; 2])> = None;

@@ -1,6 +1,8 @@
 //! Needles without area: they are flipped into their neighbours, which closes what dropping them
 //! would tear open.
 
+use std::collections::HashSet;
+
 use super::edges::{NONE, half_edges, neighbours};
 use super::weld::Indexed;
 
@@ -57,7 +59,7 @@ fn round(mesh: &mut Indexed, slivers: &[usize]) -> usize {
             .is_ok()
     };
     let mut touched = vec![false; mesh.facets.len()];
-    let mut made: Vec<[u32; 2]> = Vec::new();
+    let mut made: HashSet<[u32; 2]> = HashSet::new();
     let mut flipped = 0;
     for &facet in slivers {
         let (low, edge) = height(mesh, mesh.facets[facet]);
@@ -88,7 +90,7 @@ fn round(mesh: &mut Indexed, slivers: &[usize]) -> usize {
         }
         mesh.facets[facet] = new[0];
         mesh.facets[other] = new[1];
-        made.push([b.min(d), b.max(d)]);
+        made.insert([b.min(d), b.max(d)]);
         flipped += 1;
     }
     flipped

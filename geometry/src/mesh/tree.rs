@@ -139,6 +139,43 @@ impl Tree {
 }
 
 impl Tree {
+    /// Calls `visit` with all triangles of leaves whose boxes a ray meets, until it says false; false then.
+    /// The ray is given by its start and by one over each component of its direction.
+    pub fn all_along(
+        &self,
+        start: &Vector<3>,
+        inverse: &Vector<3>,
+        mut visit: impl FnMut(u32) -> bool,
+    ) -> bool {
+        let mut stack = [0_u32; DEEPEST];
+        let mut size = 1;
+        while size > 0 {
+            size -= 1;
+            let node = &self.nodes[stack[size] as usize];
+            let (mut enters, mut leaves) = (0.0_f64, f64::INFINITY);
+            for axis in 0..3 {
+                let a = (node.min[axis] - start[axis]) * inverse[axis];
+                let b = (node.max[axis] - start[axis]) * inverse[axis];
+                enters = enters.max(a.min(b));
+                leaves = leaves.min(a.max(b));
+            }
+            // Rounding must not let a ray pass by.
+            if enters > leaves * (1.0 + 4.0 * f64::EPSILON) {
+                continue;
+            }
+            if node.count > 0 {
+                if !(node.first..node.first + node.count).all(&mut visit) {
+                    return false;
+                }
+            } else {
+                stack[size] = node.first + 1;
+                stack[size + 1] = node.first;
+                size += 2;
+            }
+        }
+        true
+    }
+
     /// Calls `visit` with all triangles of leaves whose boxes meet the given one.
     pub fn for_each_in(&self, low: &Vector<3>, high: &Vector<3>, mut visit: impl FnMut(u32)) {
         let mut stack = vec![0_u32];

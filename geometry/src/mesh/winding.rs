@@ -1,123 +1,150 @@
-//! The generalized winding number: how many times a surface winds around a point.
+//! The winding number of a closed surface: how many times it winds around a point, counted by the
+//! triangles that a ray from there passes through, outwards for, inwards against.
 //!
-//! Far parts of the surface count by their dipole. [Barill, Dickson, Schmidt, Levin & Jacobson
-//! 2018, "Fast winding numbers for soups and clouds", ACM Trans. Graph. 37, 43]
-
-use std::f64::consts::PI;
+//! On a closed surface this is the sum of all solid angles over 4 pi, a whole number, and exact: sums
+//! over far parts of the surface by their dipoles are off by more than a half inside of some
+//! hundred thousand small solids.
 
 use super::tree::Tree;
 use crate::Vector;
 
-/// A part of the surface is far beyond this many of its radii; the authors' choice.
-const FAR: f64 = 2.0;
+/// Directions of the rays, tried in turn until one meets no edge. No two corners of a body that
+/// somebody made lie in such a direction from each other.
+const DIRECTIONS: [[f64; 3]; 4] = [
+    [0.304_762_1, 0.529_118_7, 0.791_938_3],
+    [-0.830_217_9, 0.447_361_3, 0.332_516_9],
+    [0.412_873_7, -0.871_204_1, 0.265_639_7],
+    [-0.228_117_3, -0.361_942_9, -0.903_867_1],
+];
 
-/// Signed solid angle of a triangle seen from the origin, up to 4 pi for a whole surface;
-/// positive where the origin is behind it. [van Oosterom & Strackee 1983, IEEE Trans. Biomed. Eng. 30, 125]
-#[inline]
-pub(super) fn solid_angle([a, b, c]: &[Vector<3>; 3]) -> f64 {
-    let (la, lb, lc) = (a.norm(), b.norm(), c.norm());
-    let numerator = a.dot(&b.cross(c));
-    let denominator = la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb;
-    if numerator == 0.0 {
-        // In the triangle's own plane it is seen edge-on; on the triangle neither side is right.
-        return 0.0;
-    }
-    2.0 * numerator.atan2(denominator)
-}
+/// A point on an edge, where the number jumps, is asked for this part of the surface's diagonal away.
+const NUDGE: f64 = 1e-11;
 
-/// The dipole of a part of the surface.
-#[derive(Clone, Debug)]
-struct Dipole {
-    /// Centre of area.
-    center: Vector<3>,
-    /// Sum of area times normal.
-    moment: Vector<3>,
-    area: f64,
-    /// Distance from the centre to the farthest point of the part.
-    radius: f64,
-}
-
-/// Dipoles of all nodes of a tree.
-#[derive(Clone, Debug)]
-pub(super) struct Winding {
-    dipoles: Vec<Dipole>,
-}
-
-impl Winding {
-    pub fn new(tree: &Tree, corners: impl Fn(u32) -> [Vector<3>; 3]) -> Self {
-        let zero = Dipole {
-            center: Vector::<3>::zeros(),
-            moment: Vector::<3>::zeros(),
-            area: 0.0,
-            radius: 0.0,
-        };
-        let mut dipoles = vec![zero; tree.nodes.len()];
-        // Children come after their parents.
-        for (index, node) in tree.nodes.iter().enumerate().rev() {
-            let (mut weighted, mut moment, mut area) =
-                (Vector::<3>::zeros(), Vector::<3>::zeros(), 0.0);
-            if node.count > 0 {
-                for facet in node.first..node.first + node.count {
-                    let [a, b, c] = corners(facet);
-                    let normal = 0.5 * (b - a).cross(&(c - a));
-                    let size = normal.norm();
-                    moment += normal;
-                    area += size;
-                    weighted += (a + b + c) * (size / 3.0);
-                }
-            } else {
-                for child in [node.first, node.first + 1] {
-                    let dipole: &Dipole = &dipoles[child as usize];
-                    moment += dipole.moment;
-                    area += dipole.area;
-                    weighted += dipole.center * dipole.area;
-                }
-            }
-            let center = if area > 0.0 {
-                weighted / area
-            } else {
-                0.5 * (node.min + node.max)
-            };
-            let reach = (center - node.min).abs().sup(&(node.max - center).abs());
-            dipoles[index] = Dipole {
-                center,
-                moment,
-                area,
-                radius: reach.norm(),
-            };
+/// How many times the triangles of a `tree`, a closed surface, wind around `p`; on the surface itself,
+/// around a point next to it.
+pub(super) fn winding_number(
+    tree: &Tree,
+    p: &Vector<3>,
+    corners: impl Fn(u32) -> [Vector<3>; 3],
+) -> f64 {
+    let mut number = 0;
+    let nudge = NUDGE * (tree.nodes[0].max - tree.nodes[0].min).norm();
+    for (times, direction) in DIRECTIONS.into_iter().enumerate() {
+        let near = p + times as f64 * nudge * Vector::<3>::from(direction);
+        if crossings(tree, &near, &corners, |_| true, |_, side| number += side) {
+            break;
         }
-        Self { dipoles }
     }
+    f64::from(number)
+}
 
-    /// The winding number about `p`: one inside of a closed surface, zero outside.
-    pub fn number(
-        &self,
-        tree: &Tree,
-        p: &Vector<3>,
-        corners: impl Fn(u32) -> [Vector<3>; 3],
-    ) -> f64 {
-        let mut total = 0.0;
-        let mut stack = Vec::with_capacity(64);
-        stack.push(0_u32);
-        while let Some(index) = stack.pop() {
-            let dipole = &self.dipoles[index as usize];
-            let offset = dipole.center - p;
-            let distance_squared = offset.norm_squared();
-            let far = FAR * dipole.radius;
-            if distance_squared > far * far {
-                total += dipole.moment.dot(&offset) / (distance_squared * distance_squared.sqrt());
-                continue;
+/// Calls `visit(facet, side)` with every wanted triangle that a ray from `p` passes through, `side`
+/// +1 where it leaves the solid and -1 where it enters it. False, with no calls, where each ray tried
+/// meets an edge, which happens where `p` is on one.
+pub(super) fn crossings(
+    tree: &Tree,
+    p: &Vector<3>,
+    corners: impl Fn(u32) -> [Vector<3>; 3],
+    wanted: impl Fn(u32) -> bool,
+    mut visit: impl FnMut(u32, i32),
+) -> bool {
+    let mut found = Vec::new();
+    for direction in DIRECTIONS {
+        let ray = Ray::new(p, direction);
+        found.clear();
+        let clear = tree.all_along(p, &ray.inverse, |facet| {
+            if !wanted(facet) {
+                return true;
             }
-            let node = &tree.nodes[index as usize];
-            if node.count > 0 {
-                for facet in node.first..node.first + node.count {
-                    total += solid_angle(&corners(facet).map(|v| v - p));
-                }
-            } else {
-                stack.push(node.first + 1);
-                stack.push(node.first);
+            match ray.meets(&corners(facet)) {
+                Meeting::Edge => return false,
+                Meeting::Crossing(side) => found.push((facet, side)),
+                Meeting::None => {}
+            }
+            true
+        });
+        if clear {
+            for (facet, side) in found {
+                visit(facet, side);
+            }
+            return true;
+        }
+    }
+    false
+}
+
+/// How a ray meets a triangle.
+enum Meeting {
+    None,
+    Crossing(i32),
+    Edge,
+}
+
+/// A ray, whose triangles are seen along it: two triangles with a common edge see that edge alike to
+/// the last bit, so that no ray slips between them or counts both.
+/// [Woop, Benthin & Wald 2013, "Watertight ray/triangle intersection", J. Comput. Graph. Tech. 2, 65]
+struct Ray {
+    origin: Vector<3>,
+    /// Axes across and along, the last the one along which the ray runs fastest.
+    axes: [usize; 3],
+    /// Shear that turns the ray into that axis, and its scale.
+    shear: [f64; 3],
+    inverse: Vector<3>,
+}
+
+impl Ray {
+    fn new(origin: &Vector<3>, direction: [f64; 3]) -> Self {
+        let mut last = 0;
+        for axis in 1..3 {
+            if direction[axis].abs() > direction[last].abs() {
+                last = axis;
             }
         }
-        total / (4.0 * PI)
+        let mut axes = [(last + 1) % 3, (last + 2) % 3, last];
+        if direction[last] < 0.0 {
+            // Keeps the sense of rotation.
+            axes.swap(0, 1);
+        }
+        let along = direction[last];
+        Self {
+            origin: *origin,
+            axes,
+            shear: [
+                direction[axes[0]] / along,
+                direction[axes[1]] / along,
+                1.0 / along,
+            ],
+            inverse: Vector::<3>::from(direction).map(f64::recip),
+        }
+    }
+
+    fn meets(&self, corners: &[Vector<3>; 3]) -> Meeting {
+        let [x, y, z] = self.axes;
+        let [a, b, c] = corners.map(|corner| {
+            let v = corner - self.origin;
+            [
+                v[x] - self.shear[0] * v[z],
+                v[y] - self.shear[1] * v[z],
+                self.shear[2] * v[z],
+            ]
+        });
+        let beside = |from: [f64; 3], to: [f64; 3]| to[0] * from[1] - to[1] * from[0];
+        let (u, v, w) = (beside(b, c), beside(c, a), beside(a, b));
+        let below = u < 0.0 || v < 0.0 || w < 0.0;
+        let above = u > 0.0 || v > 0.0 || w > 0.0;
+        if below && above {
+            return Meeting::None;
+        }
+        let ahead = u * a[2] + v * b[2] + w * c[2];
+        let whole = u + v + w;
+        if u == 0.0 || v == 0.0 || w == 0.0 {
+            // Behind the origin an edge does no harm, unless its place along the ray is lost too.
+            let behind = [a, b, c].iter().all(|corner| corner[2] < 0.0);
+            return if behind { Meeting::None } else { Meeting::Edge };
+        }
+        if ahead * whole.signum() <= 0.0 {
+            return Meeting::None;
+        }
+        Meeting::Crossing(if whole < 0.0 { 1 } else { -1 })
     }
 }

@@ -23,6 +23,12 @@ pub(super) fn parse(mut bytes: Vec<u8>) -> Result<Soup, GeometryError> {
             bytes.len()
         )));
     };
+    let is_text = |byte: &u8| byte.is_ascii_graphic() || byte.is_ascii_whitespace();
+    if promised != bytes.len() && bytes.iter().take(PREAMBLE).all(is_text) {
+        return Err(GeometryError::Stl(
+            "the file is text, but does not begin with `solid`: it is no STL file".into(),
+        ));
+    }
     if promised != bytes.len() {
         return Err(GeometryError::Stl(format!(
             "the header promises {} triangles, but the file holds {}{}: it is cut off or damaged",
@@ -42,6 +48,7 @@ pub(super) fn parse(mut bytes: Vec<u8>) -> Result<Soup, GeometryError> {
     let triangles = stl_io::create_stl_reader(&mut cursor).map_err(damaged)?;
     let mut soup = Soup::default();
     soup.begin("");
+    soup.facets.reserve_exact((promised - PREAMBLE) / RECORD);
     for (index, triangle) in triangles.enumerate() {
         let corners = triangle
             .map_err(damaged)?

@@ -2,7 +2,7 @@
 
 use std::path::{Path, PathBuf};
 
-use aero_geometry::{GeometryError, Mesh, Placed, stl};
+use aero_geometry::{GeometryError, Mesh, Placed, Watch, stl};
 use serde::Deserialize;
 
 use super::super::file::PlaceEntry;
@@ -42,9 +42,9 @@ pub struct StlEntry {
 }
 
 impl StlEntry {
-    pub(super) fn mesh(&self, folder: &Path) -> Result<Mesh, GeometryError> {
+    pub(super) fn mesh(&self, folder: &Path, watch: &Watch) -> Result<Mesh, GeometryError> {
         let unit = self.unit.map_or(stl::Unit::Metre, Into::into);
-        Mesh::read(&folder.join(&self.file), unit)
+        Mesh::read_watched(&folder.join(&self.file), unit, watch)
     }
 }
 

@@ -8,7 +8,7 @@ use std::any::Any;
 use std::path::Path;
 use std::sync::Arc;
 
-use aero_geometry::{GeometryError, Placed, Placement, Revolution, Shape};
+use aero_geometry::{GeometryError, Placed, Placement, Revolution, Shape, Watch};
 use aero_packer::{PackOptions, Packing, pack};
 use serde::Deserialize;
 
@@ -106,12 +106,13 @@ impl<const D: usize> Made<D> {
 
 impl ShapeEntry {
     /// The surface in dimension `D`, in place; relative paths start at `folder`. In an `axisymmetric`
-    /// flow a body of revolution is its section.
+    /// flow a body of revolution is its section. `watch` is told how far the reading of a mesh is.
     pub(crate) fn make<const D: usize>(
         &self,
         place: Option<&PlaceEntry>,
         folder: &Path,
         axisymmetric: bool,
+        watch: &Watch,
     ) -> Result<Made<D>, String> {
         let made = if axisymmetric && let Some(round) = self.round() {
             let section = round.and_then(|body| body.section());
@@ -120,7 +121,7 @@ impl ShapeEntry {
         } else if D == 2 {
             self.in_plane(place, folder)?.and_then(Made::cast)
         } else {
-            self.in_space(place, folder)?.and_then(Made::cast)
+            self.in_space(place, folder, watch)?.and_then(Made::cast)
         };
         made.ok_or_else(|| {
             let other = if D == 2 { 3 } else { 2 };
@@ -173,6 +174,7 @@ impl ShapeEntry {
         &self,
         place: Option<&PlaceEntry>,
         folder: &Path,
+        watch: &Watch,
     ) -> Result<Option<Made<3>>, String> {
         let round = match self {
             Self::Cuboid(entry) => {
@@ -182,7 +184,7 @@ impl ShapeEntry {
                     place_in_space(place)?,
                 ))));
             }
-            Self::Stl(entry) => return mesh::made(entry.mesh(folder), place).map(Some),
+            Self::Stl(entry) => return mesh::made(entry.mesh(folder, watch), place).map(Some),
             Self::Tessellated(entry) => return mesh::made(entry.mesh(), place).map(Some),
             _ => match self.round() {
                 Some(round) => round,

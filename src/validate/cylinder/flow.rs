@@ -127,7 +127,7 @@ fn stagnation_pressure(outcome: &Outcome) -> f64 {
 
 /// Mean size of the departure of the wall pressure from the reference, over the stagnation
 /// pressure of the reference.
-fn wall(outcome: &Outcome) -> f64 {
+pub fn wall(outcome: &Outcome) -> f64 {
     let table = cylinder_wall();
     let reference = |angle: f64| table.interpolate("angle_deg", "p_pinf", angle);
     let stagnation = reference(0.0).unwrap_or(f64::NAN);
