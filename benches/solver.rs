@@ -31,6 +31,7 @@ fn stirred<const D: usize>(cells: usize) -> Case<D> {
             extrapolation: Extrapolation::Wom,
             shield: false,
             constant_ghost_volume: true,
+            surface_tags: true,
             limited_viscosity: true,
             skip_undisturbed: true,
             cfl: 0.5,
