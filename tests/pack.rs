@@ -4,12 +4,13 @@ mod support;
 
 use support::{BOX, Workplace, octahedron, read_vtp};
 
-const GHOST_ARRAYS: [(&str, usize); 5] = [
+const GHOST_ARRAYS: [(&str, usize); 6] = [
     ("normal", 3),
     ("distance", 1),
     ("volume", 1),
     ("layer", 1),
     ("body", 1),
+    ("face", 1),
 ];
 
 const REPORT_KEYS: [&str; 10] = [

@@ -39,11 +39,11 @@ pub fn write_ghosts<const D: usize>(path: &Path, bodies: &[&Ghosts<D>]) -> Resul
         .scalars("distance", joined(|ghosts| &ghosts.distance))
         .scalars("volume", joined(|ghosts| &ghosts.volume))
         .scalars("layer", layers)
-        .scalars("face", faces)
         .scalars(
             "body",
             numbers(bodies.iter().map(|ghosts| ghosts.position.len())),
         )
+        .scalars("face", faces)
         .write(path)
 }
 
