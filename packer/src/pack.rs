@@ -43,9 +43,10 @@ pub fn pack<const D: usize>(
     watch.begin("finding the layers");
     let plan = Plan::new(shape, options, Mirrors::of(shape), Side::Ghosts, 2.0)?;
     let thinnest = least_thickness(&plan)?;
-    let (mut cloud, left) = seed(&plan);
+    let (mut cloud, _) = seed(&plan);
     let target = ideal_layers(&plan);
     let placed = Sources::new(&plan.mirrors, cloud.particles(), plan.support());
+    let left = plan.thin_volume();
     fill_thin(&plan, &mut cloud, left, &placed, |points, smoothing| {
         target.densities(points, smoothing)
     });
