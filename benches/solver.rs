@@ -33,6 +33,7 @@ fn stirred<const D: usize>(cells: usize) -> Case<D> {
             constant_ghost_volume: true,
             surface_tags: true,
             limited_viscosity: true,
+            limited_conduction: true,
             skip_undisturbed: true,
             cfl: 0.5,
         },

@@ -118,6 +118,8 @@ pub struct Scheme {
     pub constant_ghost_volume: bool,
     /// The artificial viscosity leaves flow alone that varies linearly; conservative scheme only.
     pub limited_viscosity: bool,
+    /// Spare what varies smoothly the artificial conduction; of the conservative scheme only.
+    pub limited_conduction: bool,
     /// Gas on one side of a thin part feels neither gas nor ghosts of the other side.
     pub surface_tags: bool,
     /// The undisturbed free stream is moved on without pair sums.

@@ -69,6 +69,8 @@ pub struct SchemeEntry {
     pub constant_ghost_volume: Option<bool>,
     /// On unless given; of the conservative scheme.
     pub limited_viscosity: Option<bool>,
+    /// On unless given; of the conservative scheme.
+    pub limited_conduction: Option<bool>,
     /// On unless given.
     pub surface_tags: Option<bool>,
     /// Moves the undisturbed free stream on without pair sums.

@@ -250,6 +250,7 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         shield: entry.shield.unwrap_or(false),
         constant_ghost_volume: entry.constant_ghost_volume.unwrap_or(true),
         limited_viscosity: entry.limited_viscosity.unwrap_or(true),
+        limited_conduction: entry.limited_conduction.unwrap_or(true),
         surface_tags: entry.surface_tags.unwrap_or(true),
         skip_undisturbed: entry.skip_undisturbed.unwrap_or(true),
         cfl: entry.cfl.map_or(CFL, Courant::get),

@@ -44,6 +44,7 @@ fn record<const D: usize>(particle: &Particle<D>, mass: f64, gamma: f64) -> (Nea
     let pressure = (gamma - 1.0) * particle.density * particle.energy;
     let mut state = State::new(pressure, particle.density, particle.energy, gamma);
     state.strain = Symmetric::new(&particle.strain);
+    state.energy_slope = particle.energy_slope;
     let near = Near {
         position: particle.position,
         half_h: 0.5 * particle.smoothing_length,

@@ -162,6 +162,7 @@ impl<const D: usize> Image<D> {
         State {
             half_gradient: self.sign.component_mul(&source.half_gradient),
             strain: source.strain.reflected(&self.sign),
+            energy_slope: self.sign.component_mul(&source.energy_slope),
             stress: source.stress.reflected(&self.sign),
             ..*source
         }

@@ -383,10 +383,7 @@ impl<const D: usize> Simulation<D> {
             self.shield();
         }
         self.sum_rates();
-        if self.case.scheme.limited_viscosity {
-            let gamma = self.case.gamma;
-            spare_smooth_flow(self.rings, gamma, &self.rates, &mut self.fluid);
-        }
+        spare_smooth_flow(&self.case, self.rings, &self.rates, &mut self.fluid);
         self.rings
             .stretch(&self.fluid, self.case.gamma, &mut self.rates);
     }

@@ -114,6 +114,7 @@ impl<const D: usize> Case<D> {
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,
             strain: Matrix::zeros(),
+            energy_slope: Vector::zeros(),
             is_calm: false,
             id,
         }

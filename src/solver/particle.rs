@@ -25,6 +25,9 @@ pub struct Particle<const D: usize> {
     pub first_plane_mass: f64,
     /// Rate of strain at the last evaluation that the artificial viscosity leaves alone.
     pub strain: Matrix<D>,
+    /// Gradient of the specific internal energy at the last evaluation that the artificial conduction
+    /// leaves alone.
+    pub energy_slope: Vector<D>,
     /// Moves with the undisturbed free stream ([`super::calm`]); without meaning where none is looked for.
     pub is_calm: bool,
     /// Number that the particle keeps for life.
@@ -61,6 +64,8 @@ pub struct Rates<const D: usize> {
     pub energy: f64,
     /// Gradient of the velocity, `du_a / dx_b`.
     pub velocity_gradient: Matrix<D>,
+    /// Gradient of the specific internal energy; of the conservative scheme only.
+    pub energy_gradient: Vector<D>,
     /// Transport velocity minus velocity, non-zero only under the penetration shield.
     pub shift: Vector<D>,
 }
@@ -73,6 +78,7 @@ impl<const D: usize> Default for Rates<D> {
             density: 0.0,
             energy: 0.0,
             velocity_gradient: Matrix::zeros(),
+            energy_gradient: Vector::zeros(),
             shift: Vector::zeros(),
         }
     }

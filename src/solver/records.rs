@@ -39,6 +39,8 @@ pub struct State<const D: usize> {
     pub half_gradient: Vector<D>,
     /// Rate of strain.
     pub strain: Symmetric<D>,
+    /// Slope of the energy that conduction leaves alone.
+    pub energy_slope: Vector<D>,
     /// `V p L`.
     pub stress: Symmetric<D>,
 }
@@ -117,6 +119,7 @@ impl<const D: usize> State<D> {
             pressure,
             half_gradient: Vector::zeros(),
             strain: Symmetric::zeros(),
+            energy_slope: Vector::zeros(),
             stress: Symmetric::zeros(),
         }
     }

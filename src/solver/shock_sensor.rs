@@ -1,23 +1,30 @@
-//! Where the artificial viscosity may be spared: in flow that varies smoothly, not in shocks.
+//! Where artificial viscosity and conduction may be spared: in flow that varies smoothly, not in shocks.
 
 use rayon::prelude::*;
 
 use super::particle::{Particle, Rates};
 use super::rings::Rings;
+use crate::case::{Case, Equations};
 
 /// Compression, over the speed of sound per smoothing length, at which flow is half-way to a shock. A captured
 /// shock is some four spacings wide and so has at least 0.1, whatever is finer has next to nothing.
 const ONSET: f64 = 0.05;
 
-/// Gives each particle the rate of strain that the viscosity leaves alone: all of it in smooth flow, none
-/// in a shock, `(1 - s) E` with `s = d^2 / (d^2 + |curl u|^2 + (0.05 c / h)^2)` and `d` the rate of compression
+/// Gives each particle the rate of strain that the viscosity leaves alone, and the slope of energy that
+/// conduction does: all of it in smooth flow, none in a shock, `(1 - s) E` with `s = d^2 / (d^2 + |curl u|^2 + (0.05 c / h)^2)` and `d` the rate of compression
 /// [Ducros et al. 1999, eq. 12; Bhagatwala & Lele 2009, eq. 14, for the term in `c`].
 pub fn spare_smooth_flow<const D: usize>(
+    case: &Case<D>,
     rings: Rings,
-    gamma: f64,
     rates: &[Rates<D>],
     particles: &mut [Particle<D>],
 ) {
+    let scheme = &case.scheme;
+    let is_spared = scheme.limited_viscosity || scheme.limited_conduction;
+    if scheme.equations == Equations::Paper || !is_spared {
+        return;
+    }
+    let gamma = case.gamma;
     particles
         .par_iter_mut()
         .zip(rates)
@@ -30,6 +37,12 @@ pub fn spare_smooth_flow<const D: usize>(
             let onset = ONSET * sound / particle.smoothing_length;
             let squared = compression * compression;
             let smooth = 0.5 * turn.norm_squared() + onset * onset;
-            particle.strain = strain * (smooth / (squared + smooth));
+            let spared = smooth / (squared + smooth);
+            if scheme.limited_viscosity {
+                particle.strain = strain * spared;
+            }
+            if scheme.limited_conduction {
+                particle.energy_slope = rates.energy_gradient * spared;
+            }
         });
 }

@@ -108,6 +108,7 @@ impl<const D: usize> Simulation<D> {
                 mass: ghost.density * ghost.volume,
                 first_plane_mass: ghost.density * ghost.volume,
                 strain: ghost.strain,
+                energy_slope: Vector::zeros(),
                 is_calm: false,
                 id: number as u64,
             };

@@ -11,7 +11,7 @@ use super::super::neighbours::{Chunk, Lists};
 use super::super::particle::Rates;
 use super::super::records::{GHOSTS, Matrix, Near, Records, State};
 use super::super::walls::even_renormalisation;
-use super::artificial_conduction::{CONDUCTION, exchange_speed, heat_flow};
+use super::artificial_conduction::{CONDUCTION, shock_speed, uneven_part};
 use super::artificial_viscosity::{bare_closing_speed, closing_speed, viscous_pressure};
 use super::density_diffusion::{DIFFUSION, diffusion};
 use super::renormalisation::Renormalisation;
@@ -102,6 +102,7 @@ struct Own<S: Simd, const D: usize> {
     half_gradient: LaneVector<S, D>,
     /// Rate of strain, on and above the diagonal.
     strain: [LaneVector<S, D>; D],
+    energy_slope: LaneVector<S, D>,
 }
 
 /// Running sums, one per lane.
@@ -140,6 +141,7 @@ impl<S: Simd, const D: usize> Own<S, D> {
             strain: std::array::from_fn(|a| {
                 std::array::from_fn(|b| Lane::gather(simd, |l| state(l).strain.get(a, b)))
             }),
+            energy_slope: std::array::from_fn(|k| Lane::gather(simd, |l| state(l).energy_slope[k])),
         }
     }
 }
@@ -207,7 +209,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             let stress = dot(&row, &pair.separation);
             self.stress[a] = stress.mul_add(pair.gradient_factor, self.stress[a]);
             self.stress[a] = resistance.mul_add(r, self.stress[a]);
-            if SHIFTED {
+            if SHIFTED || CONSERVATIVE {
                 self.energy_gradient[a] =
                     (gradient_volume * energy).mul_add(r, self.energy_gradient[a]);
             }
@@ -218,13 +220,18 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             }
         }
         if GAS {
-            let (weight, speed) = if CONSERVATIVE {
-                (pairwise, exchange_speed(simd, closing, sound))
+            let (weight, exchanged) = if CONSERVATIVE {
+                let slope = |k| Lane::splat(simd, state.energy_slope[k]);
+                let theirs: LaneVector<S, D> = std::array::from_fn(slope);
+                let own = -dot(&i.energy_slope, &pair.separation);
+                let other = -dot(&theirs, &pair.separation);
+                let uneven = uneven_part(simd, energy, own, other);
+                let shared = shock_speed(simd, closing) * energy;
+                (pairwise, sound.mul_add(uneven, shared))
             } else {
-                (volume, sound)
+                (volume, sound * energy)
             };
-            let flow = heat_flow(energy, speed, reach);
-            self.conduction = flow.mul_add(weight, self.conduction);
+            self.conduction = (exchanged * reach).mul_add(weight, self.conduction);
             let slopes: LaneVector<S, D> = std::array::from_fn(|k| {
                 i.half_gradient[k] + Lane::splat(simd, state.half_gradient[k])
             });
@@ -280,6 +287,10 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
                 let slope = Matrix::<D>::from_fn(|a, b| velocity_gradient[a][b][l]);
                 let divergence = slope.component_mul(renormalisation).sum();
                 rates.velocity_gradient = slope * renormalisation;
+                let energy_slope = unlane(&energy_gradient, l);
+                if CONSERVATIVE {
+                    rates.energy_gradient = renormalisation * energy_slope;
+                }
                 let pressure = state.pressure;
                 let total = forces.acceleration(l, near, pressure, renormalisation);
                 rates.acceleration = by_gas.acceleration(l, near, pressure, renormalisation);
@@ -291,7 +302,7 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
                 if SHIFTED {
                     let shift = renormalisation * rates.shift;
                     rates.acceleration += slope * shift;
-                    rates.energy += unlane(&energy_gradient, l).dot(&shift);
+                    rates.energy += energy_slope.dot(&shift);
                     rates.density += density_gradient.dot(&rates.shift);
                 }
             }

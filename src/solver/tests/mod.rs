@@ -40,6 +40,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
             shield: false,
             constant_ghost_volume: true,
             limited_viscosity: true,
+            limited_conduction: true,
             surface_tags: true,
             skip_undisturbed: true,
             cfl: 0.5,
