@@ -3,6 +3,7 @@
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_validation::metrics::MetricError;
 use aero_validation::metrics::window::{rms_difference, statistics};
+use aero_validation::pictures::BLACK;
 use aero_validation::pictures::curves::{Curves, Panel, Series, Style};
 use aero_validation::pictures::particles::{Overlay, ParticlePicture};
 use aero_validation::reference::{Table, rotating_square};
@@ -18,6 +19,8 @@ const SCENE: Source = Source {
 const EILMER: &str = "Eilmer example set, digitised (doi:10.1016/j.cpc.2022.108551)";
 /// From here the impulsive start is over and the reference's digits are its own, ms.
 const FROM: f64 = 0.3;
+/// Milliseconds over which the pictured loads are averaged.
+const INTERVAL: f64 = 0.02;
 /// Half the side and the radius of the corners, m.
 const HALF: f64 = 0.01;
 const CORNER: f64 = 0.001;
@@ -134,6 +137,21 @@ const COLUMNS: [[&str; 2]; 3] = [
 ];
 
 impl Loads {
+    /// Means of the load `k` over short intervals, from half of [`FROM`] on: particles that strike the
+    /// wall make it noisy.
+    fn smoothed(&self, k: usize) -> Vec<[f64; 2]> {
+        let points = self.time.iter().zip(&self.values[k]);
+        let later: Vec<_> = points.filter(|(t, _)| **t >= 0.5 * FROM).collect();
+        later
+            .chunk_by(|(a, _), (b, _)| (*a / INTERVAL).floor() == (*b / INTERVAL).floor())
+            .map(|chunk| {
+                let add = |[a, b]: [f64; 2], (t, v): &(&f64, &f64)| [a + **t, b + **v];
+                let sums = chunk.iter().fold([0.0; 2], add);
+                sums.map(|sum| sum / chunk.len() as f64)
+            })
+            .collect()
+    }
+
     fn new(outcome: &Outcome) -> Self {
         let history = &outcome.history;
         let pick = |value: fn(&crate::frame::Load) -> f64| history.load.iter().map(value).collect();
@@ -293,13 +311,22 @@ fn picture_histories(
             let values = table.column(column).unwrap_or_default();
             let reference = times.iter().zip(values).map(|(t, v)| [*t, *v]);
             let reference = reference.filter(|point| point[0] >= FROM).collect();
-            let mut series = vec![Series::new("Eilmer", Style::Dots, reference)];
-            for (label, loads) in histories {
-                let points = loads.time.iter().zip(&loads.values[k]);
-                let points = points.filter(|(t, _)| **t >= 0.5 * FROM);
-                let points = points.map(|(t, v)| [*t, *v]).collect();
-                series.push(Series::new(label, Style::Line, points));
-            }
+            let mut series: Vec<Series> = histories
+                .iter()
+                .map(|(label, loads)| {
+                    // Two spacings share a palette: the finer ones are dashed.
+                    let style = if label.contains("a/20") {
+                        Style::Dashed
+                    } else {
+                        Style::Line
+                    };
+                    Series::new(label, style, loads.smoothed(k))
+                })
+                .collect();
+            series.push(Series {
+                colour: Some(BLACK),
+                ..Series::new("Eilmer", Style::Dots, reference)
+            });
             let unit = if k == 2 { "N m/m" } else { "N/m" };
             Panel::new("t, ms", &format!("{what}, {unit}"), series)
         })

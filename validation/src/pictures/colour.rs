@@ -5,7 +5,8 @@ use plotters::style::RGBColor;
 /// Red, green and blue, 0 to 255.
 pub type Colour = [u8; 3];
 
-pub(super) const BLACK: Colour = [25, 25, 28];
+/// Of exact and reference values.
+pub const BLACK: Colour = [25, 25, 28];
 pub(super) const GREY: Colour = [120, 122, 128];
 pub(super) const PALE: Colour = [228, 229, 233];
 pub(super) const WHITE: Colour = [255, 255, 255];

@@ -3,7 +3,7 @@
 use super::axes::{Frame, HEADING};
 use super::canvas::{Anchor, Drawing, Pen, Stroke};
 use super::colour::{Colour, palette};
-use super::curves::{Curves, Panel, Series, Style, TOP};
+use super::curves::{Curves, LONGEST_LEGEND, Panel, Series, Style, TOP};
 use super::legend::{Entry, draw_legend, legend_size};
 use plotters::backend::DrawingBackend;
 
@@ -71,22 +71,30 @@ fn draw_panel<DB: DrawingBackend>(
         }
     }
     frame.draw_axes(pen)?;
-    let entries: Vec<Entry> = panel
-        .series
-        .iter()
-        .zip(&colours)
-        .filter(|(s, _)| !s.label.is_empty())
-        .map(|(s, colour)| Entry {
-            label: s.label.clone(),
-            colour: *colour,
-            line: (s.style != Style::Dots).then_some(s.style == Style::Dashed),
-            dots: s.style == Style::Dots,
-        })
-        .collect();
+    let entries = entries(&panel.series);
     if entries.is_empty() {
         return Ok(());
     }
-    draw_legend(pen, &entries, free_corner(panel, frame, &entries))
+    let corner = if entries.len() > LONGEST_LEGEND {
+        [frame.right + 12.0, frame.top]
+    } else {
+        free_corner(panel, frame, &entries)
+    };
+    draw_legend(pen, &entries, corner)
+}
+
+/// Lines of the legend of `series`.
+pub(super) fn entries(series: &[Series]) -> Vec<Entry> {
+    let named = series.iter().zip(colours(series));
+    named
+        .filter(|(s, _)| !s.label.is_empty())
+        .map(|(s, colour)| Entry {
+            label: s.label.clone(),
+            colour,
+            line: (s.style != Style::Dots).then_some(s.style == Style::Dashed),
+            dots: s.style == Style::Dots,
+        })
+        .collect()
 }
 
 /// The corner of the frame where a legend hides the fewest points.

@@ -4,7 +4,8 @@ use super::PictureError;
 use super::axes::{Axis, Frame, range_of};
 use super::canvas::save;
 use super::colour::{BLACK, Colour};
-use super::curve_page::Page;
+use super::curve_page::{Page, entries};
+use super::legend::legend_size;
 use std::path::Path;
 
 /// How a series is drawn.
@@ -111,6 +112,8 @@ pub struct Curves {
 const PANEL: [f64; 2] = [960.0, 520.0];
 /// The same with several columns.
 const NARROW: [f64; 2] = [640.0, 450.0];
+/// Legends of more lines stand beside the panel.
+pub(super) const LONGEST_LEGEND: usize = 5;
 /// Space above the panels for the title.
 pub(super) const TOP: f64 = 56.0;
 
@@ -140,7 +143,17 @@ impl Curves {
     }
 
     pub(super) fn panel_size(&self) -> [f64; 2] {
-        if self.columns > 1 { NARROW } else { PANEL }
+        let [width, height] = if self.columns > 1 { NARROW } else { PANEL };
+        [width + self.beside(), height]
+    }
+
+    /// Width kept free on the right of each panel for legends that are too long to lie on one.
+    fn beside(&self) -> f64 {
+        let legends = self.panels.iter().map(|panel| entries(&panel.series));
+        legends
+            .filter(|legend| legend.len() > LONGEST_LEGEND)
+            .map(|legend| legend_size(&legend)[0])
+            .fold(0.0, f64::max)
     }
 
     fn frame(&self, k: usize) -> Option<Frame> {
@@ -169,7 +182,7 @@ impl Curves {
             x,
             y,
             left,
-            right: corner[0] + width - 24.0,
+            right: corner[0] + width - 24.0 - self.beside(),
             top: corner[1] + 8.0,
             bottom: corner[1] + height - 72.0,
         })

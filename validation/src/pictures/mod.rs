@@ -18,7 +18,7 @@ pub mod particles;
 pub mod speed;
 mod ticks;
 
-pub use colour::{Colour, viridis};
+pub use colour::{BLACK, Colour, viridis};
 
 use std::path::{Path, PathBuf};
 
