@@ -1,6 +1,7 @@
 //! Golden physics: what must hold whatever the speed.
 
 mod calm;
+mod conduction;
 mod conservation;
 mod invariance;
 mod rest;
