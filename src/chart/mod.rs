@@ -134,6 +134,7 @@ impl Study {
     ) -> Result<SpeedSeries, ValidateError> {
         let context = Context {
             level: Level::Quick,
+            settings: &[],
             out: wishes.out,
             announce: wishes.announce,
         };
