@@ -30,6 +30,7 @@ fn stirred<const D: usize>(cells: usize) -> Case<D> {
             equations: Equations::Conservative,
             extrapolation: Extrapolation::Wom,
             shield: false,
+            shifting: false,
             constant_ghost_volume: true,
             surface_tags: true,
             limited_viscosity: true,

@@ -114,6 +114,8 @@ pub struct Scheme {
     pub extrapolation: Extrapolation,
     /// Penetration shield through the transport velocity.
     pub shield: bool,
+    /// Particles are shifted towards even spacing through the transport velocity.
+    pub shifting: bool,
     /// Ghost volumes stay constant; false only to show what happens otherwise.
     pub constant_ghost_volume: bool,
     /// The artificial viscosity leaves flow alone that varies linearly; conservative scheme only.

@@ -72,7 +72,7 @@ const VALUES: [&str; 18] = [
 ];
 
 /// Lines that may come in anywhere.
-const LINES: [&str; 16] = [
+const LINES: [&str; 17] = [
     "spacing = 10.0",
     "wall = \"no-slip\"",
     "place = { scale = 1000.0 }",
@@ -84,6 +84,7 @@ const LINES: [&str; 16] = [
     "name = \"😀 näme\"",
     "disorder = 0.49",
     "shield = true",
+    "shifting = true",
     "[[body]]\nname = \"again\"\nshape = { circle = { radius = 0.3 } }",
     "[[body]]\nname = \"flat\"\nshape = { rectangle = { size = [1.0, 1e-12] } }",
     "[[body]]\nname = \"ball\"\nshape = { sphere = { radius = 100.0 } }",

@@ -71,3 +71,10 @@ fn an_unknown_key_is_named() {
         &["--set spacing=coarse", "invalid type: string"],
     );
 }
+
+#[test]
+fn a_comparison_takes_settings_for_all_its_runs_and_refuses_unknown_ones() {
+    let place = Workplace::new();
+    let answer = place.aero(&["validate", "sod", "--quick", "--set", "scheme.shifts=true"]);
+    answer.refuses(&["scheme", "shifts", "shifting"]);
+}

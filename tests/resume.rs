@@ -134,6 +134,7 @@ fn kill_and_resume(scene: &str, kills: u32) {
 #[test]
 fn a_run_killed_a_few_times_ends_with_the_same_bits() {
     kill_and_resume(STREAM, 6);
+    kill_and_resume(&STREAM.replace("[scheme]", "[scheme]\nshifting = true"), 3);
 }
 
 #[test]
@@ -142,7 +143,10 @@ fn a_run_killed_two_hundred_times_ends_with_the_same_bits() {
     kill_and_resume(STREAM, 100);
     kill_and_resume(
         &BOX.replace("frames = 2", "frames = 2\ncheckpoint_seconds = 0")
-            .replace("[initial", "[scheme]\nshield = true\n[initial"),
+            .replace(
+                "[initial",
+                "[scheme]\nshield = true\nshifting = true\n[initial",
+            ),
         50,
     );
     kill_and_resume(

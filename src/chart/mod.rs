@@ -14,12 +14,13 @@ use aero_validation::pictures::speed::{SpeedChart, SpeedPoint, SpeedSeries};
 use crate::validate::outcome::{Outcome, Source, run};
 use crate::validate::{Context, Level, ValidateError};
 
-/// The variants, in the order of their lines: equations and extrapolation.
-const VARIANTS: [[&str; 2]; 4] = [
-    ["conservative", "wom"],
-    ["conservative", "wm"],
-    ["paper", "wom"],
-    ["paper", "wm"],
+/// The variants, in the order of their lines: equations, extrapolation and whether particles are shifted.
+const VARIANTS: [(&str, &str, bool); 5] = [
+    ("conservative", "wom", false),
+    ("conservative", "wm", false),
+    ("conservative", "wom", true),
+    ("paper", "wom", false),
+    ("paper", "wm", false),
 ];
 
 /// One case: what is run and what is measured.
@@ -32,6 +33,8 @@ struct Study {
     unit: &'static str,
     /// Spacings to that length: coarse ones, minutes in all, and those to add at length.
     cells: [&'static [u32]; 2],
+    /// With a line for shifted particles too.
+    shifted: bool,
     /// What a spacing asks of the scene.
     settings: fn(u32) -> Vec<String>,
     /// The size of the error.
@@ -101,7 +104,7 @@ impl Study {
     fn draw(&self, wishes: Wishes<'_>) -> Result<[PathBuf; 2], ValidateError> {
         let mut costs = Costs::default();
         let mut series = Vec::new();
-        for variant in VARIANTS {
+        for variant in VARIANTS.into_iter().filter(|v| self.shifted || !v.2) {
             series.push(self.line(variant, wishes, &mut costs)?);
         }
         let peers = (self.peers)(&series, &costs);
@@ -125,16 +128,18 @@ impl Study {
     /// All spacings of one variant.
     fn line(
         &self,
-        [equations, extrapolation]: [&str; 2],
+        (equations, extrapolation, shifted): (&str, &str, bool),
         wishes: Wishes<'_>,
         costs: &mut Costs,
     ) -> Result<SpeedSeries, ValidateError> {
         let context = Context {
             level: Level::Quick,
+            settings: &[],
             out: wishes.out,
             announce: wishes.announce,
         };
-        let name = format!("{equations}, {extrapolation}");
+        let addition = if shifted { ", shifted" } else { "" };
+        let name = format!("{equations}, {extrapolation}{addition}");
         let more: &[u32] = if wishes.full { self.cells[1] } else { &[] };
         let cells = self.cells[0].iter().chain(more).copied();
         let mut points = Vec::new();
@@ -142,6 +147,7 @@ impl Study {
             let mut settings = (self.settings)(cells);
             settings.push(format!("scheme.equations={equations}"));
             settings.push(format!("scheme.extrapolation={extrapolation}"));
+            settings.push(format!("scheme.shifting={shifted}"));
             let label = format!("{}/{cells}", self.unit);
             let found = run(self.scene, &settings, &context)
                 .and_then(|outcome| Ok(((self.measure)(&outcome, cells)?, outcome)));

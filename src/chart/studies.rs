@@ -21,6 +21,7 @@ pub(super) fn all() -> [Study; 5] {
             error: "density error, mean over the flow / mean density, %",
             unit: "1",
             cells: [&[8, 12, 16, 24], &[32, 48]],
+            shifted: false,
             settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
             measure: wedge_density,
             peers: |series, costs| {
@@ -35,6 +36,7 @@ pub(super) fn all() -> [Study; 5] {
             error: "density error, mean over the particles",
             unit: "1",
             cells: [&[100, 200, 300, 400], &[500, 800]],
+            shifted: false,
             settings: |cells| {
                 let spacing = 1.0 / f64::from(cells);
                 vec![
@@ -51,6 +53,7 @@ pub(super) fn all() -> [Study; 5] {
             error: "nose pressure, mean departure / stagnation pressure, %",
             unit: "R",
             cells: [&[10, 14, 20, 28], &[40, 56]],
+            shifted: false,
             settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
             measure: |outcome, _| Ok(100.0 * cylinder::wall_departure(outcome)),
             peers: |_, _| Vec::new(),
@@ -61,6 +64,7 @@ pub(super) fn all() -> [Study; 5] {
             error: "pressure coefficient, mean departure / mean size, %",
             unit: "c",
             cells: [&[40, 56, 80, 112], &[160]],
+            shifted: false,
             settings: |cells| {
                 let spacing = 1.0 / f64::from(cells);
                 vec![
@@ -81,6 +85,7 @@ pub(super) fn all() -> [Study; 5] {
             error: "surface pressure, mean departure / theory, %",
             unit: "1",
             cells: [&[25, 35, 50, 70], &[100, 140]],
+            shifted: true,
             settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
             measure: cone_pressure,
             peers: |_, _| Vec::new(),

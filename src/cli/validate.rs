@@ -22,6 +22,9 @@ pub struct ValidateArgs {
     /// At the published resolution
     #[arg(long)]
     full: bool,
+    /// Overrides a value in every run, as in `aero run`; may be given many times
+    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
+    set: Vec<String>,
     /// Folder for the table and the pictures
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
@@ -37,11 +40,12 @@ pub fn validate(args: &ValidateArgs) -> Result<(), CommandError> {
     output::make_folder(&out).map_err(CommandError::wrong)?;
     let context = Context {
         level,
+        settings: &args.set,
         out: &out,
         announce: &|run| eprintln!("running {run}"),
     };
     let checks = validate::validate(&args.cases, &context).map_err(|error| match error {
-        ValidateError::Unknown { .. } => CommandError::wrong(error),
+        ValidateError::Unknown { .. } | ValidateError::Scene(_) => CommandError::wrong(error),
         _ => CommandError::failed(error),
     })?;
     print!("{}", table::to_text(&checks));

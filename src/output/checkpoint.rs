@@ -15,7 +15,7 @@ use super::{OutputError, atomic};
 pub const CHECKPOINT: &str = "checkpoint";
 
 /// Changes whenever the content does.
-const FORMAT: &str = concat!("aero checkpoint 2, version ", env!("CARGO_PKG_VERSION"));
+const FORMAT: &str = concat!("aero checkpoint 3, version ", env!("CARGO_PKG_VERSION"));
 
 /// Why a checkpoint is of no use.
 #[derive(Debug, thiserror::Error)]

@@ -65,6 +65,8 @@ pub struct SchemeEntry {
     pub extrapolation: Option<ExtrapolationWord>,
     /// Off unless given.
     pub shield: Option<bool>,
+    /// Off unless given.
+    pub shifting: Option<bool>,
     /// On unless given.
     pub constant_ghost_volume: Option<bool>,
     /// On unless given; of the conservative scheme.

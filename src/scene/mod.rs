@@ -248,6 +248,7 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         equations: entry.equations.map_or(Equations::Conservative, Into::into),
         extrapolation: entry.extrapolation.map_or(Extrapolation::Wom, Into::into),
         shield: entry.shield.unwrap_or(false),
+        shifting: entry.shifting.unwrap_or(false),
         constant_ghost_volume: entry.constant_ghost_volume.unwrap_or(true),
         limited_viscosity: entry.limited_viscosity.unwrap_or(true),
         limited_conduction: entry.limited_conduction.unwrap_or(true),

@@ -82,6 +82,7 @@ impl<const D: usize> Calm<D> {
             && is_near(particle.smoothing_length, self.h, 0.0)
             && (particle.velocity - self.velocity).norm_squared() < speed * speed
             && acceleration.norm_squared() * time * time < speed * speed
+            && rates.shift.norm_squared() < speed * speed
             && rates.velocity_gradient.norm_squared() * self.h * self.h < speed * speed
     }
 

@@ -32,6 +32,7 @@ mod records;
 mod reservoir;
 mod rigid;
 mod rings;
+mod shifting;
 mod shock_sensor;
 mod side_walls;
 mod snapshot;
@@ -46,14 +47,14 @@ use calm::Calm;
 use images::Images;
 use neighbours::{Candidates, GROWTH, Lists, Seeker};
 use open::OpenBoundaries;
-use pairs::rates::rates;
+use pairs::rates::{Transport, rates};
 use pairs::renormalisation::{Renormalisation, renormalise};
 use pairs::shield::shield;
 use pairs::summation::densities;
 use particle::{Particle, Rates};
 use records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, OPEN, Records};
 use rings::Rings;
-use shock_sensor::spare_smooth_flow;
+use shock_sensor::find_shocks;
 use walls::{WallLists, Walls};
 
 pub use checkpoint::Memory;
@@ -357,6 +358,11 @@ impl<const D: usize> Simulation<D> {
             &mut self.densities,
         );
         let rings = self.rings;
+        let growth = if self.case.scheme.shifting {
+            GROWTH - shifting::ROOM
+        } else {
+            GROWTH
+        };
         self.fluid
             .par_iter_mut()
             .zip(&self.densities)
@@ -365,7 +371,7 @@ impl<const D: usize> Simulation<D> {
                 particle.density = density;
                 let mass = rings.spanned_mass(particle);
                 let h = SMOOTHING_RATIO * edge::<D>(mass / density);
-                particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);
+                particle.smoothing_length = h.min(growth * particle.smoothing_length).min(widest);
             });
     }
 
@@ -382,20 +388,29 @@ impl<const D: usize> Simulation<D> {
         if self.case.scheme.shield {
             self.shield();
         }
+        if self.case.scheme.shifting {
+            self.shift();
+        }
         self.sum_rates();
-        spare_smooth_flow(&self.case, self.rings, &self.rates, &mut self.fluid);
+        find_shocks(&self.case, self.rings, &self.rates, &mut self.fluid);
         self.rings
             .stretch(&self.fluid, self.case.gamma, &mut self.rates);
     }
 
     /// Sums the rates of the fluid.
     fn sum_rates(&mut self) {
+        let scheme = &self.case.scheme;
+        let transport = match (scheme.equations, scheme.shifting, scheme.shield) {
+            (_, false, false) => Transport::None,
+            (Equations::Conservative, true, _) => Transport::Exchange,
+            _ => Transport::Advection,
+        };
         rates(
             self.arch,
             &self.lists,
             &self.records,
             &self.renormalisations,
-            (self.case.scheme.equations, self.case.scheme.shield),
+            (scheme.equations, transport),
             &mut self.rates,
         );
     }
@@ -409,6 +424,7 @@ impl<const D: usize> Simulation<D> {
             &self.lists,
             &self.records.near,
             0,
+            self.case.scheme.shifting,
             &mut self.renormalisations,
         );
         let Records { near, state, .. } = &mut self.records;

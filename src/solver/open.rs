@@ -115,6 +115,7 @@ impl<const D: usize> Case<D> {
             first_plane_mass: plane_mass,
             strain: Matrix::zeros(),
             energy_slope: Vector::zeros(),
+            smoothness: 1.0,
             is_calm: false,
             id,
         }

@@ -28,6 +28,8 @@ pub struct Particle<const D: usize> {
     /// Gradient of the specific internal energy at the last evaluation that the artificial conduction
     /// leaves alone.
     pub energy_slope: Vector<D>,
+    /// One in smooth flow, nothing in a shock, at the last evaluation; one where nobody asks.
+    pub smoothness: f64,
     /// Moves with the undisturbed free stream ([`super::calm`]); without meaning where none is looked for.
     pub is_calm: bool,
     /// Number that the particle keeps for life.
@@ -66,7 +68,7 @@ pub struct Rates<const D: usize> {
     pub velocity_gradient: Matrix<D>,
     /// Gradient of the specific internal energy; of the conservative scheme only.
     pub energy_gradient: Vector<D>,
-    /// Transport velocity minus velocity, non-zero only under the penetration shield.
+    /// Transport velocity minus velocity: of the penetration shield, and of shifting.
     pub shift: Vector<D>,
 }
 

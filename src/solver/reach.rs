@@ -1,6 +1,7 @@
 //! How wide a kernel may grow in rarefied gas, so that it never looks through the ghosts of a wall, past
 //! the buffer of an open side or twice at the same particle.
 
+use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use rayon::prelude::*;
 
@@ -56,22 +57,30 @@ impl<const D: usize> Simulation<D> {
     }
 
     /// Distance to the nearest open side, and what keeps a kernel clear of its own image.
-    fn room(&self, position: &aero_geometry::Vector<D>) -> f64 {
-        let bounds = &self.case.domain.bounds;
-        let mut room = f64::INFINITY;
+    fn room(&self, position: &Vector<D>) -> f64 {
+        let mut room = self.open_side_distance(position);
         for axis in 0..D {
-            let [low, high] = self.case.domain.sides[axis];
-            if is_open(low) {
-                room = room.min((position[axis] - bounds.min[axis]).max(0.0));
-            }
-            if is_open(high) {
-                room = room.min((bounds.max[axis] - position[axis]).max(0.0));
-            }
-            if low == Side::Periodic {
-                let half = 0.5 * bounds.size()[axis];
+            if self.case.domain.sides[axis][0] == Side::Periodic {
+                let half = 0.5 * self.case.domain.bounds.size()[axis];
                 room = room.min((half - LAYERS * self.case.spacing).max(0.0));
             }
         }
         room
+    }
+
+    /// Distance to the nearest open side, zero beyond it; infinite where there is none.
+    pub(super) fn open_side_distance(&self, position: &Vector<D>) -> f64 {
+        let bounds = &self.case.domain.bounds;
+        let mut distance = f64::INFINITY;
+        for axis in 0..D {
+            let [low, high] = self.case.domain.sides[axis];
+            if is_open(low) {
+                distance = distance.min((position[axis] - bounds.min[axis]).max(0.0));
+            }
+            if is_open(high) {
+                distance = distance.min((bounds.max[axis] - position[axis]).max(0.0));
+            }
+        }
+        distance
     }
 }

@@ -138,6 +138,8 @@ pub struct Records<const D: usize> {
     pub near: Vec<Near<D>>,
     /// State.
     pub state: Vec<State<D>>,
+    /// Shift of the gas, renormalised, up to the first ghost; empty where particles are not shifted.
+    pub shift: Vec<Vector<D>>,
     /// First slot of the segments fluid, open, flow images, ghosts, ghost images; then the end.
     pub start: [usize; 6],
 }
@@ -147,6 +149,7 @@ impl<const D: usize> Default for Records<D> {
         Self {
             near: Vec::new(),
             state: Vec::new(),
+            shift: Vec::new(),
             start: [0; 6],
         }
     }

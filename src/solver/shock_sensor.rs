@@ -1,4 +1,5 @@
-//! Where artificial viscosity and conduction may be spared: in flow that varies smoothly, not in shocks.
+//! Where artificial viscosity and conduction may be spared and particles shifted: in flow that varies smoothly,
+//! not in shocks.
 
 use rayon::prelude::*;
 
@@ -10,18 +11,20 @@ use crate::case::{Case, Equations};
 /// shock is some four spacings wide and so has at least 0.1, whatever is finer has next to nothing.
 const ONSET: f64 = 0.05;
 
-/// Gives each particle the rate of strain that the viscosity leaves alone, and the slope of energy that
-/// conduction does: all of it in smooth flow, none in a shock, `(1 - s) E` with `s = d^2 / (d^2 + |curl u|^2 + (0.05 c / h)^2)` and `d` the rate of compression
+/// Tells each particle how smooth the flow is, `1 - s`, the rate of strain that the viscosity leaves alone, and the slope
+/// of energy that conduction does: all of it in smooth flow, none in a shock, `(1 - s) E` with `s = d^2 / (d^2 + |curl u|^2 + (0.05 c / h)^2)` and `d` the rate of compression
 /// [Ducros et al. 1999, eq. 12; Bhagatwala & Lele 2009, eq. 14, for the term in `c`].
-pub fn spare_smooth_flow<const D: usize>(
+pub fn find_shocks<const D: usize>(
     case: &Case<D>,
     rings: Rings,
     rates: &[Rates<D>],
     particles: &mut [Particle<D>],
 ) {
     let scheme = &case.scheme;
-    let is_spared = scheme.limited_viscosity || scheme.limited_conduction;
-    if scheme.equations == Equations::Paper || !is_spared {
+    let is_conservative = scheme.equations == Equations::Conservative;
+    let limits_viscosity = is_conservative && scheme.limited_viscosity;
+    let limits_conduction = is_conservative && scheme.limited_conduction;
+    if !(limits_viscosity || limits_conduction || scheme.shifting) {
         return;
     }
     let gamma = case.gamma;
@@ -38,10 +41,11 @@ pub fn spare_smooth_flow<const D: usize>(
             let squared = compression * compression;
             let smooth = 0.5 * turn.norm_squared() + onset * onset;
             let spared = smooth / (squared + smooth);
-            if scheme.limited_viscosity {
+            particle.smoothness = spared;
+            if limits_viscosity {
                 particle.strain = strain * spared;
             }
-            if scheme.limited_conduction {
+            if limits_conduction {
                 particle.energy_slope = rates.energy_gradient * spared;
             }
         });

@@ -109,6 +109,7 @@ impl<const D: usize> Simulation<D> {
                 first_plane_mass: ghost.density * ghost.volume,
                 strain: ghost.strain,
                 energy_slope: Vector::zeros(),
+                smoothness: 1.0,
                 is_calm: false,
                 id: number as u64,
             };

@@ -40,6 +40,8 @@ pub enum Level {
 pub struct Context<'a> {
     /// How much to run.
     pub level: Level,
+    /// Settings of every run (`section.key=value`), on top of its own.
+    pub settings: &'a [String],
     /// Folder for pictures.
     pub out: &'a Path,
     /// Told of every run before it starts.

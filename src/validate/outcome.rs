@@ -74,7 +74,7 @@ pub struct History {
     pub frames: Vec<Frame>,
 }
 
-/// Runs a scene with `settings` (`section.key=value`) and keeps its end alone.
+/// Runs a scene with `settings` (`section.key=value`), and those of the `context` on top, and keeps its end alone.
 pub fn run(
     source: Source,
     settings: &[String],
@@ -90,9 +90,10 @@ pub fn run_keeping(
     settings: &[String],
     context: &Context<'_>,
 ) -> Result<Outcome, ValidateError> {
+    let settings = [settings, context.settings].concat();
     (context.announce)(&format!("{}: {}", source.name, settings.join(" ")));
     let mut scene = Scene::parse(source.text, source.name, Path::new(""))?;
-    for setting in settings {
+    for setting in &settings {
         scene.set(setting)?;
     }
     let stopwatch = Stopwatch::start();

@@ -11,7 +11,9 @@ use super::records::Near;
 
 pub mod artificial_conduction;
 pub mod artificial_viscosity;
+pub mod concentration;
 pub mod density_diffusion;
+pub mod exchange;
 pub mod extrapolation;
 pub mod rates;
 pub mod renormalisation;
@@ -67,6 +69,8 @@ pub struct Pair<S: Simd, const D: usize> {
     pub inverse_distance: Lane<S>,
     /// `h_ij`, the mean smoothing length.
     pub h: Lane<S>,
+    /// `r_ij / h_ij`.
+    pub ratio: Lane<S>,
     /// `F` in `grad_i W_ij = F r_ij`; never positive.
     pub gradient_factor: Lane<S>,
     /// `1 / rho_ij`, with the mean density.
@@ -109,6 +113,7 @@ impl<S: Simd, const D: usize> Pair<S, D> {
             squared,
             inverse_distance: roots.inverse_root,
             h,
+            ratio: roots.root * inverse_h,
             gradient_factor,
             inverse_density: roots.inverse_other * h,
         }

@@ -14,19 +14,31 @@ use super::super::walls::even_renormalisation;
 use super::artificial_conduction::{CONDUCTION, shock_speed, uneven_part};
 use super::artificial_viscosity::{bare_closing_speed, closing_speed, viscous_pressure};
 use super::density_diffusion::{DIFFUSION, diffusion};
+use super::exchange::exchange_rate;
 use super::renormalisation::Renormalisation;
 use super::{LaneVector, Pair, Target, dot, dot_add, unlane, zeros};
 
-/// Rates of every listed particle of the fluid [Villodi & Ramachandran 2024, eqs 10, 12, 14, and
-/// 19-21 where `shifted`; signs as derived from the continuum equations].
+/// How the flow is kept in place where particles move otherwise than with it.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Transport {
+    /// They move with it.
+    None,
+    /// The shifts in the rates alone, by advection terms [Villodi & Ramachandran 2024, eqs 19-21].
+    Advection,
+    /// All shifts, by exchange between pairs; of the conservative scheme.
+    Exchange,
+}
+
+/// Rates of every listed particle of the fluid [Villodi & Ramachandran 2024, eqs 10, 12, 14; signs as
+/// derived from the continuum equations].
 ///
-/// The shifts in `rates` are read, where `shifted`, and kept; all else is overwritten.
+/// The shifts in `rates` are read and kept; all else is overwritten.
 pub fn rates<const D: usize>(
     arch: Arch,
     lists: &Lists,
     records: &Records<D>,
     renormalisations: &[Renormalisation<D>],
-    (equations, shifted): (Equations, bool),
+    (equations, transport): (Equations, Transport),
     rates: &mut [Rates<D>],
 ) {
     lists
@@ -40,14 +52,21 @@ pub fn rates<const D: usize>(
                 rates,
             };
             let own = renormalisations;
-            match (equations, shifted) {
-                (Equations::Paper, false) => arch.dispatch(FluidPass::<D, false, false>(pass, own)),
-                (Equations::Paper, true) => arch.dispatch(FluidPass::<D, false, true>(pass, own)),
-                (Equations::Conservative, false) => {
-                    arch.dispatch(FluidPass::<D, true, false>(pass, own));
+            match (equations, transport) {
+                (Equations::Paper, Transport::None) => {
+                    arch.dispatch(FluidPass::<D, false, false, false>(pass, own));
                 }
-                (Equations::Conservative, true) => {
-                    arch.dispatch(FluidPass::<D, true, true>(pass, own));
+                (Equations::Paper, _) => {
+                    arch.dispatch(FluidPass::<D, false, true, false>(pass, own));
+                }
+                (Equations::Conservative, Transport::None) => {
+                    arch.dispatch(FluidPass::<D, true, false, false>(pass, own));
+                }
+                (Equations::Conservative, Transport::Advection) => {
+                    arch.dispatch(FluidPass::<D, true, true, false>(pass, own));
+                }
+                (Equations::Conservative, Transport::Exchange) => {
+                    arch.dispatch(FluidPass::<D, true, false, true>(pass, own));
                 }
             }
         });
@@ -86,10 +105,13 @@ struct Pass<'a, const D: usize> {
 }
 
 /// With the renormalisation of the fluid.
-struct FluidPass<'a, const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool>(
-    Pass<'a, D>,
-    &'a [Renormalisation<D>],
-);
+struct FluidPass<
+    'a,
+    const D: usize,
+    const CONSERVATIVE: bool,
+    const SHIFTED: bool,
+    const EXCHANGES: bool,
+>(Pass<'a, D>, &'a [Renormalisation<D>]);
 
 struct ReactionPass<'a, const D: usize, const CONSERVATIVE: bool>(Pass<'a, D>);
 
@@ -122,6 +144,19 @@ struct Sums<S: Simd, const D: usize> {
     conduction: Lane<S>,
     /// Over [`DIFFUSION`].
     diffusion: Lane<S>,
+    exchange: Exchange<S, D>,
+}
+
+/// What shifted neighbours give, one per lane.
+#[derive(Clone, Copy)]
+struct Exchange<S: Simd, const D: usize> {
+    /// `sum x_ij rho_ij`.
+    density: Lane<S>,
+
+    /// `sum x_ij (u_j - u_i)`.
+    velocity: LaneVector<S, D>,
+    /// `sum x_ij [e_j - e_i + (u_j - u_i)^2 / 2]`.
+    energy: Lane<S>,
 }
 
 impl<S: Simd, const D: usize> Own<S, D> {
@@ -157,6 +192,41 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             viscous_heat: Lane::splat(simd, 0.0),
             conduction: Lane::splat(simd, 0.0),
             diffusion: Lane::splat(simd, 0.0),
+            exchange: Exchange {
+                density: Lane::splat(simd, 0.0),
+                velocity: zeros(simd),
+                energy: Lane::splat(simd, 0.0),
+            },
+        }
+    }
+
+    /// Adds what `j` gives `i` where both are shifted. The heat `(u_j - u_i)^2 / 2` is half the kinetic energy
+    /// that the pair loses.
+    #[inline(always)]
+    fn exchange(
+        &mut self,
+        simd: S,
+        i: &Own<S, D>,
+        own_shift: &LaneVector<S, D>,
+        records: &Records<D>,
+        j: usize,
+    ) {
+        let (near, state) = (&records.near[j], &records.state[j]);
+        let pair = Pair::new(simd, &i.target, near);
+        let shift: LaneVector<S, D> =
+            std::array::from_fn(|k| own_shift[k] - Lane::splat(simd, records.shift[j][k]));
+        let pairwise = Lane::splat(simd, near.mass) * pair.inverse_density;
+        let rate = exchange_rate(&pair, &shift, pairwise);
+        let jump: LaneVector<S, D> =
+            std::array::from_fn(|k| Lane::splat(simd, near.velocity[k]) - i.velocity[k]);
+        let energy = Lane::splat(simd, state.energy) - i.energy;
+        let energy = (Lane::splat(simd, 0.5) * dot(&jump, &jump)) + energy;
+        let sums = &mut self.exchange;
+        let half_density = Lane::splat(simd, near.half_density);
+        sums.density = rate.mul_add(half_density + i.target.half_density, sums.density);
+        sums.energy = rate.mul_add(energy, sums.energy);
+        for k in 0..D {
+            sums.velocity[k] = rate.mul_add(jump[k], sums.velocity[k]);
         }
     }
 
@@ -243,8 +313,8 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     }
 }
 
-impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
-    for FluidPass<'_, D, CONSERVATIVE, SHIFTED>
+impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHANGES: bool> WithSimd
+    for FluidPass<'_, D, CONSERVATIVE, SHIFTED, EXCHANGES>
 {
     type Output = ();
 
@@ -261,10 +331,19 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
             }
             let (start, last) = (cluster.targets.start, cluster.targets.end - 1);
             let own = Own::load(simd, records, |l| (start + l).min(last));
+            let own_shift: LaneVector<S, D> = if EXCHANGES {
+                let shift = |l: usize| &records.shift[(start + l).min(last)];
+                std::array::from_fn(|k| Lane::gather(simd, |l| shift(l)[k]))
+            } else {
+                zeros(simd)
+            };
             let mut sums = Sums::new(simd);
             for &j in &chunk.entries[cluster.gas.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
                 sums.add::<true, CONSERVATIVE, SHIFTED>(simd, &own, near, state);
+                if EXCHANGES {
+                    sums.exchange(simd, &own, &own_shift, records, j as usize);
+                }
             }
             let by_gas = Forces::from(&sums);
             for &j in &chunk.entries[cluster.wall.clone()] {
@@ -277,12 +356,18 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
             let heat = sums.viscous_heat.to_array();
             let conduction = sums.conduction.to_array();
             let diffusion = sums.diffusion.to_array();
+            let exchange = (
+                sums.exchange.density.to_array(),
+                sums.exchange.velocity.map(Lane::to_array),
+                sums.exchange.energy.to_array(),
+            );
 
             for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {
                 let (near, state) = (&records.near[start + l], &records.state[start + l]);
                 let Renormalisation {
                     matrix: renormalisation,
                     density_gradient,
+                    ..
                 } = &renormalisations[start + l];
                 let slope = Matrix::<D>::from_fn(|a, b| velocity_gradient[a][b][l]);
                 let divergence = slope.component_mul(renormalisation).sum();
@@ -304,6 +389,13 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool> WithSimd
                     rates.acceleration += slope * shift;
                     rates.energy += energy_slope.dot(&shift);
                     rates.density += density_gradient.dot(&rates.shift);
+                }
+                if EXCHANGES {
+                    let (density, velocity, energy) = &exchange;
+                    rates.acceleration += unlane(velocity, l);
+                    rates.energy += energy[l];
+                    // What the sum over the moved particles will read.
+                    rates.density += density[l];
                 }
             }
         }

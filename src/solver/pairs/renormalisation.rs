@@ -1,4 +1,5 @@
-//! Renormalisation of the kernel's gradient, and the density gradient.
+//! Renormalisation of the kernel's gradient, the density gradient and, where particles are shifted, the
+//! gradient of their concentration.
 
 use aero_geometry::Vector;
 use pulp::{Arch, Simd, WithSimd};
@@ -8,7 +9,8 @@ use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
 use super::super::records::{Matrix, Near};
 use super::super::walls::even_renormalisation;
-use super::{Pair, Target, unlane, zeros};
+use super::concentration::repulsion;
+use super::{LaneVector, Pair, Target, unlane, zeros};
 
 /// Below this determinant, relative to that of a ball of the same trace, the neighbours lie too
 /// nearly in a plane for the matrix to mean anything.
@@ -17,6 +19,10 @@ const SINGULAR: f64 = 0.1;
 /// The mean moment of a full neighbourhood is one, at a free edge a half. Below this a particle has
 /// hardly any neighbours, and the inverse would multiply their noise.
 const SPARSE: f64 = 0.4;
+
+/// Where the mean moment is less, the particle stands at a free edge and its concentration says nothing about
+/// order (Lee et al. 2008: `div r < 1.5` in the plane, of 2 inside).
+const SURROUNDED: f64 = 0.75;
 
 /// Renormalisation matrix `L_i = [sum_j V_j (r_j - r_i) (x) grad_i W_ij]^-1` over gas and ghosts
 /// [Villodi & Ramachandran 2024, eq. 7; Randles & Libersky 1996], and the density gradient
@@ -27,6 +33,11 @@ pub struct Renormalisation<const D: usize> {
     pub matrix: Matrix<D>,
     /// Density gradient.
     pub density_gradient: Vector<D>,
+    /// Gradient of the particles' concentration, which vanishes where they stand evenly; summed where
+    /// particles are shifted only, and zero at free edges.
+    pub concentration_gradient: Vector<D>,
+    /// What ghosts add to it: it points into the wall.
+    pub wall_gradient: Vector<D>,
 }
 
 impl<const D: usize> Default for Renormalisation<D> {
@@ -34,16 +45,20 @@ impl<const D: usize> Default for Renormalisation<D> {
         Self {
             matrix: Matrix::identity(),
             density_gradient: Vector::zeros(),
+            concentration_gradient: Vector::zeros(),
+            wall_gradient: Vector::zeros(),
         }
     }
 }
 
-/// Renormalises every listed particle; `first` is the slot of the first one.
+/// Renormalises every listed particle; `first` is the slot of the first one. `shifts` asks for the gradients of
+/// the concentration.
 pub fn renormalise<const D: usize>(
     arch: Arch,
     lists: &Lists,
     near: &[Near<D>],
     first: usize,
+    shifts: bool,
     results: &mut [Renormalisation<D>],
 ) {
     let even = even_renormalisation();
@@ -52,15 +67,23 @@ pub fn renormalise<const D: usize>(
         .par_iter()
         .zip(results.par_chunks_mut(lists.chunk_targets()))
         .for_each(|(chunk, results)| {
-            arch.dispatch(Pass {
+            let pass = Pass {
                 chunk,
                 near,
                 first,
                 even,
                 results,
-            });
+            };
+            if shifts {
+                arch.dispatch(Summed::<D, true>(pass));
+            } else {
+                arch.dispatch(Summed::<D, false>(pass));
+            }
         });
 }
+
+/// With the gradients of the concentration where `SHIFTS`.
+struct Summed<'a, const D: usize, const SHIFTS: bool>(Pass<'a, D>);
 
 struct Pass<'a, const D: usize> {
     chunk: &'a Chunk,
@@ -71,45 +94,89 @@ struct Pass<'a, const D: usize> {
     results: &'a mut [Renormalisation<D>],
 }
 
-impl<const D: usize> WithSimd for Pass<'_, D> {
+/// Running sums, one per lane.
+struct Sums<S: Simd, const D: usize> {
+    /// On and above the diagonal.
+    moments: [LaneVector<S, D>; D],
+    slope: LaneVector<S, D>,
+    concentration: LaneVector<S, D>,
+}
+
+impl<S: Simd, const D: usize> Sums<S, D> {
+    #[inline(always)]
+    fn new(simd: S) -> Self {
+        Self {
+            moments: [zeros(simd); D],
+            slope: zeros(simd),
+            concentration: zeros(simd),
+        }
+    }
+
+    #[inline(always)]
+    fn add<const SHIFTS: bool>(&mut self, simd: S, target: &Target<S, D>, j: &Near<D>) {
+        let pair = Pair::new(simd, target, j);
+        let weight = pair.gradient_factor * Lane::splat(simd, j.volume);
+        let difference = Lane::splat(simd, j.half_density) - target.half_density;
+        let rise = weight * difference;
+        for a in 0..D {
+            self.slope[a] = rise.mul_add(pair.separation[a], self.slope[a]);
+            let column = weight * pair.separation[a];
+            for b in a..D {
+                self.moments[a][b] = column.mul_add(pair.separation[b], self.moments[a][b]);
+            }
+        }
+        if SHIFTS {
+            let weight = weight * repulsion(simd, &pair);
+            for a in 0..D {
+                self.concentration[a] = weight.mul_add(pair.separation[a], self.concentration[a]);
+            }
+        }
+    }
+}
+
+impl<const D: usize, const SHIFTS: bool> WithSimd for Summed<'_, D, SHIFTS> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let mut results = self.results.iter_mut();
-        for cluster in &self.chunk.clusters {
+        let pass = self.0;
+        let mut results = pass.results.iter_mut();
+        for cluster in &pass.chunk.clusters {
             if cluster.is_calm {
                 for result in results.by_ref().take(cluster.targets.len()) {
-                    result.matrix = self.even;
-                    result.density_gradient = Vector::zeros();
+                    *result = Renormalisation {
+                        matrix: pass.even,
+                        ..Renormalisation::default()
+                    };
                 }
                 continue;
             }
-            let last = self.first + cluster.targets.end - 1;
-            let first = self.first + cluster.targets.start;
-            let target = Target::load(simd, |l| &self.near[(first + l).min(last)]);
-            let mut moments = [zeros::<S, D>(simd); D];
-            let mut slope = zeros::<S, D>(simd);
-            for &j in &self.chunk.entries[cluster.gas.start..cluster.wall.end] {
-                let j = &self.near[j as usize];
-                let pair = Pair::new(simd, &target, j);
-                let weight = pair.gradient_factor * Lane::splat(simd, j.volume);
-                let difference = Lane::splat(simd, j.half_density) - target.half_density;
-                let rise = weight * difference;
-                for a in 0..D {
-                    slope[a] = rise.mul_add(pair.separation[a], slope[a]);
-                    let column = weight * pair.separation[a];
-                    for b in a..D {
-                        moments[a][b] = column.mul_add(pair.separation[b], moments[a][b]);
-                    }
-                }
+            let last = pass.first + cluster.targets.end - 1;
+            let first = pass.first + cluster.targets.start;
+            let target = Target::load(simd, |l| &pass.near[(first + l).min(last)]);
+            let mut sums = Sums::new(simd);
+            for &j in &pass.chunk.entries[cluster.gas.clone()] {
+                sums.add::<SHIFTS>(simd, &target, &pass.near[j as usize]);
             }
-            let moments = moments.map(|row| row.map(Lane::to_array));
-            let slope = slope.map(Lane::to_array);
+            let by_gas = sums.concentration;
+            for &j in &pass.chunk.entries[cluster.wall.clone()] {
+                sums.add::<SHIFTS>(simd, &target, &pass.near[j as usize]);
+            }
+            let moments = sums.moments.map(|row| row.map(Lane::to_array));
+            let slope = sums.slope.map(Lane::to_array);
+            let concentration = sums.concentration.map(Lane::to_array);
+            let by_gas = by_gas.map(Lane::to_array);
             for (l, result) in results.by_ref().take(cluster.targets.len()).enumerate() {
                 let matrix = Matrix::<D>::from_fn(|a, b| -moments[a.min(b)][a.max(b)][l]);
                 result.matrix = inverse(&matrix);
                 result.density_gradient = result.matrix * unlane(&slope, l) * 2.0;
+                if SHIFTS && matrix.trace() > SURROUNDED * D as f64 {
+                    result.concentration_gradient = unlane(&concentration, l);
+                    result.wall_gradient = result.concentration_gradient - unlane(&by_gas, l);
+                } else {
+                    result.concentration_gradient = Vector::zeros();
+                    result.wall_gradient = Vector::zeros();
+                }
             }
         }
     }

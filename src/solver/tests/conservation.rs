@@ -1,7 +1,9 @@
 use super::*;
 
-fn pair_sums_balance<const D: usize>(cells: usize) {
-    let mut simulation = start(stirred::<D>(cells));
+fn pair_sums_balance<const D: usize>(cells: usize, shifting: bool) {
+    let mut case = stirred::<D>(cells);
+    case.scheme.shifting = shifting;
+    let mut simulation = start(case);
     let before = simulation.totals();
     let scale: f64 = simulation
         .fluid
@@ -33,16 +35,19 @@ fn pair_sums_balance<const D: usize>(cells: usize) {
 
 #[test]
 fn mass_momentum_and_the_rate_of_energy_balance_to_round_off_in_a_periodic_box() {
-    pair_sums_balance::<1>(40);
-    pair_sums_balance::<2>(20);
-    pair_sums_balance::<3>(11);
+    for shifting in [false, true] {
+        pair_sums_balance::<1>(40, shifting);
+        pair_sums_balance::<2>(20, shifting);
+        pair_sums_balance::<3>(11, shifting);
+    }
 }
 
 #[test]
 fn the_energy_of_a_periodic_box_stays_to_round_off_at_any_time_step() {
-    for cfl in [0.5, 0.25] {
+    for (cfl, shifting) in [(0.5, false), (0.25, false), (0.5, true)] {
         let mut case = stirred::<2>(20);
         case.scheme.cfl = cfl;
+        case.scheme.shifting = shifting;
         let mut simulation = start(case);
         let before = simulation.totals().energy;
         advance_to(&mut simulation, 0.5);

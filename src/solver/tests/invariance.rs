@@ -44,9 +44,16 @@ fn a_rotated_cloud_gives_the_rotated_flow() {
 
 #[test]
 fn a_moving_frame_gives_the_same_flow() {
+    is_the_same_in_a_moving_frame(false);
+    is_the_same_in_a_moving_frame(true);
+}
+
+fn is_the_same_in_a_moving_frame(shifting: bool) {
     let drift = Vector::<2>::new(3.0, -2.0);
-    let mut still = start(stirred::<2>(20));
-    let mut moving = start(stirred::<2>(20));
+    let mut case = stirred::<2>(20);
+    case.scheme.shifting = shifting;
+    let mut still = start(case.clone());
+    let mut moving = start(case);
     for particle in &mut moving.fluid {
         particle.velocity += drift;
     }
@@ -61,6 +68,11 @@ fn a_moving_frame_gives_the_same_flow() {
 
 #[test]
 fn half_a_symmetric_flow_with_a_symmetry_plane_equals_the_whole() {
+    half_equals_the_whole(false);
+    half_equals_the_whole(true);
+}
+
+fn half_equals_the_whole(shifting: bool) {
     let symmetric = |case: &mut Case<2>| {
         case.initial = Initial::Field(Field(Arc::new(|position: &Vector<2>| State {
             density: 1.4 + 0.3 * (position[0] * 3.0).cos(),
@@ -69,6 +81,7 @@ fn half_a_symmetric_flow_with_a_symmetry_plane_equals_the_whole() {
         })));
     };
     let mut whole = cube::<2>(20, WALL);
+    whole.scheme.shifting = shifting;
     whole.domain.bounds.min[1] = -1.0;
     whole.domain.bounds.max[1] = 1.0;
     symmetric(&mut whole);
@@ -92,7 +105,7 @@ fn half_a_symmetric_flow_with_a_symmetry_plane_equals_the_whole() {
     }
 }
 
-fn bits(threads: usize) -> Vec<u64> {
+fn bits(threads: usize, shifting: bool) -> Vec<u64> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
@@ -103,6 +116,7 @@ fn bits(threads: usize) -> Vec<u64> {
         case.free_stream.velocity = Vector::<2>::new(2.0, 0.0);
         case.scheme.extrapolation = Extrapolation::Wm;
         case.scheme.shield = true;
+        case.scheme.shifting = shifting;
         let mut simulation = start(case);
         advance(&mut simulation, 40);
         simulation
@@ -115,9 +129,11 @@ fn bits(threads: usize) -> Vec<u64> {
 
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    let one = bits(1);
-    assert_eq!(one, bits(2));
-    assert_eq!(one, bits(4));
+    for shifting in [false, true] {
+        let one = bits(1, shifting);
+        assert_eq!(one, bits(2, shifting));
+        assert_eq!(one, bits(4, shifting));
+    }
 }
 
 /// A stirred box in space after some steps, with these vectors.

@@ -6,6 +6,7 @@ mod conservation;
 mod invariance;
 mod rest;
 mod rings;
+mod shifting;
 mod thin;
 mod walls;
 
@@ -39,6 +40,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
             equations: Equations::Conservative,
             extrapolation: Extrapolation::Wom,
             shield: false,
+            shifting: false,
             constant_ghost_volume: true,
             limited_viscosity: true,
             limited_conduction: true,
