@@ -143,22 +143,48 @@ pub fn octahedron(name: &str) -> String {
     lines.join("\n")
 }
 
-/// Points and named arrays of a `.vtp` file, read back by an independent reader.
+/// Points and named arrays of a `.vtp` file with raw appended data: what stands in its XML, and that the
+/// data are as long as it says.
 pub fn read_vtp(path: &Path) -> (usize, Vec<(String, usize)>) {
-    use vtkio::model::{Attribute, DataSet, Piece, Vtk};
-    let vtk = Vtk::import(path).expect("a VTK file");
-    let DataSet::PolyData { pieces, .. } = vtk.data else {
-        panic!("not PolyData");
+    const MARK: &[u8] = b"<AppendedData encoding=\"raw\">\n    _";
+    let bytes = std::fs::read(path).expect("a file");
+    let mut windows = bytes.windows(MARK.len());
+    let end = windows.position(|w| w == MARK).expect("appended data");
+    let text = std::str::from_utf8(&bytes[..end]).expect("XML");
+    let data = &bytes[end + MARK.len()..];
+    let mut arrays: Vec<_> = text
+        .lines()
+        .filter(|line| line.trim_start().starts_with("<DataArray"))
+        .map(|line| {
+            let size = match attribute(line, "type") {
+                "UInt8" => 1,
+                "UInt32" => 4,
+                "Float64" | "UInt64" | "Int64" => 8,
+                other => panic!("type {other}"),
+            };
+            let start: usize = attribute(line, "offset").parse().unwrap();
+            let length = u64::from_le_bytes(data[start..start + 8].try_into().unwrap()) as usize;
+            assert!(start + 8 + length < data.len());
+            (attribute(line, "Name").to_owned(), length / size)
+        })
+        .collect();
+    let mut skeleton = arrays.split_off(arrays.len() - 3).into_iter();
+    let mut take = |name: &str| {
+        let (found, length) = skeleton.next().unwrap();
+        assert_eq!(found, name);
+        length
     };
-    let Some(Piece::Inline(piece)) = pieces.into_iter().next() else {
-        panic!("no piece");
-    };
-    let verts = piece.verts.as_ref().expect("vertex cells");
-    let points = piece.points.len() / 3;
-    assert_eq!(verts.num_cells(), points);
-    let arrays = piece.data.point.iter().map(|attribute| match attribute {
-        Attribute::DataArray(array) => (array.name.clone(), array.data.len()),
-        Attribute::Field { .. } => panic!("a field in an XML file"),
-    });
-    (points, arrays.collect())
+    let points = take("Points") / 3;
+    assert_eq!((take("connectivity"), take("offsets")), (points, points));
+    for key in ["NumberOfPoints", "NumberOfVerts"] {
+        assert_eq!(attribute(text, key), points.to_string());
+    }
+    (points, arrays)
+}
+
+fn attribute<'a>(text: &'a str, name: &str) -> &'a str {
+    let (_, rest) = text
+        .split_once(&format!(" {name}=\""))
+        .expect("an attribute");
+    rest.split_once('"').expect("a quote").0
 }
