@@ -118,8 +118,9 @@ impl Tally {
         stop_reason: &str,
     ) -> Summary {
         let case = simulation.case();
-        let statistics = simulation.statistics();
+        // What the summary itself costs is no part of the speed.
         let spent = self.spent();
+        let statistics = simulation.statistics();
         let stepping = spent.stepping.max(f64::MIN_POSITIVE);
         let loads = simulation.loads();
         let bodies = case.bodies.iter().enumerate().map(|(number, body)| {
