@@ -56,6 +56,8 @@ fn stirred<const D: usize>(cells: usize) -> Case<D> {
         bodies: Vec::new(),
         output: OutputPlan {
             frame_interval: 1.0,
+            region: None,
+            is_compressed: false,
             history_every: 1,
             checkpoint_seconds: 60.0,
         },
@@ -108,7 +110,7 @@ fn frames(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("frame, per particle");
     group.throughput(Throughput::Elements(40_000));
     group.bench_function("write", |bencher| {
-        bencher.iter(|| write_frame(&path, &simulation.frame()));
+        bencher.iter(|| write_frame(&path, &simulation.frame(), false));
     });
     group.finish();
     // Left behind it would only take room.

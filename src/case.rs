@@ -33,7 +33,7 @@ pub struct Case<const D: usize> {
     /// Bodies in the flow.
     pub bodies: Vec<Body<D>>,
     /// When to write what.
-    pub output: OutputPlan,
+    pub output: OutputPlan<D>,
 }
 
 /// When a run ends.
@@ -278,10 +278,14 @@ pub enum Turning {
 }
 
 /// When to write what.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct OutputPlan {
+#[derive(Clone, Debug, PartialEq)]
+pub struct OutputPlan<const D: usize> {
     /// Time between frames; the first and the last state are always written.
     pub frame_interval: f64,
+    /// What frames show; everything if none.
+    pub region: Option<Bounds<D>>,
+    /// Frames are compressed.
+    pub is_compressed: bool,
     /// Steps between rows of the history.
     pub history_every: usize,
     /// Longest wall time between checkpoints, s.

@@ -94,6 +94,7 @@ fn assert_same(place: &Workplace, one: &str, other: &str) {
             "wall_seconds",
             "cpu_seconds",
             "particle_updates_per_cpu_second",
+            "peak_memory_bytes",
         ] {
             summary[key] = 0.into();
         }

@@ -260,3 +260,36 @@ place = { translate = [0.5, 0.25] }
     let history = std::fs::read_to_string(place.path("results/history.csv")).unwrap();
     assert!(history.starts_with("step,time,dt,post.fx,post.fy,post.fz,post.mx,"));
 }
+
+#[test]
+fn frames_may_show_a_region_alone() {
+    let place = Workplace::new();
+    place.run(BOX, &[]).succeeds();
+    let (all, _) = read_vtp(&place.path("results/frame-000002.vtp"));
+    let region = "output.region={ min = [0.25, 0.0], max = [0.5, 0.5] }";
+    place.run(BOX, &["--set", region]).succeeds();
+    let (shown, _) = read_vtp(&place.path("results/frame-000002.vtp"));
+    assert!(0 < shown && 2 * shown < all, "{shown} of {all}");
+    place
+        .run(
+            BOX,
+            &["--set", "output.region={ min = [0.5], max = [0.5] }"],
+        )
+        .refuses(&["output.region.min", "dimension 2"]);
+    let empty = "output.region={ min = [0.5, 0.0], max = [0.5, 1.0] }";
+    place
+        .run(BOX, &["--set", empty])
+        .refuses(&["output.region", "empty along x", "give a `max`"]);
+}
+
+#[test]
+fn compressed_frames_are_smaller() {
+    let place = Workplace::new();
+    let size = |settings: &[&str]| {
+        place.run(BOX, settings).succeeds();
+        let path = place.path("results/frame-000000.vtp");
+        std::fs::metadata(path).unwrap().len()
+    };
+    let (plain, compressed) = (size(&[]), size(&["--set", "output.compress=true"]));
+    assert!(2 * compressed < plain, "{compressed} of {plain} bytes");
+}

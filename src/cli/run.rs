@@ -113,7 +113,7 @@ fn lines(summary: &Summary, out: &Path) -> String {
         text,
         "{}: {} steps to t = {:.6e}, {} fluid and {} ghost particles\n\
          {:.1} s on {} threads, {:.1} s of processor time, {:.0} particle updates per processor second\n\
-         drift: mass {:.1e}, momentum {:.1e}, energy {:.1e}; leaked {}",
+         {}drift: mass {:.1e}, momentum {:.1e}, energy {:.1e}; leaked {}",
         summary.case,
         summary.steps,
         summary.end_time,
@@ -123,6 +123,7 @@ fn lines(summary: &Summary, out: &Path) -> String {
         summary.threads,
         summary.cpu_seconds,
         summary.particle_updates_per_cpu_second,
+        memory(summary),
         conservation.mass,
         conservation.momentum,
         conservation.energy,
@@ -138,4 +139,16 @@ fn lines(summary: &Summary, out: &Path) -> String {
     }
     let _ = writeln!(text, "results in `{}`", out.display());
     text
+}
+
+/// The line about memory, where that is known.
+fn memory(summary: &Summary) -> String {
+    let particles = summary.particles.fluid + summary.particles.ghost;
+    summary.peak_memory_bytes.map_or(String::new(), |bytes| {
+        format!(
+            "{:.2} GiB of memory at most, {} bytes per particle\n",
+            bytes as f64 / f64::from(1 << 30),
+            bytes / particles.max(1) as u64
+        )
+    })
 }

@@ -35,14 +35,18 @@ impl CheckpointError {
     }
 }
 
+/// The bytes of a checkpoint for `folder`, which then needs its `content` no more.
+pub fn checkpoint_bytes(folder: &Path, content: &impl Serialize) -> Result<Vec<u8>, OutputError> {
+    postcard::to_stdvec(content)
+        .map_err(|error| OutputError::new(&folder.join(CHECKPOINT), io::Error::other(error)))
+}
+
 /// Writes the checkpoint in `folder`, in the place of the one before.
-pub fn write_checkpoint(folder: &Path, content: &impl Serialize) -> Result<(), OutputError> {
+pub fn write_checkpoint(folder: &Path, bytes: &[u8]) -> Result<(), OutputError> {
     let path = folder.join(CHECKPOINT);
-    let bytes = postcard::to_stdvec(content)
-        .map_err(|error| OutputError::new(&path, io::Error::other(error)))?;
     atomic::write(&path, |writer| {
-        writeln!(writer, "{FORMAT}, {} bytes, {:x}", bytes.len(), sum(&bytes))?;
-        writer.write_all(&bytes)?;
+        writeln!(writer, "{FORMAT}, {} bytes, {:x}", bytes.len(), sum(bytes))?;
+        writer.write_all(bytes)?;
         writer.flush()?;
         // A machine that loses power must not keep the name and lose the content.
         writer.get_ref().sync_data()
@@ -96,11 +100,16 @@ fn sum(bytes: &[u8]) -> u64 {
 mod tests {
     use super::*;
 
+    fn write(folder: &Path, content: &Vec<f64>) {
+        let bytes = checkpoint_bytes(folder, content).unwrap();
+        write_checkpoint(folder, &bytes).unwrap();
+    }
+
     #[test]
     fn every_bit_comes_back() {
         let folder = tempfile::tempdir().unwrap();
         let numbers = [0.1, -0.0, f64::INFINITY, f64::MIN_POSITIVE / 2.0];
-        write_checkpoint(folder.path(), &numbers.to_vec()).unwrap();
+        write(folder.path(), &numbers.to_vec());
         let back: Vec<f64> = read_checkpoint(folder.path()).unwrap().unwrap();
         assert_eq!(
             numbers.map(f64::to_bits).to_vec(),
@@ -122,7 +131,7 @@ mod tests {
     #[test]
     fn a_damaged_or_foreign_file_is_refused() {
         let folder = tempfile::tempdir().unwrap();
-        write_checkpoint(folder.path(), &vec![1.0, 2.0]).unwrap();
+        write(folder.path(), &vec![1.0, 2.0]);
         let path = folder.path().join(CHECKPOINT);
         let good = std::fs::read(&path).unwrap();
         let mut flipped = good.clone();

@@ -34,16 +34,14 @@ pub fn write_ghosts<const D: usize>(path: &Path, bodies: &[&Ghosts<D>]) -> Resul
         .flat_map(|ghosts| &ghosts.face)
         .copied()
         .collect();
+    let numbers = numbers(bodies.iter().map(|ghosts| ghosts.position.len()));
     Cloud::new(&positions.map(in_space).collect::<Vec<_>>())
         .vectors("normal", &normals)
-        .scalars("distance", joined(|ghosts| &ghosts.distance))
-        .scalars("volume", joined(|ghosts| &ghosts.volume))
-        .scalars("layer", layers)
-        .scalars(
-            "body",
-            numbers(bodies.iter().map(|ghosts| ghosts.position.len())),
-        )
-        .scalars("face", faces)
+        .scalars("distance", &joined(|ghosts| &ghosts.distance)[..])
+        .scalars("volume", &joined(|ghosts| &ghosts.volume)[..])
+        .scalars("layer", &layers[..])
+        .scalars("body", &numbers[..])
+        .scalars("face", &faces[..])
         .write(path)
 }
 

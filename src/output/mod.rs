@@ -2,9 +2,11 @@
 //! own state, and decides nothing about when to write.
 
 mod atomic;
+mod background;
 mod checkpoint;
 mod ghosts;
 mod history;
+mod memory;
 mod particles;
 mod pvd;
 mod summary;
@@ -12,11 +14,14 @@ mod surface;
 mod vtp;
 
 pub use atomic::write_json;
+pub use background::Background;
 pub use checkpoint::{
-    CHECKPOINT, CheckpointError, read_checkpoint, remove_checkpoint, write_checkpoint,
+    CHECKPOINT, CheckpointError, checkpoint_bytes, read_checkpoint, remove_checkpoint,
+    write_checkpoint,
 };
 pub use ghosts::write_ghosts;
 pub use history::{History, HistoryRow};
+pub use memory::peak_memory;
 pub use particles::write_frame;
 pub use pvd::Collection;
 pub use summary::{BodySummary, Conservation, Particles, Summary};

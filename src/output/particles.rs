@@ -6,16 +6,17 @@ use super::OutputError;
 use super::vtp::Cloud;
 use crate::frame::Frame;
 
-/// Writes a snapshot of all particles.
-pub fn write_frame(path: &Path, frame: &Frame) -> Result<(), OutputError> {
+/// Writes a snapshot of all particles, compressed if so wished.
+pub fn write_frame(path: &Path, frame: &Frame, is_compressed: bool) -> Result<(), OutputError> {
     Cloud::new(&frame.position)
         .vectors("velocity", &frame.velocity)
-        .scalars("density", frame.density.clone())
-        .scalars("pressure", frame.pressure.clone())
-        .scalars("energy", frame.energy.clone())
-        .scalars("mach", frame.mach.clone())
-        .scalars("smoothing_length", frame.smoothing_length.clone())
-        .scalars("kind", frame.kind.clone())
-        .scalars("id", frame.id.clone())
+        .scalars("density", &frame.density[..])
+        .scalars("pressure", &frame.pressure[..])
+        .scalars("energy", &frame.energy[..])
+        .scalars("mach", &frame.mach[..])
+        .scalars("smoothing_length", &frame.smoothing_length[..])
+        .scalars("kind", &frame.kind[..])
+        .scalars("id", &frame.id[..])
+        .compressed(is_compressed)
         .write(path)
 }

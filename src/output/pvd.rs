@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 
 use super::{OutputError, atomic};
 
-/// A collection that grows file by file and is whole on disk after each.
-#[derive(Debug)]
+/// A collection that grows file by file.
+#[derive(Clone, Debug)]
 pub struct Collection {
     path: PathBuf,
     entries: String,
@@ -27,13 +27,7 @@ impl Collection {
         &self.path
     }
 
-    /// Adds `file`, a name in the collection's own folder, and rewrites the collection.
-    pub fn add(&mut self, time: f64, file: &str) -> Result<(), OutputError> {
-        self.note(time, file);
-        self.write()
-    }
-
-    /// Adds `file` without writing yet.
+    /// Adds `file`, a name in the collection's own folder, without writing yet.
     pub fn note(&mut self, time: f64, file: &str) {
         // Writing to a string cannot fail.
         let _ = writeln!(

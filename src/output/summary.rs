@@ -29,6 +29,8 @@ pub struct Summary {
     pub wall_seconds: f64,
     /// Processor time of all threads, user and system, s.
     pub cpu_seconds: f64,
+    /// The most memory that the process held, packing included; none where the system does not tell.
+    pub peak_memory_bytes: Option<u64>,
     /// Threads.
     pub threads: usize,
     /// Fluid particles advanced one full step, per second of processor time.

@@ -10,8 +10,8 @@ use crate::frame::SurfaceFrame;
 pub fn write_surface(path: &Path, surface: &SurfaceFrame) -> Result<(), OutputError> {
     Cloud::new(&surface.position)
         .vectors("normal", &surface.normal)
-        .scalars("pressure", surface.pressure.clone())
-        .scalars("pressure_coefficient", surface.pressure_coefficient.clone())
-        .scalars("body", surface.body.clone())
+        .scalars("pressure", &surface.pressure[..])
+        .scalars("pressure_coefficient", &surface.pressure_coefficient[..])
+        .scalars("body", &surface.body[..])
         .write(path)
 }

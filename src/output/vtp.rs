@@ -9,13 +9,18 @@ use vtkio::model::{
     Attribute, Attributes, ByteOrder, DataArray, DataSet, ElementType, PolyDataPiece, Version,
     VertexNumbers, Vtk,
 };
+use vtkio::xml::Compressor;
 
 use super::{OutputError, atomic};
+
+/// Effort that zlib spends, of 9: more takes longer and hardly saves.
+const LEVEL: u32 = 4;
 
 /// Points with arrays, ready to be written.
 pub(super) struct Cloud {
     points: Vec<f64>,
     arrays: Vec<Attribute>,
+    compressor: Compressor,
 }
 
 impl Cloud {
@@ -24,6 +29,7 @@ impl Cloud {
         Self {
             points: points.as_flattened().to_vec(),
             arrays: Vec::new(),
+            compressor: Compressor::None,
         }
     }
 
@@ -34,12 +40,15 @@ impl Cloud {
     }
 
     /// Adds an array of numbers.
-    pub(super) fn scalars(mut self, name: &str, values: impl Into<IOBuffer>) -> Self {
+    pub(super) fn scalars<T: Clone>(mut self, name: &str, values: &[T]) -> Self
+    where
+        Vec<T>: Into<IOBuffer>,
+    {
         let element = ElementType::Scalars {
             num_comp: 1,
             lookup_table: None,
         };
-        self.push(name, element, values);
+        self.push(name, element, values.to_vec());
         self
     }
 
@@ -49,6 +58,14 @@ impl Cloud {
             elem,
             data: data.into(),
         }));
+    }
+
+    /// Has the file compressed, if so wished: smaller, and slower to write.
+    pub(super) fn compressed(mut self, is_compressed: bool) -> Self {
+        if is_compressed {
+            self.compressor = Compressor::ZLib;
+        }
+        self
     }
 
     /// Writes the file.
@@ -72,10 +89,14 @@ impl Cloud {
                 ..Default::default()
             }),
         };
+        let broken = |error: &dyn std::fmt::Display| io::Error::other(error.to_string());
         atomic::write(path, |writer| {
-            vtk.write_xml(writer).map_err(|error| match error {
-                vtkio::Error::IO(source) => source,
-                other => io::Error::other(other.to_string()),
+            let file = vtk
+                .try_into_xml_format(self.compressor, LEVEL)
+                .map_err(|error| broken(&error))?;
+            file.write(writer).map_err(|error| match error {
+                vtkio::xml::Error::IO(source) => source,
+                other => broken(&other),
             })
         })
     }

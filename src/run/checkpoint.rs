@@ -13,8 +13,8 @@ use crate::solver::Memory;
 
 /// A run between two steps.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Checkpoint<const D: usize> {
-    pub(super) simulation: Memory<D>,
+pub struct Checkpoint<'a, const D: usize> {
+    pub(super) simulation: Memory<'a, D>,
     pub(super) sums: Sums,
     pub(super) pace: Pace,
     pub(super) monitor: Option<Monitor>,
@@ -38,8 +38,9 @@ pub(super) struct Pace {
 pub(super) fn read<const D: usize>(
     folder: &Path,
     scene: &str,
-) -> Result<Option<(Written, Checkpoint<D>)>, CheckpointError> {
-    let content: Option<(String, Written, Checkpoint<D>)> = output::read_checkpoint(folder)?;
+) -> Result<Option<(Written, Checkpoint<'static, D>)>, CheckpointError> {
+    let content: Option<(String, Written, Checkpoint<'static, D>)> =
+        output::read_checkpoint(folder)?;
     let Some((earlier, written, checkpoint)) = content else {
         return Ok(None);
     };

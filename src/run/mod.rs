@@ -172,13 +172,13 @@ impl<const D: usize> UnderWay<D> {
             },
             monitor,
         };
-        recorder.checkpoint(&|| this.checkpoint())?;
+        recorder.checkpoint(this.checkpoint())?;
         Ok(this)
     }
 
     fn resume(
         case: Case<D>,
-        checkpoint: Checkpoint<D>,
+        checkpoint: Checkpoint<'_, D>,
         stopwatch: Stopwatch,
     ) -> Result<Self, String> {
         let simulation = Simulation::resume(case, checkpoint.simulation)?;
@@ -190,7 +190,7 @@ impl<const D: usize> UnderWay<D> {
         })
     }
 
-    fn checkpoint(&self) -> Checkpoint<D> {
+    fn checkpoint(&self) -> Checkpoint<'_, D> {
         Checkpoint {
             simulation: self.simulation.memory(),
             sums: self.tally.sums(),
@@ -234,6 +234,7 @@ impl<const D: usize> UnderWay<D> {
                 if !framed {
                     recorder.frame(&self.simulation)?;
                 }
+                recorder.finish()?;
                 self.tally.settle(window);
                 return Ok(self.tally.summary(&self.simulation, &reason));
             }
@@ -242,12 +243,13 @@ impl<const D: usize> UnderWay<D> {
                 break;
             }
             if framed || wish.is_break() || recorder.is_checkpoint_due() {
-                recorder.checkpoint(&|| self.checkpoint())?;
+                recorder.checkpoint(self.checkpoint())?;
             }
             if wish.is_break() {
                 return Err(self.stop(recorder, format!("interrupted ({})", self.moment())));
             }
         }
+        recorder.finish()?;
         let reason = match &self.monitor {
             Some(monitor) => monitor.verdict(),
             None => "end time reached".into(),
@@ -257,9 +259,13 @@ impl<const D: usize> UnderWay<D> {
 
     /// Ends early, after the frame of where the run stands unless that was written already.
     fn stop(&self, recorder: &mut dyn Recorder<D>, reason: String) -> RunError {
-        if self.simulation.steps() != self.pace.framed_step
-            && let Err(error) = recorder.frame(&self.simulation)
-        {
+        let is_framed = self.simulation.steps() == self.pace.framed_step;
+        let frame = if is_framed {
+            Ok(())
+        } else {
+            recorder.frame(&self.simulation)
+        };
+        if let Err(error) = frame.and_then(|()| recorder.finish()) {
             return error.into();
         }
         let summary = Box::new(self.tally.summary(&self.simulation, &reason));

@@ -10,7 +10,7 @@ use serde::{Deserialize, Serialize};
 use super::Progress;
 use super::checkpoint::Checkpoint;
 use crate::case::Case;
-use crate::output::{self, Collection, History, HistoryRow, OutputError};
+use crate::output::{self, Background, Collection, History, HistoryRow, OutputError};
 use crate::solver::{Simulation, wall_sides};
 
 /// Sees a run at its frames and steps.
@@ -28,8 +28,13 @@ pub trait Recorder<const D: usize> {
         false
     }
 
-    /// The run as it stands, made on demand: it is as large as all particles.
-    fn checkpoint(&mut self, _run: &dyn Fn() -> Checkpoint<D>) -> Result<(), OutputError> {
+    /// The run as it stands.
+    fn checkpoint(&mut self, _run: Checkpoint<'_, D>) -> Result<(), OutputError> {
+        Ok(())
+    }
+
+    /// Nothing more comes: whatever is still on its way must be on disk.
+    fn finish(&mut self) -> Result<(), OutputError> {
         Ok(())
     }
 }
@@ -43,12 +48,15 @@ pub(super) struct Written {
     history: u64,
 }
 
-/// Writes frames, surfaces, history and checkpoints into a folder.
+/// Writes frames, surfaces, history and checkpoints into a folder; all but the history while the solver
+/// goes on.
 pub struct FileRecorder<'a> {
     folder: PathBuf,
     written: Written,
     particles: Collection,
     surfaces: Option<Collection>,
+    background: Background,
+    is_compressed: bool,
     history: History,
     history_every: u64,
     checkpoint_every: Duration,
@@ -120,6 +128,8 @@ impl<'a> FileRecorder<'a> {
             written: Written::default(),
             particles: Collection::new(folder.join("run.pvd")),
             surfaces: has_surfaces.then(|| Collection::new(folder.join("surface.pvd"))),
+            background: Background::default(),
+            is_compressed: case.output.is_compressed,
             history,
             history_every: case.output.history_every as u64,
             checkpoint_every: Duration::from_secs_f64(case.output.checkpoint_seconds),
@@ -135,15 +145,27 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_> {
     fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError> {
         let number = self.written.times.len();
         let time = simulation.time();
-        let name = frame_name(number);
-        output::write_frame(&self.folder.join(&name), &simulation.frame())?;
-        self.particles.add(time, &name)?;
-        if let Some(surfaces) = &mut self.surfaces {
-            let name = surface_name(number);
-            output::write_surface(&self.folder.join(&name), &simulation.surface())?;
-            surfaces.add(time, &name)?;
-        }
+        let region = simulation.case().output.region.as_ref();
+        let frame = region.map_or_else(|| simulation.frame(), |r| simulation.frame_within(r));
+        let path = self.folder.join(frame_name(number));
+        self.particles.note(time, &frame_name(number));
+        let particles = self.particles.clone();
+        let surface = self.surfaces.as_mut().map(|surfaces| {
+            surfaces.note(time, &surface_name(number));
+            let path = self.folder.join(surface_name(number));
+            (path, simulation.surface(), surfaces.clone())
+        });
         self.written.times.push(time);
+        let is_compressed = self.is_compressed;
+        self.background.hand(move || {
+            output::write_frame(&path, &frame, is_compressed)?;
+            particles.write()?;
+            if let Some((path, surface, surfaces)) = surface {
+                output::write_surface(&path, &surface)?;
+                surfaces.write()?;
+            }
+            Ok(())
+        })?;
         self.history.flush()
     }
 
@@ -152,6 +174,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_> {
         simulation: &Simulation<D>,
         dt: f64,
     ) -> Result<ControlFlow<()>, OutputError> {
+        self.background.check()?;
         let (step, time) = (simulation.steps(), simulation.time());
         if step.is_multiple_of(self.history_every) {
             self.history.add(HistoryRow {
@@ -174,13 +197,20 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_> {
         self.last_checkpoint.elapsed() >= self.checkpoint_every
     }
 
-    fn checkpoint(&mut self, run: &dyn Fn() -> Checkpoint<D>) -> Result<(), OutputError> {
+    fn checkpoint(&mut self, run: Checkpoint<'_, D>) -> Result<(), OutputError> {
         self.history.flush()?;
         self.written.history = self.history.bytes();
-        let content = (&self.scene, &self.written, run());
-        output::write_checkpoint(&self.folder, &content)?;
+        let content = (&self.scene, &self.written, run);
+        let bytes = output::checkpoint_bytes(&self.folder, &content)?;
+        let folder = self.folder.clone();
+        self.background
+            .hand(move || output::write_checkpoint(&folder, &bytes))?;
         self.last_checkpoint = Instant::now();
         Ok(())
+    }
+
+    fn finish(&mut self) -> Result<(), OutputError> {
+        self.background.finish()
     }
 }
 

@@ -7,7 +7,7 @@ use super::Stopwatch;
 use super::steady::Window;
 use crate::case::{Body, Case, Equations, Extrapolation};
 use crate::frame::{Load, Totals};
-use crate::output::{BodySummary, Conservation, Particles, Summary};
+use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
 use crate::solver::Simulation;
 
 /// Part of the run, at its end, over which loads are averaged.
@@ -118,8 +118,9 @@ impl Tally {
         stop_reason: &str,
     ) -> Summary {
         let case = simulation.case();
-        let statistics = simulation.statistics();
+        // What the summary itself costs is no part of the speed.
         let spent = self.spent();
+        let statistics = simulation.statistics();
         let stepping = spent.stepping.max(f64::MIN_POSITIVE);
         let loads = simulation.loads();
         let bodies = case.bodies.iter().enumerate().map(|(number, body)| {
@@ -149,6 +150,7 @@ impl Tally {
             stop_reason: stop_reason.into(),
             wall_seconds: spent.wall,
             cpu_seconds: spent.cpu,
+            peak_memory_bytes: peak_memory(),
             threads: rayon::current_num_threads(),
             particle_updates_per_cpu_second: statistics.particle_updates as f64 / stepping,
             neighbours_mean: statistics.neighbours_mean,

@@ -296,15 +296,29 @@ pub struct MotionEntry {
 }
 
 /// `[output]`
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct OutputEntry {
     /// Number of frames after the first; 20 unless an interval is given.
     pub frames: Option<Count>,
     /// Time between frames.
     pub interval: Option<Positive>,
+    /// What frames show; everything unless given.
+    pub region: Option<RegionEntry>,
+    /// Compressed frames; off unless given.
+    pub compress: Option<bool>,
     /// Steps between rows of the history; 1 unless given.
     pub history_every: Option<Count>,
     /// Longest time between checkpoints in seconds; 60 unless given.
     pub checkpoint_seconds: Option<NonNegative>,
+}
+
+/// `output.region`: a box.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct RegionEntry {
+    /// Lowest corner.
+    pub min: Vec<Finite>,
+    /// Highest corner.
+    pub max: Vec<Finite>,
 }

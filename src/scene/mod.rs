@@ -49,6 +49,7 @@ pub mod formula;
 mod lines;
 mod motion;
 pub mod number;
+mod output;
 mod overrides;
 mod packed;
 mod reference;
@@ -62,9 +63,9 @@ pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, Equations, Extrapolation, OutputPlan, Scheme, Stop};
-use file::{OutputEntry, SceneFile, SchemeEntry};
-use number::{Count, Courant, Disorder};
+use crate::case::{Case, Equations, Extrapolation, Scheme, Stop};
+use file::{SceneFile, SchemeEntry};
+use number::{Courant, Disorder};
 
 /// A scene: read, with all single values in range, and open to overrides.
 #[derive(Clone, Debug)]
@@ -195,7 +196,7 @@ impl Scene {
         flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
         axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &domain, &free_stream)?;
-        let output = output(&file.output, file.end_time.get())?;
+        let output = output::plan(&file.output, file.end_time.get())?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
         let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;
         let bodies = plans
@@ -256,30 +257,4 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         skip_undisturbed: entry.skip_undisturbed.unwrap_or(true),
         cfl: entry.cfl.map_or(CFL, Courant::get),
     }
-}
-
-fn output(entry: &OutputEntry, end_time: f64) -> Result<OutputPlan, SceneError> {
-    /// Enough for a smooth film of a few seconds.
-    const FRAMES: usize = 20;
-    /// What a crash may cost, s.
-    const BETWEEN_CHECKPOINTS: f64 = 60.0;
-    /// Ten thousand years, s: clocks end somewhere.
-    const NEVER: f64 = 3e11;
-    let frame_interval = match (entry.frames, entry.interval) {
-        (Some(_), Some(_)) => {
-            return Err(SceneError::value(
-                "output",
-                "give frames or interval, not both",
-            ));
-        }
-        (None, Some(interval)) => interval.get().min(end_time),
-        (frames, None) => end_time / frames.map_or(FRAMES, Count::get) as f64,
-    };
-    Ok(OutputPlan {
-        frame_interval,
-        history_every: entry.history_every.map_or(1, Count::get),
-        checkpoint_seconds: entry
-            .checkpoint_seconds
-            .map_or(BETWEEN_CHECKPOINTS, |seconds| seconds.get().min(NEVER)),
-    })
 }

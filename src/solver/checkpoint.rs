@@ -3,6 +3,8 @@
 //! Whatever the first lines of a step make anew (neighbour lists, images, records, rates) is left
 //! out; the order of the particles is not, because sums follow it.
 
+use std::borrow::Cow;
+
 use serde::{Deserialize, Serialize};
 
 use super::open::OpenBoundaries;
@@ -11,29 +13,29 @@ use super::{Simulation, snapshot};
 use crate::case::Case;
 use crate::frame::Totals;
 
-/// A simulation between two steps.
+/// A simulation between two steps; borrowed from it where it is only to be written.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Memory<const D: usize> {
+pub struct Memory<'a, const D: usize> {
     time: f64,
     steps: u64,
     last_step: f64,
-    fluid: Vec<Particle<D>>,
-    open: OpenBoundaries<D>,
-    ghosts: Vec<Ghost<D>>,
+    fluid: Cow<'a, [Particle<D>]>,
+    open: Cow<'a, OpenBoundaries<D>>,
+    ghosts: Cow<'a, [Ghost<D>]>,
     received: Totals,
     extremes: snapshot::Extremes,
 }
 
 impl<const D: usize> Simulation<D> {
     /// What [`Self::resume`] needs to go on from here.
-    pub fn memory(&self) -> Memory<D> {
+    pub fn memory(&self) -> Memory<'_, D> {
         Memory {
             time: self.time,
             steps: self.steps,
             last_step: self.last_step,
-            fluid: self.fluid.clone(),
-            open: self.open.clone(),
-            ghosts: self.walls.ghosts.clone(),
+            fluid: Cow::Borrowed(&self.fluid),
+            open: Cow::Borrowed(&self.open),
+            ghosts: Cow::Borrowed(&self.walls.ghosts),
             received: self.received,
             extremes: self.extremes,
         }
@@ -41,7 +43,7 @@ impl<const D: usize> Simulation<D> {
 
     /// Goes on from `memory`, which a simulation of the same `case` left: every later step has the
     /// bits that it would have had there.
-    pub fn resume(case: Case<D>, memory: Memory<D>) -> Result<Self, String> {
+    pub fn resume(case: Case<D>, memory: Memory<'_, D>) -> Result<Self, String> {
         let mut simulation = Self::new(case)?;
         if memory.ghosts.len() != simulation.walls.ghosts.len() {
             return Err(format!(
@@ -53,11 +55,11 @@ impl<const D: usize> Simulation<D> {
         simulation.time = memory.time;
         simulation.steps = memory.steps;
         simulation.last_step = memory.last_step;
-        simulation.fluid = memory.fluid;
-        simulation.open = memory.open;
+        simulation.fluid = memory.fluid.into_owned();
+        simulation.open = memory.open.into_owned();
         simulation.received = memory.received;
         simulation.extremes = memory.extremes;
-        simulation.walls.ghosts = memory.ghosts;
+        simulation.walls.ghosts = memory.ghosts.into_owned();
         // They were in order when they were saved, unless they have moved since; then the next
         // step sorts them again.
         if !simulation.walls.are_moving() {

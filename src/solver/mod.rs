@@ -242,7 +242,9 @@ impl<const D: usize> Simulation<D> {
         let half_step = 0.5 * bound.step;
         let positions: Vec<_> = self.fluid.par_iter().map(|p| p.position).collect();
         self.fluid_pencils.rebuild(&positions, self.width);
-        self.fluid = permuted(&self.fluid, self.fluid_pencils.order());
+        // Between two steps nothing is saved: that room takes the new order, and no third one is needed.
+        permute(&self.fluid, self.fluid_pencils.order(), &mut self.saved);
+        std::mem::swap(&mut self.fluid, &mut self.saved);
         let positions: Vec<_> = self
             .open
             .particles
@@ -250,7 +252,13 @@ impl<const D: usize> Simulation<D> {
             .map(|p| p.particle.position)
             .collect();
         self.open_pencils.rebuild(&positions, self.width);
-        self.open.particles = permuted(&self.open.particles, self.open_pencils.order());
+        let mut particles = Vec::new();
+        permute(
+            &self.open.particles,
+            self.open_pencils.order(),
+            &mut particles,
+        );
+        self.open.particles = particles;
         if self.walls.are_moving() {
             self.walls.move_to(self.time);
             self.walls.sort();
@@ -472,7 +480,8 @@ fn edge<const D: usize>(volume: f64) -> f64 {
     }
 }
 
-/// The elements in a new order.
-fn permuted<T: Copy + Send + Sync>(elements: &[T], order: &[u32]) -> Vec<T> {
-    order.par_iter().map(|&n| elements[n as usize]).collect()
+/// Writes the elements in a new order into `room`.
+fn permute<T: Copy + Send + Sync>(elements: &[T], order: &[u32], room: &mut Vec<T>) {
+    let moved = order.par_iter().map(|&n| elements[n as usize]);
+    moved.collect_into_vec(room);
 }

@@ -15,7 +15,7 @@ use super::particle::{OpenParticle, Particle};
 use super::records::Matrix;
 use super::reservoir::Reservoir;
 use super::rings::Rings;
-use crate::case::{Body, Case, Side, State};
+use crate::case::{Body, Case, Initial, Side, State};
 use crate::frame::Totals;
 
 /// Depth of a buffer in spacings: the support at `h = 1.5 dx` and what a step moves, rounded up.
@@ -121,6 +121,15 @@ impl<const D: usize> Case<D> {
         }
     }
 
+    /// True where the lattice starts as the undisturbed free stream, so that not even the first sums need be
+    /// taken far from bodies and walls. Rings are not spread evenly, and must show that they are calm.
+    fn starts_calm(&self) -> bool {
+        self.scheme.skip_undisturbed
+            && matches!(self.initial, Initial::FreeStream)
+            && self.disorder == 0.0
+            && !self.domain.is_axisymmetric()
+    }
+
     /// True where any side lets gas in or out.
     pub fn has_open_sides(&self) -> bool {
         self.domain
@@ -220,6 +229,12 @@ impl<const D: usize> OpenBoundaries<D> {
                     open.place(case, (position, shift), zone, &mut fluid)?;
                 }
                 _ => {}
+            }
+        }
+        if case.starts_calm() {
+            let gone = open.particles.iter_mut().map(|open| &mut open.particle);
+            for particle in fluid.iter_mut().chain(gone) {
+                particle.is_calm = true;
             }
         }
         let packed = case.bodies.iter().filter_map(|b| b.packed_fluid.as_ref());

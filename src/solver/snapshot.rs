@@ -1,7 +1,7 @@
 //! What a run shows of itself: frames, totals and counts.
 
-use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
+use aero_geometry::{Bounds, Vector};
 use serde::{Deserialize, Serialize};
 
 use super::Simulation;
@@ -81,14 +81,28 @@ impl Extremes {
 impl<const D: usize> Simulation<D> {
     /// All particles now.
     pub fn frame(&self) -> Frame {
+        self.frame_of(|_| true)
+    }
+
+    /// The particles within a box now.
+    pub fn frame_within(&self, region: &Bounds<D>) -> Frame {
+        self.frame_of(|position| region.contains(position))
+    }
+
+    fn frame_of(&self, is_shown: impl Fn(&Vector<D>) -> bool) -> Frame {
         let mut frame = Frame {
             time: self.time,
             step: self.steps,
             ..Frame::default()
         };
         let gamma = self.case.gamma;
+        let mut push = |particle: &Particle<D>, kind| {
+            if is_shown(&particle.position) {
+                push(&mut frame, particle, gamma, kind);
+            }
+        };
         for particle in &self.fluid {
-            push(&mut frame, particle, gamma, Kind::Fluid);
+            push(particle, Kind::Fluid);
         }
         for open in &self.open.particles {
             let kind = if open.lattice.is_some() {
@@ -96,7 +110,7 @@ impl<const D: usize> Simulation<D> {
             } else {
                 Kind::Outlet
             };
-            push(&mut frame, &open.particle, gamma, kind);
+            push(&open.particle, kind);
         }
         for (number, ghost) in self.walls.own().iter().enumerate() {
             let particle = Particle {
@@ -113,7 +127,7 @@ impl<const D: usize> Simulation<D> {
                 is_calm: false,
                 id: number as u64,
             };
-            push(&mut frame, &particle, gamma, Kind::Ghost);
+            push(&particle, Kind::Ghost);
         }
         frame
     }

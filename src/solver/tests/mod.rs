@@ -62,6 +62,8 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
         bodies: Vec::new(),
         output: OutputPlan {
             frame_interval: 1.0,
+            region: None,
+            is_compressed: false,
             history_every: 1,
             checkpoint_seconds: 60.0,
         },

@@ -1,0 +1,56 @@
+//! From the file's `[output]` to when to write what.
+
+use aero_geometry::Bounds;
+
+use super::domain::AXES;
+use super::error::SceneError;
+use super::file::{OutputEntry, RegionEntry};
+use super::flow::vector;
+use super::number::Count;
+use crate::case::OutputPlan;
+
+/// What a run of that length writes.
+pub(super) fn plan<const D: usize>(
+    entry: &OutputEntry,
+    end_time: f64,
+) -> Result<OutputPlan<D>, SceneError> {
+    /// Enough for a smooth film of a few seconds.
+    const FRAMES: usize = 20;
+    /// What a crash may cost, s.
+    const BETWEEN_CHECKPOINTS: f64 = 60.0;
+    /// Ten thousand years, s: clocks end somewhere.
+    const NEVER: f64 = 3e11;
+    let frame_interval = match (entry.frames, entry.interval) {
+        (Some(_), Some(_)) => {
+            return Err(SceneError::value(
+                "output",
+                "give frames or interval, not both",
+            ));
+        }
+        (None, Some(interval)) => interval.get().min(end_time),
+        (frames, None) => end_time / frames.map_or(FRAMES, Count::get) as f64,
+    };
+    Ok(OutputPlan {
+        frame_interval,
+        region: entry.region.as_ref().map(region).transpose()?,
+        is_compressed: entry.compress.unwrap_or(false),
+        history_every: entry.history_every.map_or(1, Count::get),
+        checkpoint_seconds: entry
+            .checkpoint_seconds
+            .map_or(BETWEEN_CHECKPOINTS, |seconds| seconds.get().min(NEVER)),
+    })
+}
+
+fn region<const D: usize>(entry: &RegionEntry) -> Result<Bounds<D>, SceneError> {
+    let bounds = Bounds::new(
+        vector("output.region.min", &entry.min)?,
+        vector("output.region.max", &entry.max)?,
+    );
+    match (0..D).find(|&k| bounds.min[k] >= bounds.max[k]) {
+        None => Ok(bounds),
+        Some(k) => Err(SceneError::value(
+            "output.region",
+            format!("is empty along {}; give a `max` above its `min`", AXES[k]),
+        )),
+    }
+}
