@@ -91,11 +91,11 @@ pub fn run_keeping(
     context: &Context<'_>,
 ) -> Result<Outcome, ValidateError> {
     let settings = [settings, context.settings].concat();
-    (context.announce)(&format!("{}: {}", source.name, settings.join(" ")));
     let mut scene = Scene::parse(source.text, source.name, Path::new(""))?;
     for setting in &settings {
         scene.set(setting)?;
     }
+    (context.announce)(&format!("{}: {}", source.name, settings.join(" ")));
     let stopwatch = Stopwatch::start();
     let result = match scene.build_any()? {
         AnyCase::One(case) => finish(*case, keep, stopwatch),
