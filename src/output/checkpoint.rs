@@ -100,8 +100,8 @@ fn sum(bytes: &[u8]) -> u64 {
 mod tests {
     use super::*;
 
-    fn write(folder: &Path, content: &Vec<f64>) {
-        let bytes = checkpoint_bytes(folder, content).unwrap();
+    fn write(folder: &Path, content: &[f64]) {
+        let bytes = checkpoint_bytes(folder, &content).unwrap();
         write_checkpoint(folder, &bytes).unwrap();
     }
 
@@ -109,7 +109,7 @@ mod tests {
     fn every_bit_comes_back() {
         let folder = tempfile::tempdir().unwrap();
         let numbers = [0.1, -0.0, f64::INFINITY, f64::MIN_POSITIVE / 2.0];
-        write(folder.path(), &numbers.to_vec());
+        write(folder.path(), &numbers);
         let back: Vec<f64> = read_checkpoint(folder.path()).unwrap().unwrap();
         assert_eq!(
             numbers.map(f64::to_bits).to_vec(),
@@ -131,7 +131,7 @@ mod tests {
     #[test]
     fn a_damaged_or_foreign_file_is_refused() {
         let folder = tempfile::tempdir().unwrap();
-        write(folder.path(), &vec![1.0, 2.0]);
+        write(folder.path(), &[1.0, 2.0]);
         let path = folder.path().join(CHECKPOINT);
         let good = std::fs::read(&path).unwrap();
         let mut flipped = good.clone();
