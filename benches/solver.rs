@@ -7,9 +7,7 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use aero::case::{
-    Case, Domain, Equations, Extrapolation, Field, Initial, OutputPlan, Scheme, Side, State, Stop,
-};
+use aero::case::{Case, Domain, Field, Initial, OutputPlan, Scheme, Side, State, Stop};
 use aero::output::write_frame;
 use aero::solver::{Pass, Simulation};
 use aero_geometry::bodies::{circle, sphere};
@@ -26,18 +24,7 @@ fn stirred<const D: usize>(cells: usize) -> Case<D> {
         stop: Stop::EndTime,
         end_time: 1.0,
         gamma: 1.4,
-        scheme: Scheme {
-            equations: Equations::Conservative,
-            extrapolation: Extrapolation::Wom,
-            shield: false,
-            shifting: false,
-            constant_ghost_volume: true,
-            surface_tags: true,
-            limited_viscosity: true,
-            limited_conduction: true,
-            skip_undisturbed: true,
-            cfl: 0.5,
-        },
+        scheme: Scheme::default(),
         domain: Domain {
             bounds: Bounds::new(Vector::zeros(), Vector::repeat(1.0)),
             sides: [[Side::Periodic; 2]; D],

@@ -126,8 +126,26 @@ pub struct Scheme {
     pub surface_tags: bool,
     /// The undisturbed free stream is moved on without pair sums.
     pub skip_undisturbed: bool,
-    /// Courant number `C_CFL` of equation (33).
+    /// Courant number `C_CFL` [Villodi & Ramachandran 2024, eq. 33; 0.5 in section 3.4].
     pub cfl: f64,
+}
+
+impl Default for Scheme {
+    /// What a scene gets that names nothing.
+    fn default() -> Self {
+        Self {
+            equations: Equations::Conservative,
+            extrapolation: Extrapolation::Wom,
+            shield: false,
+            shifting: false,
+            constant_ghost_volume: true,
+            limited_viscosity: true,
+            limited_conduction: true,
+            surface_tags: true,
+            skip_undisturbed: true,
+            cfl: 0.5,
+        }
+    }
 }
 
 /// Box of the flow and its sides.

@@ -63,7 +63,7 @@ pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, Equations, Extrapolation, Scheme, Stop};
+use crate::case::{Case, Scheme, Stop};
 use file::{SceneFile, SchemeEntry};
 use number::{Courant, Disorder};
 
@@ -243,18 +243,19 @@ impl Scene {
 }
 
 fn scheme(entry: SchemeEntry) -> Scheme {
-    /// Courant number of Villodi & Ramachandran, section 3.4.
-    const CFL: f64 = 0.5;
+    let usual = Scheme::default();
     Scheme {
-        equations: entry.equations.map_or(Equations::Conservative, Into::into),
-        extrapolation: entry.extrapolation.map_or(Extrapolation::Wom, Into::into),
-        shield: entry.shield.unwrap_or(false),
-        shifting: entry.shifting.unwrap_or(false),
-        constant_ghost_volume: entry.constant_ghost_volume.unwrap_or(true),
-        limited_viscosity: entry.limited_viscosity.unwrap_or(true),
-        limited_conduction: entry.limited_conduction.unwrap_or(true),
-        surface_tags: entry.surface_tags.unwrap_or(true),
-        skip_undisturbed: entry.skip_undisturbed.unwrap_or(true),
-        cfl: entry.cfl.map_or(CFL, Courant::get),
+        equations: entry.equations.map_or(usual.equations, Into::into),
+        extrapolation: entry.extrapolation.map_or(usual.extrapolation, Into::into),
+        shield: entry.shield.unwrap_or(usual.shield),
+        shifting: entry.shifting.unwrap_or(usual.shifting),
+        constant_ghost_volume: entry
+            .constant_ghost_volume
+            .unwrap_or(usual.constant_ghost_volume),
+        limited_viscosity: entry.limited_viscosity.unwrap_or(usual.limited_viscosity),
+        limited_conduction: entry.limited_conduction.unwrap_or(usual.limited_conduction),
+        surface_tags: entry.surface_tags.unwrap_or(usual.surface_tags),
+        skip_undisturbed: entry.skip_undisturbed.unwrap_or(usual.skip_undisturbed),
+        cfl: entry.cfl.map_or(usual.cfl, Courant::get),
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! A particle is *calm* while its state is that of the free stream, and its rates are zero, to
 //! [`TOLERANCE`]. Clusters that see nothing but calm particles are moved on as they are; whatever disturbs
-//! a neighbour wakes them, a reach ahead of it. What is left out is below the tolerance, and so is
+//! a neighbour's neighbour wakes them, two reaches ahead of it. What is left out is below the tolerance, and so is
 //! what it could have become: no sound is lost that a sum of zeros would have carried.
 
 use aero_geometry::Vector;
@@ -98,7 +98,9 @@ impl<const D: usize> Calm<D> {
             if is_calm(slot) {
                 continue;
             }
-            let reach = GROWTH * SUPPORT * (near.half_h + 0.5 * self.h)
+            // A step asks for neighbours twice: what changes a particle's density, or its first rates, changes the forces on
+            // all that see it.
+            let reach = GROWTH * SUPPORT * (near.half_h + 1.5 * self.h)
                 + half_step * (near.velocity - self.velocity).norm();
             let number = self.number(&self.place(&near.position));
             self.seen[number] = self.seen[number].max(reach);

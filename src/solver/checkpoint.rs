@@ -19,6 +19,7 @@ pub struct Memory<'a, const D: usize> {
     time: f64,
     steps: u64,
     last_step: f64,
+    stable_step: f64,
     fluid: Cow<'a, [Particle<D>]>,
     open: Cow<'a, OpenBoundaries<D>>,
     ghosts: Cow<'a, [Ghost<D>]>,
@@ -33,6 +34,7 @@ impl<const D: usize> Simulation<D> {
             time: self.time,
             steps: self.steps,
             last_step: self.last_step,
+            stable_step: self.stable_step,
             fluid: Cow::Borrowed(&self.fluid),
             open: Cow::Borrowed(&self.open),
             ghosts: Cow::Borrowed(&self.walls.ghosts),
@@ -55,6 +57,7 @@ impl<const D: usize> Simulation<D> {
         simulation.time = memory.time;
         simulation.steps = memory.steps;
         simulation.last_step = memory.last_step;
+        simulation.stable_step = memory.stable_step;
         simulation.fluid = memory.fluid.into_owned();
         simulation.open = memory.open.into_owned();
         simulation.received = memory.received;

@@ -147,7 +147,7 @@ impl<const D: usize> Simulation<D> {
             self.arch,
             &self.wall_lists.near,
             &self.records,
-            self.case.scheme.equations,
+            self.sought(),
             &mut rates,
         );
         let masses = &self.records.near[self.records.segment(GHOSTS)];

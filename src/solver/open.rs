@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::lattice;
-use super::particle::{OpenParticle, Particle};
+use super::particle::{ByPressure, OpenParticle, Particle};
 use super::records::Matrix;
 use super::reservoir::Reservoir;
 use super::rings::Rings;
@@ -113,6 +113,7 @@ impl<const D: usize> Case<D> {
             smoothing_length: SMOOTHING_RATIO * self.spacing,
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,
+            by_pressure: ByPressure::default(),
             strain: Matrix::zeros(),
             energy_slope: Vector::zeros(),
             smoothness: 1.0,

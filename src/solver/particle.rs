@@ -23,6 +23,8 @@ pub struct Particle<const D: usize> {
     pub mass: f64,
     /// Mass that it stood for in the plane sums at the start: all of it, or what its ring had per length.
     pub first_plane_mass: f64,
+    /// Rates by pressure at the last evaluation, which the leapfrog predicts with.
+    pub by_pressure: ByPressure<D>,
     /// Rate of strain at the last evaluation that the artificial viscosity leaves alone.
     pub strain: Matrix<D>,
     /// Gradient of the specific internal energy at the last evaluation that the artificial conduction
@@ -53,6 +55,24 @@ impl<const D: usize> Particle<D> {
     }
 }
 
+/// What pressure alone does to a particle: not viscosity, nor conduction.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct ByPressure<const D: usize> {
+    /// Acceleration.
+    pub acceleration: Vector<D>,
+    /// Rate of specific internal energy, by compression.
+    pub heating: f64,
+}
+
+impl<const D: usize> Default for ByPressure<D> {
+    fn default() -> Self {
+        Self {
+            acceleration: Vector::zeros(),
+            heating: 0.0,
+        }
+    }
+}
+
 /// Rates of change of one particle, and what walls contribute to them.
 #[derive(Clone, Copy, Debug)]
 pub struct Rates<const D: usize> {
@@ -64,6 +84,8 @@ pub struct Rates<const D: usize> {
     pub density: f64,
     /// Rate of specific internal energy.
     pub energy: f64,
+    /// That part of acceleration and heating that pressure gives.
+    pub by_pressure: ByPressure<D>,
     /// Gradient of the velocity, `du_a / dx_b`.
     pub velocity_gradient: Matrix<D>,
     /// Gradient of the specific internal energy; of the conservative scheme only.
@@ -79,6 +101,7 @@ impl<const D: usize> Default for Rates<D> {
             wall_acceleration: Vector::zeros(),
             density: 0.0,
             energy: 0.0,
+            by_pressure: ByPressure::default(),
             velocity_gradient: Matrix::zeros(),
             energy_gradient: Vector::zeros(),
             shift: Vector::zeros(),

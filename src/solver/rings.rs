@@ -90,7 +90,9 @@ impl Rings {
         for (particle, rates) in particles.iter().zip(rates) {
             let growth = self.growth(particle);
             rates.density -= particle.density * growth;
-            rates.energy -= (gamma - 1.0) * particle.energy * growth;
+            let heating = (gamma - 1.0) * particle.energy * growth;
+            rates.energy -= heating;
+            rates.by_pressure.heating -= heating;
         }
     }
 }

@@ -21,10 +21,6 @@ const STRENGTH: f64 = 0.1;
 /// number of one it moves no particle further than a twentieth of `h` in a step.
 pub const FASTEST: f64 = 0.5 * STRENGTH;
 
-/// What the drift may add to a particle's reach up to the half-step, over its support: the neighbour lists allow for
-/// [`super::neighbours::GROWTH`] in all.
-pub const ROOM: f64 = 0.5 * FASTEST / SUPPORT;
-
 /// Ghosts' share of the gradient of the kernel sum, times `h`, one spacing (two thirds of `h`) away from a plane wall:
 /// `exp(-q^2) / sqrt(pi)`, the normal distribution of the variance `h^2 / 2` of the spline on a line.
 const ONE_SPACING_FROM_A_WALL: f64 = 0.36;

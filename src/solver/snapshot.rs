@@ -6,7 +6,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Simulation;
 use super::open::add;
-use super::particle::{Ghost, Particle};
+use super::particle::{ByPressure, Ghost, Particle};
 use super::records::State;
 use super::rigid::pad;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
@@ -121,6 +121,7 @@ impl<const D: usize> Simulation<D> {
                 smoothing_length: ghost.smoothing_length,
                 mass: ghost.density * ghost.volume,
                 first_plane_mass: ghost.density * ghost.volume,
+                by_pressure: ByPressure::default(),
                 strain: ghost.strain,
                 energy_slope: Vector::zeros(),
                 smoothness: 1.0,

@@ -13,43 +13,49 @@ use crate::case::{Equations, Side};
 const BLOCK: usize = 1024;
 
 impl<const D: usize> Simulation<D> {
-    /// Predicts the state half a step ahead: the fluid as it was, plus `ahead` times its rates. Keeps the
-    /// fluid as it was.
+    /// Predicts the state half a step ahead, keeps the fluid as it was. The published scheme takes its rates now; the
+    /// leapfrog drifts at the velocity now, and takes the rates of the last evaluation for all else.
     pub(super) fn predict(&mut self, ahead: f64) -> Result<(), Failure> {
         std::mem::swap(&mut self.fluid, &mut self.saved);
         self.fluid.truncate(self.saved.len());
         let missing = &self.saved[self.fluid.len()..];
         self.fluid.extend_from_slice(missing);
-        let stage = self.stage(ahead);
-        let extremes = self
-            .fluid
-            .par_chunks_mut(BLOCK)
-            .zip(self.saved.par_chunks(BLOCK))
-            .zip(self.rates.par_chunks(BLOCK))
-            .map(|((fluid, saved), rates)| {
-                let mut extremes = Extremes::default();
-                for ((particle, saved), rates) in fluid.iter_mut().zip(saved).zip(rates) {
-                    *particle = *saved;
-                    stage.advance(particle, saved, rates);
-                    extremes.meet(particle);
-                }
-                extremes
-            })
-            .reduce(Extremes::default, Extremes::merge);
-        self.check(extremes)
+        let is_leapfrog = self.case.scheme.equations == Equations::Conservative;
+        self.advance(|particle, saved, rates| {
+            *particle = *saved;
+            if is_leapfrog {
+                particle.position += saved.velocity * ahead;
+                particle.velocity += saved.by_pressure.acceleration * ahead;
+                particle.energy += saved.by_pressure.heating * ahead;
+            } else {
+                midpoint(particle, saved, rates, ahead);
+            }
+        })
     }
 
     /// Corrects the state: the fluid at the start of the step plus `step` times the rates of its middle.
-    ///
-    /// The conservative scheme settles the total energy to round-off.
-    /// Forces are paid for at the velocity `v` that they were evaluated at; the kinetic energy
-    /// changes by their work at the mean of the velocities before and after. The difference,
-    /// of third order in the step, is heat: `-dt a.((u0 + u1) / 2 - v)`, the same in every frame
-    /// of reference.
     pub(super) fn correct(&mut self, step: f64) -> Result<(), Failure> {
-        let settles = self.case.scheme.equations == Equations::Conservative;
-        let stage = self.stage(step);
-        let calm = self.calm.as_ref();
+        let is_leapfrog = self.case.scheme.equations == Equations::Conservative;
+        let calm = self.calm.take();
+        let result = self.advance(|particle, saved, rates| {
+            if is_leapfrog {
+                kick_and_drift(particle, saved, rates, step);
+            } else {
+                midpoint(particle, saved, rates, step);
+            }
+            if let Some(calm) = &calm {
+                particle.is_calm = calm.holds(particle, rates);
+            }
+        });
+        self.calm = calm;
+        result
+    }
+
+    /// Moves each particle of the fluid by its state at the start of the step and its rates.
+    fn advance(
+        &mut self,
+        stage: impl Fn(&mut Particle<D>, &Particle<D>, &Rates<D>) + Sync,
+    ) -> Result<(), Failure> {
         let extremes = self
             .fluid
             .par_chunks_mut(BLOCK)
@@ -58,16 +64,7 @@ impl<const D: usize> Simulation<D> {
             .map(|((fluid, saved), rates)| {
                 let mut extremes = Extremes::default();
                 for ((particle, saved), rates) in fluid.iter_mut().zip(saved).zip(rates) {
-                    let evaluated = particle.velocity;
-                    stage.advance(particle, saved, rates);
-                    if settles {
-                        let mean = (saved.velocity + particle.velocity) * 0.5;
-                        let acceleration = rates.acceleration + rates.wall_acceleration;
-                        particle.energy -= step * acceleration.dot(&(mean - evaluated));
-                    }
-                    if let Some(calm) = calm {
-                        particle.is_calm = calm.holds(particle, rates);
-                    }
+                    stage(particle, saved, rates);
                     extremes.meet(particle);
                 }
                 extremes
@@ -76,11 +73,13 @@ impl<const D: usize> Simulation<D> {
         self.check(extremes)
     }
 
-    fn stage(&self, ahead: f64) -> Stage {
-        Stage {
-            ahead,
-            widens: self.case.scheme.equations == Equations::Paper,
-        }
+    /// Keeps of the last evaluation what the next step goes by.
+    pub(super) fn remember_rates(&mut self) {
+        self.fluid
+            .par_iter_mut()
+            .zip(&self.rates)
+            .for_each(|(particle, rates)| particle.by_pressure = rates.by_pressure);
+        self.stable_step = self.time_step();
     }
 
     /// Lets particles change sides after the step that began at `before`.
@@ -122,41 +121,51 @@ impl<const D: usize> Simulation<D> {
                     let plane = if x < low { low } else { high };
                     particle.position[axis] = 2.0 * plane - x;
                     particle.velocity[axis] = -particle.velocity[axis];
+                    let acceleration = &mut particle.by_pressure.acceleration;
+                    acceleration[axis] = -acceleration[axis];
                 }
             });
         }
     }
 }
 
-/// One of the two stages of a step.
-#[derive(Clone, Copy, Debug)]
-struct Stage {
+/// Sets `particle` to its state at the start of the step plus `ahead` times its rates.
+fn midpoint<const D: usize>(
+    particle: &mut Particle<D>,
+    saved: &Particle<D>,
+    rates: &Rates<D>,
     ahead: f64,
-    /// The smoothing length has a rate of its own.
-    widens: bool,
+) {
+    // The velocity that moves the particle is the one at which the rates were evaluated.
+    particle.position = saved.position + (particle.velocity + rates.shift) * ahead;
+    let acceleration = rates.acceleration + rates.wall_acceleration;
+    particle.velocity = saved.velocity + acceleration * ahead;
+    // Eq. 17, at the stage whose density gave the rate.
+    let growth = -rates.density / (D as f64 * particle.density);
+    particle.smoothing_length = saved.smoothing_length
+        + (particle.smoothing_length * growth * ahead).min((GROWTH - 1.0) * saved.smoothing_length);
+    particle.density = saved.density + rates.density * ahead;
+    particle.energy = saved.energy + rates.energy * ahead;
 }
 
-impl Stage {
-    /// Sets `particle` to its state at the start of the step plus `ahead` times its rates.
-    fn advance<const D: usize>(
-        &self,
-        particle: &mut Particle<D>,
-        saved: &Particle<D>,
-        rates: &Rates<D>,
-    ) {
-        let ahead = self.ahead;
-        // The velocity that moves the particle is the one at which the rates were evaluated.
-        particle.position = saved.position + (particle.velocity + rates.shift) * ahead;
-        let acceleration = rates.acceleration + rates.wall_acceleration;
-        particle.velocity = saved.velocity + acceleration * ahead;
-        if self.widens {
-            // Eq. 17, at the stage whose density gave the rate.
-            let growth = -rates.density / (D as f64 * particle.density);
-            particle.smoothing_length = saved.smoothing_length
-                + (particle.smoothing_length * growth * ahead)
-                    .min((GROWTH - 1.0) * saved.smoothing_length);
-        }
-        particle.density = saved.density + rates.density * ahead;
-        particle.energy = saved.energy + rates.energy * ahead;
-    }
+/// The leapfrog's kick at the middle of the step, and its drift to the end.
+///
+/// Forces are paid for at the velocity `v` that they were evaluated at; the kinetic energy
+/// changes by their work at the mean of the velocities before and after. The difference
+/// is heat: `-dt a.((u0 + u1) / 2 - v)`, the same in every frame
+/// of reference, which settles the total energy to round-off.
+fn kick_and_drift<const D: usize>(
+    particle: &mut Particle<D>,
+    saved: &Particle<D>,
+    rates: &Rates<D>,
+    step: f64,
+) {
+    let evaluated = particle.velocity;
+    let acceleration = rates.acceleration + rates.wall_acceleration;
+    particle.velocity = saved.velocity + acceleration * step;
+    let mean = (saved.velocity + particle.velocity) * 0.5;
+    particle.position = saved.position + (mean + rates.shift) * step;
+    particle.energy = saved.energy + (rates.energy - acceleration.dot(&(mean - evaluated))) * step;
+    // That of the middle was read off the particles there.
+    particle.density += rates.density * (0.5 * step);
 }

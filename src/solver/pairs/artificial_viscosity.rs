@@ -45,6 +45,17 @@ pub fn closing_speed<S: Simd, const D: usize>(
     pair.h * left * (both * softened).recip()
 }
 
+/// The same of the whole approach [Monaghan 1992, eq. 4.2].
+#[inline(always)]
+pub fn whole_closing_speed<S: Simd, const D: usize>(
+    simd: S,
+    pair: &Pair<S, D>,
+    approach: Lane<S>,
+) -> Lane<S> {
+    let softened = (Lane::splat(simd, SOFTENING) * pair.h).mul_add(pair.h, pair.squared);
+    pair.h * approach.min(Lane::splat(simd, 0.0)) * softened.recip()
+}
+
 /// The same without softening [Villodi & Ramachandran 2024, eq. 13].
 #[inline(always)]
 pub fn bare_closing_speed<S: Simd, const D: usize>(

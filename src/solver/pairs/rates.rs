@@ -8,15 +8,30 @@ use crate::case::Equations;
 
 use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
-use super::super::particle::Rates;
+use super::super::particle::{ByPressure, Rates};
 use super::super::records::{GHOSTS, Matrix, Near, Records, State};
 use super::super::walls::even_renormalisation;
 use super::artificial_conduction::{CONDUCTION, shock_speed, uneven_part};
-use super::artificial_viscosity::{bare_closing_speed, closing_speed, viscous_pressure};
+use super::artificial_viscosity::{
+    bare_closing_speed, closing_speed, viscous_pressure, whole_closing_speed,
+};
 use super::density_diffusion::{DIFFUSION, diffusion};
 use super::exchange::exchange_rate;
 use super::renormalisation::Renormalisation;
 use super::{LaneVector, Pair, Target, dot, dot_add, unlane, zeros};
+
+/// Which sums a scheme asks for. Its switches are asked of every pair: the answer is always foreseen.
+#[derive(Clone, Copy, Debug)]
+pub struct Sought {
+    /// Its equations.
+    pub equations: Equations,
+    /// How it moves particles.
+    pub transport: Transport,
+    /// Its viscosity spares what varies linearly.
+    pub limits_viscosity: bool,
+    /// Its conduction does.
+    pub limits_conduction: bool,
+}
 
 /// How the flow is kept in place where particles move otherwise than with it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -38,7 +53,7 @@ pub fn rates<const D: usize>(
     lists: &Lists,
     records: &Records<D>,
     renormalisations: &[Renormalisation<D>],
-    (equations, transport): (Equations, Transport),
+    sought: Sought,
     rates: &mut [Rates<D>],
 ) {
     lists
@@ -49,10 +64,11 @@ pub fn rates<const D: usize>(
             let pass = Pass {
                 chunk,
                 records,
+                sought,
                 rates,
             };
             let own = renormalisations;
-            match (equations, transport) {
+            match (sought.equations, sought.transport) {
                 (Equations::Paper, Transport::None) => {
                     arch.dispatch(FluidPass::<D, false, false, false>(pass, own));
                 }
@@ -78,7 +94,7 @@ pub fn reactions<const D: usize>(
     arch: Arch,
     lists: &Lists,
     records: &Records<D>,
-    equations: Equations,
+    sought: Sought,
     rates: &mut [Rates<D>],
 ) {
     lists
@@ -89,9 +105,10 @@ pub fn reactions<const D: usize>(
             let pass = Pass {
                 chunk,
                 records,
+                sought,
                 rates,
             };
-            match equations {
+            match sought.equations {
                 Equations::Paper => arch.dispatch(ReactionPass::<D, false>(pass)),
                 Equations::Conservative => arch.dispatch(ReactionPass::<D, true>(pass)),
             }
@@ -101,6 +118,7 @@ pub fn reactions<const D: usize>(
 struct Pass<'a, const D: usize> {
     chunk: &'a Chunk,
     records: &'a Records<D>,
+    sought: Sought,
     rates: &'a mut [Rates<D>],
 }
 
@@ -132,8 +150,10 @@ struct Own<S: Simd, const D: usize> {
 struct Sums<S: Simd, const D: usize> {
     /// `sum V_j grad W`.
     gradient: LaneVector<S, D>,
-    /// `sum (V_j p_j L_j - rho_i m_j / rho_ij Pi) grad W`.
+    /// `sum V_j p_j L_j grad W`.
     stress: LaneVector<S, D>,
+    /// `sum m_j / rho_ij Pi grad W`.
+    viscous_force: LaneVector<S, D>,
     /// `sum V_j (u_j - u_i) (x) grad W`.
     velocity_gradient: [LaneVector<S, D>; D],
     /// `sum V_j (e_j - e_i) grad W`.
@@ -187,6 +207,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
         Self {
             gradient: zeros(simd),
             stress: zeros(simd),
+            viscous_force: zeros(simd),
             velocity_gradient: [zeros(simd); D],
             energy_gradient: zeros(simd),
             viscous_heat: Lane::splat(simd, 0.0),
@@ -236,9 +257,9 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     fn add<const GAS: bool, const CONSERVATIVE: bool, const SHIFTED: bool>(
         &mut self,
         simd: S,
+        sought: Sought,
         i: &Own<S, D>,
-        near: &Near<D>,
-        state: &State<D>,
+        (near, state): (&Near<D>, &State<D>),
     ) {
         let pair = Pair::new(simd, &i.target, near);
         let volume = Lane::splat(simd, near.volume);
@@ -250,7 +271,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             std::array::from_fn(|k| Lane::splat(simd, near.velocity[k]) - i.velocity[k]);
         let approach = -dot(&jump, &pair.separation);
         let sound = i.half_sound + Lane::splat(simd, state.half_sound);
-        let closing = if CONSERVATIVE {
+        let closing = if CONSERVATIVE && sought.limits_viscosity {
             let (mut own, mut other) = (Lane::splat(simd, 0.0), Lane::splat(simd, 0.0));
             for b in 0..D {
                 let twice = pair.separation[b] + pair.separation[b];
@@ -262,14 +283,14 @@ impl<S: Simd, const D: usize> Sums<S, D> {
                 }
             }
             closing_speed(simd, &pair, approach, own, other)
+        } else if CONSERVATIVE {
+            whole_closing_speed(simd, &pair, approach)
         } else {
             bare_closing_speed(simd, &pair, approach)
         };
         let viscous = pairwise * viscous_pressure(simd, closing, sound) * pair.gradient_factor;
         let energy = Lane::splat(simd, state.energy) - i.energy;
 
-        let density = i.target.half_density + i.target.half_density;
-        let resistance = -(viscous * density);
         self.viscous_heat = viscous.mul_add(approach, self.viscous_heat);
         for a in 0..D {
             let r = pair.separation[a];
@@ -278,8 +299,8 @@ impl<S: Simd, const D: usize> Sums<S, D> {
                 std::array::from_fn(|b| Lane::splat(simd, state.stress.get(a, b)));
             let stress = dot(&row, &pair.separation);
             self.stress[a] = stress.mul_add(pair.gradient_factor, self.stress[a]);
-            self.stress[a] = resistance.mul_add(r, self.stress[a]);
-            if SHIFTED || CONSERVATIVE {
+            self.viscous_force[a] = viscous.mul_add(r, self.viscous_force[a]);
+            if SHIFTED || (CONSERVATIVE && sought.limits_conduction) {
                 self.energy_gradient[a] =
                     (gradient_volume * energy).mul_add(r, self.energy_gradient[a]);
             }
@@ -290,25 +311,28 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             }
         }
         if GAS {
-            let (weight, exchanged) = if CONSERVATIVE {
+            if !CONSERVATIVE {
+                self.conduction = (sound * energy * reach).mul_add(volume, self.conduction);
+                let slopes: LaneVector<S, D> = std::array::from_fn(|k| {
+                    i.half_gradient[k] + Lane::splat(simd, state.half_gradient[k])
+                });
+                let rise = Lane::splat(simd, near.half_density) - i.target.half_density;
+                let deviation = dot_add(&slopes, &pair.separation, rise + rise);
+                let flow = diffusion(deviation, sound, reach);
+                self.diffusion = flow.mul_add(volume, self.diffusion);
+                return;
+            }
+            let uneven = if sought.limits_conduction {
                 let slope = |k| Lane::splat(simd, state.energy_slope[k]);
                 let theirs: LaneVector<S, D> = std::array::from_fn(slope);
                 let own = -dot(&i.energy_slope, &pair.separation);
                 let other = -dot(&theirs, &pair.separation);
-                let uneven = uneven_part(simd, energy, own, other);
-                let shared = shock_speed(simd, closing) * energy;
-                (pairwise, sound.mul_add(uneven, shared))
+                uneven_part(simd, energy, own, other)
             } else {
-                (volume, sound * energy)
+                energy
             };
-            self.conduction = (exchanged * reach).mul_add(weight, self.conduction);
-            let slopes: LaneVector<S, D> = std::array::from_fn(|k| {
-                i.half_gradient[k] + Lane::splat(simd, state.half_gradient[k])
-            });
-            let rise = Lane::splat(simd, near.half_density) - i.target.half_density;
-            let deviation = dot_add(&slopes, &pair.separation, rise + rise);
-            let flow = diffusion(deviation, sound, reach);
-            self.diffusion = flow.mul_add(volume, self.diffusion);
+            let exchanged = sound.mul_add(uneven, shock_speed(simd, closing) * energy);
+            self.conduction = (exchanged * reach).mul_add(pairwise, self.conduction);
         }
     }
 }
@@ -321,7 +345,7 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHAN
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
         let Self(pass, renormalisations) = self;
-        let (chunk, records) = (pass.chunk, pass.records);
+        let (chunk, records, sought) = (pass.chunk, pass.records, pass.sought);
         let mut results = pass.rates.iter_mut();
         for cluster in &chunk.clusters {
             if cluster.is_calm {
@@ -340,7 +364,7 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHAN
             let mut sums = Sums::new(simd);
             for &j in &chunk.entries[cluster.gas.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<true, CONSERVATIVE, SHIFTED>(simd, &own, near, state);
+                sums.add::<true, CONSERVATIVE, SHIFTED>(simd, sought, &own, (near, state));
                 if EXCHANGES {
                     sums.exchange(simd, &own, &own_shift, records, j as usize);
                 }
@@ -348,7 +372,7 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHAN
             let by_gas = Forces::from(&sums);
             for &j in &chunk.entries[cluster.wall.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<false, CONSERVATIVE, SHIFTED>(simd, &own, near, state);
+                sums.add::<false, CONSERVATIVE, SHIFTED>(simd, sought, &own, (near, state));
             }
             let forces = Forces::from(&sums);
             let velocity_gradient = sums.velocity_gradient.map(|row| row.map(Lane::to_array));
@@ -380,10 +404,16 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHAN
                 let total = forces.acceleration(l, near, pressure, renormalisation);
                 rates.acceleration = by_gas.acceleration(l, near, pressure, renormalisation);
                 rates.wall_acceleration = total - rates.acceleration;
-                rates.density = DIFFUSION * diffusion[l] - near.density() * divergence;
-                rates.energy = CONDUCTION * conduction[l]
-                    - 0.5 * heat[l]
-                    - state.pressure / near.density() * divergence;
+                rates.by_pressure = ByPressure {
+                    acceleration: forces.by_pressure(l, near, pressure, renormalisation),
+                    heating: -state.pressure / near.density() * divergence,
+                };
+                rates.density = -near.density() * divergence;
+                if !CONSERVATIVE {
+                    rates.density += DIFFUSION * diffusion[l];
+                }
+                rates.energy =
+                    CONDUCTION * conduction[l] - 0.5 * heat[l] + rates.by_pressure.heating;
                 if SHIFTED {
                     let shift = renormalisation * rates.shift;
                     rates.acceleration += slope * shift;
@@ -410,6 +440,7 @@ impl<const D: usize, const CONSERVATIVE: bool> WithSimd for ReactionPass<'_, D, 
         let Pass {
             chunk,
             records,
+            sought,
             rates,
         } = self.0;
         let first = records.start[GHOSTS];
@@ -424,7 +455,7 @@ impl<const D: usize, const CONSERVATIVE: bool> WithSimd for ReactionPass<'_, D, 
             let mut sums = Sums::new(simd);
             for &j in &chunk.entries[cluster.gas.clone()] {
                 let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<false, CONSERVATIVE, false>(simd, &own, near, state);
+                sums.add::<false, CONSERVATIVE, false>(simd, sought, &own, (near, state));
             }
             let forces = Forces::from(&sums);
             for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {
@@ -439,6 +470,7 @@ impl<const D: usize, const CONSERVATIVE: bool> WithSimd for ReactionPass<'_, D, 
 struct Forces<const D: usize> {
     gradient: [[f64; super::super::lanes::MAX_LANES]; D],
     stress: [[f64; super::super::lanes::MAX_LANES]; D],
+    viscous: [[f64; super::super::lanes::MAX_LANES]; D],
 }
 
 impl<const D: usize> Forces<D> {
@@ -447,12 +479,25 @@ impl<const D: usize> Forces<D> {
         Self {
             gradient: sums.gradient.map(Lane::to_array),
             stress: sums.stress.map(Lane::to_array),
+            viscous: sums.viscous_force.map(Lane::to_array),
         }
     }
 
     /// `-1/rho_i sum V_j (p_i L_i + p_j L_j) grad W + sum m_j / rho_ij Pi grad W` of lane `l`.
     #[inline(always)]
     fn acceleration(
+        &self,
+        l: usize,
+        near: &Near<D>,
+        pressure: f64,
+        renormalisation: &Matrix<D>,
+    ) -> Vector<D> {
+        self.by_pressure(l, near, pressure, renormalisation) + unlane(&self.viscous, l)
+    }
+
+    /// The same without the viscosity.
+    #[inline(always)]
+    fn by_pressure(
         &self,
         l: usize,
         near: &Near<D>,

@@ -51,14 +51,21 @@ impl<const D: usize> Default for Renormalisation<D> {
     }
 }
 
-/// Renormalises every listed particle; `first` is the slot of the first one. `shifts` asks for the gradients of
-/// the concentration.
+/// The gradients to sum beside the matrix; the others are left zero.
+#[derive(Clone, Copy, Debug)]
+pub struct Gradients {
+    /// Of the density, which the published scheme evolves.
+    pub of_density: bool,
+    /// Of the concentration, by which particles are shifted.
+    pub of_concentration: bool,
+}
+
+/// Renormalises every listed particle.
 pub fn renormalise<const D: usize>(
     arch: Arch,
     lists: &Lists,
     near: &[Near<D>],
-    first: usize,
-    shifts: bool,
+    gradients: Gradients,
     results: &mut [Renormalisation<D>],
 ) {
     let even = even_renormalisation();
@@ -67,30 +74,22 @@ pub fn renormalise<const D: usize>(
         .par_iter()
         .zip(results.par_chunks_mut(lists.chunk_targets()))
         .for_each(|(chunk, results)| {
-            let pass = Pass {
+            arch.dispatch(Pass {
                 chunk,
                 near,
-                first,
                 even,
+                gradients,
                 results,
-            };
-            if shifts {
-                arch.dispatch(Summed::<D, true>(pass));
-            } else {
-                arch.dispatch(Summed::<D, false>(pass));
-            }
+            });
         });
 }
-
-/// With the gradients of the concentration where `SHIFTS`.
-struct Summed<'a, const D: usize, const SHIFTS: bool>(Pass<'a, D>);
 
 struct Pass<'a, const D: usize> {
     chunk: &'a Chunk,
     near: &'a [Near<D>],
-    first: usize,
     /// That of a lattice.
     even: Matrix<D>,
+    gradients: Gradients,
     results: &'a mut [Renormalisation<D>],
 }
 
@@ -113,19 +112,23 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     }
 
     #[inline(always)]
-    fn add<const SHIFTS: bool>(&mut self, simd: S, target: &Target<S, D>, j: &Near<D>) {
+    fn add(&mut self, simd: S, gradients: Gradients, target: &Target<S, D>, j: &Near<D>) {
         let pair = Pair::new(simd, target, j);
         let weight = pair.gradient_factor * Lane::splat(simd, j.volume);
-        let difference = Lane::splat(simd, j.half_density) - target.half_density;
-        let rise = weight * difference;
+        if gradients.of_density {
+            let difference = Lane::splat(simd, j.half_density) - target.half_density;
+            let rise = weight * difference;
+            for a in 0..D {
+                self.slope[a] = rise.mul_add(pair.separation[a], self.slope[a]);
+            }
+        }
         for a in 0..D {
-            self.slope[a] = rise.mul_add(pair.separation[a], self.slope[a]);
             let column = weight * pair.separation[a];
             for b in a..D {
                 self.moments[a][b] = column.mul_add(pair.separation[b], self.moments[a][b]);
             }
         }
-        if SHIFTS {
+        if gradients.of_concentration {
             let weight = weight * repulsion(simd, &pair);
             for a in 0..D {
                 self.concentration[a] = weight.mul_add(pair.separation[a], self.concentration[a]);
@@ -134,33 +137,31 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     }
 }
 
-impl<const D: usize, const SHIFTS: bool> WithSimd for Summed<'_, D, SHIFTS> {
+impl<const D: usize> WithSimd for Pass<'_, D> {
     type Output = ();
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
-        let pass = self.0;
-        let mut results = pass.results.iter_mut();
-        for cluster in &pass.chunk.clusters {
+        let mut results = self.results.iter_mut();
+        for cluster in &self.chunk.clusters {
             if cluster.is_calm {
                 for result in results.by_ref().take(cluster.targets.len()) {
                     *result = Renormalisation {
-                        matrix: pass.even,
+                        matrix: self.even,
                         ..Renormalisation::default()
                     };
                 }
                 continue;
             }
-            let last = pass.first + cluster.targets.end - 1;
-            let first = pass.first + cluster.targets.start;
-            let target = Target::load(simd, |l| &pass.near[(first + l).min(last)]);
+            let (first, last) = (cluster.targets.start, cluster.targets.end - 1);
+            let target = Target::load(simd, |l| &self.near[(first + l).min(last)]);
             let mut sums = Sums::new(simd);
-            for &j in &pass.chunk.entries[cluster.gas.clone()] {
-                sums.add::<SHIFTS>(simd, &target, &pass.near[j as usize]);
+            for &j in &self.chunk.entries[cluster.gas.clone()] {
+                sums.add(simd, self.gradients, &target, &self.near[j as usize]);
             }
             let by_gas = sums.concentration;
-            for &j in &pass.chunk.entries[cluster.wall.clone()] {
-                sums.add::<SHIFTS>(simd, &target, &pass.near[j as usize]);
+            for &j in &self.chunk.entries[cluster.wall.clone()] {
+                sums.add(simd, self.gradients, &target, &self.near[j as usize]);
             }
             let moments = sums.moments.map(|row| row.map(Lane::to_array));
             let slope = sums.slope.map(Lane::to_array);
@@ -170,7 +171,7 @@ impl<const D: usize, const SHIFTS: bool> WithSimd for Summed<'_, D, SHIFTS> {
                 let matrix = Matrix::<D>::from_fn(|a, b| -moments[a.min(b)][a.max(b)][l]);
                 result.matrix = inverse(&matrix);
                 result.density_gradient = result.matrix * unlane(&slope, l) * 2.0;
-                if SHIFTS && matrix.trace() > SURROUNDED * D as f64 {
+                if self.gradients.of_concentration && matrix.trace() > SURROUNDED * D as f64 {
                     result.concentration_gradient = unlane(&concentration, l);
                     result.wall_gradient = result.concentration_gradient - unlane(&by_gas, l);
                 } else {

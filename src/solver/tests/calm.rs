@@ -34,5 +34,5 @@ fn a_stream_that_hits_a_wall_is_the_same_without_the_sums_of_its_undisturbed_par
     let furthest = pairs
         .map(|(all, part)| (all - part).abs())
         .fold(0.0, f64::max);
-    assert!(furthest < 1e-7, "off by {furthest:.1e}");
+    assert!(furthest < 1e-12, "off by {furthest:.1e}");
 }

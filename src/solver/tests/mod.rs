@@ -4,6 +4,7 @@ mod calm;
 mod conduction;
 mod conservation;
 mod invariance;
+mod leapfrog;
 mod rest;
 mod rings;
 mod shifting;
@@ -36,18 +37,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Case<D> {
         stop: crate::case::Stop::EndTime,
         end_time: 1.0,
         gamma: 1.4,
-        scheme: Scheme {
-            equations: Equations::Conservative,
-            extrapolation: Extrapolation::Wom,
-            shield: false,
-            shifting: false,
-            constant_ghost_volume: true,
-            limited_viscosity: true,
-            limited_conduction: true,
-            surface_tags: true,
-            skip_undisturbed: true,
-            cfl: 0.5,
-        },
+        scheme: Scheme::default(),
         domain: Domain {
             bounds,
             sides: [[side; 2]; D],
