@@ -183,8 +183,46 @@ fn a_missing_file_of_points_is_named() {
 
 #[test]
 fn ghosts_too_fine_for_memory_are_refused() {
-    let scene = circle_with("name = \"post\"", "name = \"post\"\nspacing = 1e-12");
-    refused(&scene, &["body.post.spacing", "particles", "would fit"]);
+    let place = Workplace::new();
+    place.write("scene.toml", circle_with("", ""));
+    let arguments = "pack scene.toml --spacing 1e-12 --layers 5";
+    let answer = place.aero(&arguments.split(' ').collect::<Vec<_>>());
+    answer.refuses(&["body.post.spacing", "particles", "would fit"]);
+}
+
+#[test]
+fn ghosts_much_finer_than_the_gas_are_refused_with_the_finest_spacing() {
+    let spaced = |spacing: &str| {
+        let name = "name = \"post\"";
+        circle_with(name, &format!("{name}\nspacing = {spacing}"))
+    };
+    for (spacing, finer) in [("0.0062", "8.06452 times"), ("1e-12", "times as fine")] {
+        refused(
+            &spaced(spacing),
+            &["body.post.spacing", finer, "set at least 0.00625"],
+        );
+    }
+    Workplace::new().run(&spaced("0.00625"), &[]).succeeds();
+    // A part of a huge body: it has a wall here, and its plane of symmetry far away.
+    let scene = include_str!("../cases/biconvex.toml")
+        .replace("spacing = 0.0125 ", "spacing = 0.2 ")
+        .replace("wall = \"slip\"", "place = { scale = 1000.0 }");
+    let words = [
+        "body.aerofoil.spacing",
+        "32 times as fine",
+        "160 layers",
+        "set at least 0.025",
+    ];
+    refused(&scene, &words);
+}
+
+#[test]
+fn ghosts_so_coarse_that_gas_leaks_are_refused_with_the_coarsest_spacing() {
+    let scene = circle_with("name = \"post\"", "name = \"post\"\nspacing = 0.08");
+    refused(
+        &scene,
+        &["body.post.spacing", "1.6 times as coarse", "at most 0.075"],
+    );
 }
 
 #[test]

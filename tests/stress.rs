@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Scenes that cost more than a moment, with what makes them small.
-const SMALL: [(&str, &[&str]); 8] = [
+const SMALL: [(&str, &[&str]); 9] = [
     ("blunt-body", &["spacing=0.125", "end_time=0.05"]),
     ("expansion-corner", &["spacing=0.1", "end_time=0.2"]),
     ("gresho", &["spacing=0.03125", "end_time=0.02"]),
@@ -13,6 +13,7 @@ const SMALL: [(&str, &[&str]); 8] = [
     ("noh-2", &["spacing=0.05", "end_time=0.1"]),
     ("noh-3", &["spacing=0.1", "end_time=0.1"]),
     ("sedov-3", &["spacing=0.1", "end_time=0.05"]),
+    ("sharp-trailing-edge", &["spacing=0.05", "end_time=0.1"]),
     ("thin-plate", &["spacing=0.04", "end_time=0.1"]),
 ];
 

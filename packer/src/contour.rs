@@ -35,7 +35,8 @@ pub(crate) struct Corners<'a, const D: usize> {
     shape: &'a dyn Shape<D>,
     mirrors: &'a Mirrors,
     grid: Grid<D>,
-    cells: Vec<[i64; 2]>,
+    /// Each with the distance at its centre.
+    cells: Vec<([i64; 2], f64)>,
     distance: HashMap<[i64; 2], f64>,
     tolerance: f64,
 }
@@ -52,13 +53,13 @@ impl<'a, const D: usize> Corners<'a, D> {
         band: &[Cell<D>],
         tolerance: f64,
     ) -> Self {
-        let cells: Vec<[i64; 2]> = band
+        let cells: Vec<([i64; 2], f64)> = band
             .iter()
-            .map(|cell| [cell.index[0], cell.index[1]])
+            .map(|cell| ([cell.index[0], cell.index[1]], cell.distance))
             .collect();
         let mut corners: Vec<[i64; 2]> = cells
             .iter()
-            .flat_map(|&[i, j]| [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]])
+            .flat_map(|&([i, j], _)| [[i, j], [i + 1, j], [i, j + 1], [i + 1, j + 1]])
             .collect();
         corners.sort_unstable();
         corners.dedup();
@@ -108,7 +109,10 @@ impl<'a, const D: usize> Corners<'a, D> {
     /// The crossing edge that follows each crossing edge.
     fn links(&self, level: f64) -> BTreeMap<Edge, Edge> {
         let mut next = BTreeMap::new();
-        for &[i, j] in &self.cells {
+        // The distance changes by no more than the way from a cell's centre to its corners.
+        let near = |distance: f64| (distance - level).abs() <= self.grid.step;
+        let cells = self.cells.iter().filter(|(_, distance)| near(*distance));
+        for &([i, j], _) in cells {
             let corners = [[i, j], [i + 1, j], [i + 1, j + 1], [i, j + 1]];
             let edges: [Edge; 4] = [([i, j], 0), ([i + 1, j], 1), ([i, j + 1], 0), ([i, j], 1)];
             let value = corners.map(|corner| self.distance[&corner]);

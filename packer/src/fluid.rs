@@ -47,7 +47,7 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
     let support = SUPPORT * SMOOTHING_RATIO * spacing;
     let begins = lattice_begins(options);
     let margin = (begins + support) / spacing + 1.0;
-    let plan = Plan::new(shape, options, mirrors, Side::Fluid, margin)?;
+    let plan = Plan::new(shape, options, &mirrors, Side::Fluid, margin)?;
     let (mut cloud, left) = seed(&plan);
 
     let grid = lattice_grid(&plan.mirrors, &options.anchor, spacing);

@@ -41,7 +41,7 @@ pub fn pack<const D: usize>(
     options.check()?;
     let watch = &options.watch;
     watch.begin("finding the layers");
-    let plan = Plan::new(shape, options, Mirrors::of(shape), Side::Ghosts, 2.0)?;
+    let plan = Plan::new(shape, options, &Mirrors::of(shape), Side::Ghosts, 2.0)?;
     let thinnest = least_thickness(&plan)?;
     let (mut cloud, _) = seed(&plan);
     let target = ideal_layers(&plan);

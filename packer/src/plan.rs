@@ -36,7 +36,7 @@ pub(crate) struct Plan<'a, const D: usize> {
     pub side: Side,
     /// Number of layers on this side.
     pub layers: usize,
-    /// Mirror planes used.
+    /// Mirror planes used: those that meet the packed box.
     pub mirrors: Mirrors,
     /// The part of space that is packed, above all mirror planes.
     pub bounds: Bounds<D>,
@@ -56,12 +56,16 @@ impl<'a, const D: usize> Plan<'a, D> {
     pub fn new(
         shape: &'a dyn Shape<D>,
         options: &'a PackOptions<D>,
-        mirrors: Mirrors,
+        mirrors: &Mirrors,
         side: Side,
         margin: f64,
     ) -> Result<Self, PackError> {
         let spacing = options.spacing;
-        let bounds = mirrors.fundamental(&packed_box(shape, options, margin)?);
+        let bounds = packed_box(shape, options, margin)?;
+        // A far plane would have the body packed all the way to it.
+        let mirrors = mirrors
+            .only(|axis, position| (bounds.min[axis]..=bounds.max[axis]).contains(&position));
+        let bounds = mirrors.fundamental(&bounds);
         let layers = match side {
             Side::Ghosts => options.layers,
             Side::Fluid => options.fluid_layers,

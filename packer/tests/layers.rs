@@ -42,3 +42,17 @@ fn layers_of_round_bodies_are_evenly_filled() {
         "{sphere:?}"
     );
 }
+
+#[test]
+fn a_part_of_a_body_is_packed_without_the_way_to_its_far_plane_of_symmetry() {
+    let radius = 1e7;
+    let mut options = PackOptions::new(0.05);
+    options.region = Some(Bounds::new(
+        Vector::from([-radius - 1.0, -0.5]),
+        Vector::from([-radius + 1.0, 0.5]),
+    ));
+    let packing = pack(&Ball::<2>::new(radius), &options).unwrap();
+    assert_eq!(packing.ghosts.position.len(), 5 * 20);
+    let report = packing.report;
+    assert!(report.shell_volume_error_percent.abs() < 0.1, "{report:?}");
+}

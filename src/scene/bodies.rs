@@ -2,13 +2,14 @@
 
 use std::path::Path;
 
+use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_geometry::{Bounds, Watch};
 use aero_packer::{PackOptions, Packing};
 
 use super::axis;
 use super::budget;
 use super::cover::check_covered_sides;
-use super::domain::{AXES, BUFFER, ghost_region};
+use super::domain::{AXES, BUFFER, ghost_region, number};
 use super::error::SceneError;
 use super::file::{BodyEntry, SceneFile};
 use super::flow::vector;
@@ -23,6 +24,14 @@ use crate::case::{Body, Domain, State};
 /// Ghost layers, as deep as the flow's spacing each: five cover the support of the kernel
 /// [Villodi & Ramachandran 2024, section 4].
 pub(crate) const LAYERS: usize = 5;
+
+/// So many times finer than the flow's may a body's own spacing be. The gas feels ghosts through kernels of
+/// its own size, so half is usual [Villodi & Ramachandran 2024, section 4.7] and more only serves corners and
+/// thin parts; but layers as deep as the flow's need this many more ghosts to the power of the dimension.
+const FINEST: f64 = 8.0;
+
+/// So many times coarser: up to a smoothing length apart ghosts act as a wall, at two spacings gas leaks.
+const COARSEST: f64 = SMOOTHING_RATIO;
 
 /// How to pack the bodies of a scene.
 #[derive(Clone, Debug, Default)]
@@ -74,7 +83,7 @@ pub(super) fn plans<const D: usize>(
                     "a scene of dimension 1 holds no bodies; close its ends with walls, or set dimension = 2",
                 ));
             }
-            check_spacing(entry, file, domain)?;
+            check_spacing(entry, file, wishes)?;
             let made = entry
                 .shape
                 .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric(), &wishes.watch)
@@ -125,34 +134,48 @@ fn covering_layers(spacing: f64, flow: f64) -> usize {
     (LAYERS as f64 * finer - 1e-6).ceil() as usize
 }
 
-/// Packed fluid is part of the flow, whose particles are all of one size; ghosts farther apart than the
-/// domain is wide are a slip of the pen.
-fn check_spacing<const D: usize>(
+/// Ghosts must close the wall for particles as large as the flow's, without many layers that none of them
+/// feels; packed fluid is part of the flow, whose particles are all of one size.
+fn check_spacing(
     entry: &BodyEntry,
     file: &SceneFile,
-    domain: &Domain<D>,
+    wishes: &PackWishes,
 ) -> Result<(), SceneError> {
-    let own = entry.spacing.unwrap_or(file.spacing);
-    let widest = domain.bounds.size().max();
-    if entry.spacing.is_some() && own.get() > widest {
-        return Err(SceneError::value(
-            format!("body.{}.spacing", entry.name.as_str()),
-            format!(
-                "is {}, more than the {widest} that the domain is wide; refine it",
-                own.get()
-            ),
+    let name = entry.name.as_str();
+    let flow = file.spacing.get();
+    let own = entry.spacing.unwrap_or(file.spacing).get();
+    let wrong = |message| Err(SceneError::value(format!("body.{name}.spacing"), message));
+    if own > COARSEST * flow {
+        return wrong(format!(
+            "is {}, {} times as coarse as the scene's {}: gas would leak between the ghosts; set at \
+             most {} or leave it out",
+            number(own),
+            number(own / flow),
+            number(flow),
+            number(COARSEST * flow),
         ));
     }
-    if entry.packed_fluid != Some(true) || own.get() == file.spacing.get() {
+    // Whoever says how many layers there are knows their number.
+    let packed = wishes.spacing.unwrap_or(own);
+    if packed * FINEST * (1.0 + 1e-9) < flow && wishes.layers.is_none() {
+        return wrong(format!(
+            "is {}, {} times as fine as the scene's {}, and {} layers of ghosts would lie where the \
+             gas feels {LAYERS}; set at least {}, or refine the scene's as well",
+            number(packed),
+            number(flow / packed),
+            number(flow),
+            covering_layers(packed, flow),
+            number(flow / FINEST),
+        ));
+    }
+    if entry.packed_fluid != Some(true) || own == flow {
         return Ok(());
     }
     Err(SceneError::body(
-        entry.name.as_str(),
+        name,
         format!(
-            "packed_fluid goes with the scene's own spacing, {}, but the body's is {}; leave one \
-             of the two out",
-            file.spacing.get(),
-            own.get()
+            "packed_fluid goes with the scene's own spacing, {flow}, but the body's is {own}; leave one \
+             of the two out"
         ),
     ))
 }

@@ -35,6 +35,7 @@ pub(super) fn check_ghosts<const D: usize>(
     let cells = bounds.size().map(|width| (width / spacing).max(1.0));
     let face = |k: usize| cells.iter().product::<f64>() / cells[k];
     let shell = (0..D).map(|k| 2.0 * face(k)).sum::<f64>() * layers as f64;
+    let shell = shell.min(cells.iter().product());
     refuse::<D>(shell, spacing, place, available_bytes())
 }
 

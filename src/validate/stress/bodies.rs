@@ -4,14 +4,11 @@
 use aero_validation::exact::normal::pitot_pressure_ratio;
 use aero_validation::exact::oblique::{Strength, detachment, oblique_shock};
 use aero_validation::exact::prandtl_meyer::expand;
-use aero_validation::table::{Check, Subject};
+use aero_validation::table::Check;
 
-use super::{Context, Level, VARIANTS, ValidateError, common_rows, variant};
-use crate::validate::outcome::{Attempt, Outcome, Source, attempt};
-
-const GAMMA: f64 = 1.4;
-/// Pressure of the stream in all scenes, `1 / gamma`.
-const PRESSURE: f64 = 1.0 / GAMMA;
+use super::rows::{Rows, ended, median};
+use super::{Context, GAMMA, Level, PRESSURE, VARIANTS, ValidateError, base, edge, variant};
+use crate::validate::outcome::{Source, attempt};
 
 const CORNER: Source = source!("expansion-corner");
 const BLUNT: Source = source!("blunt-body");
@@ -36,6 +33,8 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, ValidateError> {
             checks.extend(wedge(angle, [equations, extrapolation], context)?);
         }
         checks.extend(plate([equations, extrapolation], context)?);
+        checks.extend(edge::compare([equations, extrapolation], context)?);
+        checks.extend(base::compare([equations, extrapolation], context)?);
     }
     Ok(checks)
 }
@@ -220,58 +219,4 @@ fn plate(scheme: [&str; 2], context: &Context<'_>) -> Result<Vec<Check>, Validat
         .map_or(f64::NAN, |o| o.summary.leaked as f64);
     rows.at_most("particles in the plate", "a wall is a wall", [leaked, 0.0]);
     Ok(rows.checks)
-}
-
-/// Rows of one run.
-struct Rows<'a> {
-    name: &'a str,
-    label: &'a str,
-    strict: bool,
-    checks: Vec<Check>,
-}
-
-impl<'a> Rows<'a> {
-    fn new(name: &'a str, label: &'a str, equations: &str, tried: &Attempt) -> Self {
-        let strict = equations == "conservative";
-        Self {
-            name,
-            label,
-            strict,
-            checks: common_rows(name, label, strict, tried),
-        }
-    }
-
-    fn relative(&mut self, quantity: &str, source: &str, [measured, reference, allowed]: [f64; 3]) {
-        let quantity = format!("{}: {quantity}", self.label);
-        let subject = Subject::new(self.name, &quantity, source);
-        self.checks.push(if self.strict {
-            subject.relative(measured, reference, allowed)
-        } else {
-            subject.informs(measured, reference)
-        });
-    }
-
-    fn at_most(&mut self, quantity: &str, source: &str, [measured, bound]: [f64; 2]) {
-        let quantity = format!("{}: {quantity}", self.label);
-        let subject = Subject::new(self.name, &quantity, source);
-        self.checks.push(if self.strict {
-            subject.at_most(measured, bound)
-        } else {
-            subject.informs(measured, bound)
-        });
-    }
-}
-
-/// The outcome of a run that came to its end.
-fn ended(tried: Attempt) -> Option<Box<Outcome>> {
-    match tried {
-        Attempt::Ended(outcome) => Some(outcome),
-        Attempt::Stopped(..) => None,
-    }
-}
-
-/// Middle value; NaN where there is none.
-fn median(mut values: Vec<f64>) -> f64 {
-    values.sort_by(f64::total_cmp);
-    values.get(values.len() / 2).copied().unwrap_or(f64::NAN)
 }
