@@ -573,7 +573,7 @@ def compare(name, program):
     elif name == "wedge-fine":
         flow, end, scene, more = Wedge(1 / 64), 0.1, wedge, ["spacing=0.015625"]
     else:
-        flow, end = Space(), 0.06
+        flow, end = Space(), 0.25
         scene, more = SPACE.format(end=end), []
     seconds = flow.run(end)
     simulation = flow.simulation
