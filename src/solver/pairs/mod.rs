@@ -19,6 +19,7 @@ pub mod rates;
 pub mod renormalisation;
 pub mod shield;
 pub mod summation;
+mod sums;
 
 /// A vector per lane.
 pub type LaneVector<S, const D: usize> = [Lane<S>; D];
