@@ -42,13 +42,12 @@ impl<const D: usize> Simulation<D> {
             });
     }
 
-    /// Writes the records of all particles where they are `ahead` of the start of the step.
+    /// Writes the records of the gas, and moves the walls, to where they are `ahead` of the start of the step.
     pub(super) fn place(&mut self, ahead: f64) {
         self.fill_gas(ahead);
         if self.walls.are_moving() {
             self.walls.move_to(self.time + ahead);
         }
-        self.fill_ghosts();
     }
 
     /// Rates of the fluid `ahead` of the start of the step.

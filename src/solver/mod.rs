@@ -238,6 +238,7 @@ impl<const D: usize> Simulation<D> {
         self.predict(0.5 * step)?;
         if self.case.scheme.equations == Equations::Conservative {
             self.place(0.5 * step);
+            self.fill_ghosts();
             self.read_densities();
         }
         self.evaluate(0.5 * step);

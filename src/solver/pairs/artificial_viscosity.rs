@@ -41,8 +41,7 @@ pub fn closing_speed<S: Simd, const D: usize>(
         .min(zero)
         .mul_add(both, -((own + own) * other))
         .max(zero);
-    let softened = (Lane::splat(simd, SOFTENING) * pair.h).mul_add(pair.h, pair.squared);
-    pair.h * left * (both * softened).recip()
+    pair.h * left * (both * softened(simd, pair)).recip()
 }
 
 /// The same of the whole approach [Monaghan 1992, eq. 4.2].
@@ -52,8 +51,13 @@ pub fn whole_closing_speed<S: Simd, const D: usize>(
     pair: &Pair<S, D>,
     approach: Lane<S>,
 ) -> Lane<S> {
-    let softened = (Lane::splat(simd, SOFTENING) * pair.h).mul_add(pair.h, pair.squared);
-    pair.h * approach.min(Lane::splat(simd, 0.0)) * softened.recip()
+    pair.h * approach.min(Lane::splat(simd, 0.0)) * softened(simd, pair).recip()
+}
+
+/// `r_ij^2 + 0.01 h_ij^2`.
+#[inline(always)]
+fn softened<S: Simd, const D: usize>(simd: S, pair: &Pair<S, D>) -> Lane<S> {
+    (Lane::splat(simd, SOFTENING) * pair.h).mul_add(pair.h, pair.squared)
 }
 
 /// The same without softening [Villodi & Ramachandran 2024, eq. 13].
