@@ -58,12 +58,22 @@ impl<const D: usize> Pencils<D> {
 
     /// Sorts `points` anew, reusing memory; fast where they are nearly in order already.
     pub fn rebuild(&mut self, points: &[Vector<D>], width: f64) {
-        self.frame(points, width);
+        self.rebuild_from(points.len(), |point| points[point], width);
+    }
+
+    /// As [`Self::rebuild`] of the points `position(n)` for `n` below `count`.
+    pub fn rebuild_from(
+        &mut self,
+        count: usize,
+        position: impl Fn(usize) -> Vector<D> + Sync,
+        width: f64,
+    ) {
+        self.frame(count, &position, width);
         let mut keys = std::mem::take(&mut self.keys);
-        points
-            .par_iter()
-            .enumerate()
-            .map(|(point, position)| self.key(point, position))
+        let key = |point| self.key(point, &position(point));
+        (0..count)
+            .into_par_iter()
+            .map(key)
             .collect_into_vec(&mut keys);
         // The point's number breaks ties, so the order is unique for any number of threads.
         keys.par_sort_unstable_by(|a, b| {
@@ -72,19 +82,17 @@ impl<const D: usize> Pencils<D> {
                 .then(a.along.total_cmp(&b.along))
                 .then(a.point.cmp(&b.point))
         });
-        self.order.clear();
-        self.order.extend(keys.iter().map(|key| key.point));
-        self.along.clear();
-        self.along.extend(keys.iter().map(|key| key.along));
-        self.start.clear();
-        self.start.push(0);
+        let sorted = keys.par_iter();
+        let order = sorted.clone().map(|key| key.point);
+        order.collect_into_vec(&mut self.order);
+        sorted
+            .map(|key| key.along)
+            .collect_into_vec(&mut self.along);
         let columns: usize = self.columns.iter().product();
-        for (slot, key) in keys.iter().enumerate() {
-            while self.start.len() <= key.column as usize {
-                self.start.push(slot as u32);
-            }
-        }
-        self.start.resize(columns + 1, keys.len() as u32);
+        (0..columns + 1)
+            .into_par_iter()
+            .map(|column| keys.partition_point(|key| (key.column as usize) < column) as u32)
+            .collect_into_vec(&mut self.start);
         self.keys = keys;
     }
 
@@ -184,24 +192,27 @@ impl<const D: usize> Pencils<D> {
     }
 
     /// Places the origin and chooses the number of columns, no more than a few per point.
-    fn frame(&mut self, points: &[Vector<D>], width: f64) {
-        let mut min = [f64::INFINITY; D];
-        let mut max = [f64::NEG_INFINITY; D];
-        for point in points {
-            for k in 0..D {
-                min[k] = min[k].min(point[k]);
-                max[k] = max[k].max(point[k]);
-            }
-        }
+    fn frame(&mut self, count: usize, position: &(impl Fn(usize) -> Vector<D> + Sync), width: f64) {
+        let nowhere = [[f64::INFINITY; D], [f64::NEG_INFINITY; D]];
+        let wider = |[a, b]: [[f64; D]; 2], [c, d]: [[f64; D]; 2]| {
+            [
+                std::array::from_fn(|k| a[k].min(c[k])),
+                std::array::from_fn(|k| b[k].max(d[k])),
+            ]
+        };
+        let [min, max] = (0..count)
+            .into_par_iter()
+            .map(|point| [position(point).into(); 2])
+            .reduce(|| nowhere, wider);
         self.columns = [1; D];
         self.origin = [0.0; D];
         self.inverse_width = 1.0 / width;
-        if points.is_empty() {
+        if count == 0 {
             return;
         }
         self.origin = min;
         let mut width = width;
-        let most = 4.0 * points.len() as f64 + 64.0;
+        let most = 4.0 * count as f64 + 64.0;
         loop {
             // One where coordinates that are not finite leave no number at all.
             let count = |k: usize| (((max[k] - min[k]) / width).floor() + 1.0).max(1.0);
@@ -271,7 +282,7 @@ const RUN: usize = 32;
 /// As [`slice::partition_point`], faster where the answer is near `guess`.
 fn partition_point_near(sorted: &[f64], guess: usize, before: impl Fn(f64) -> bool) -> usize {
     let guess = guess.min(sorted.len());
-    let (mut low, mut high, mut stride) = (guess, guess, 4);
+    let (mut low, mut high, mut stride) = (guess, guess, FEW);
     while low > 0 && !before(sorted[low - 1]) {
         high = low;
         low = low.saturating_sub(stride);
@@ -282,8 +293,19 @@ fn partition_point_near(sorted: &[f64], guess: usize, before: impl Fn(f64) -> bo
         high = (high + stride).min(sorted.len());
         stride *= 4;
     }
-    low + sorted[low..high].partition_point(|&a| before(a))
+    let window = &sorted[low..high];
+    if window.len() > FEW {
+        return low + window.partition_point(|&a| before(a));
+    }
+    // To count them all takes less than to guess wrong once.
+    low + window
+        .iter()
+        .map(|&a| usize::from(before(a)))
+        .sum::<usize>()
 }
+
+/// As many numbers are compared faster than searched.
+const FEW: usize = 8;
 
 #[cfg(test)]
 mod tests {

@@ -42,9 +42,16 @@ impl<const D: usize> Simulation<D> {
             });
     }
 
-    /// Writes the records of the gas, and moves the walls, to where they are `ahead` of the start of the step.
-    pub(super) fn place(&mut self, ahead: f64) {
-        self.fill_gas(ahead);
+    /// Reads the density off the particles where they and the walls are `ahead` of the start of the step.
+    pub(super) fn sum_densities(&mut self, ahead: f64) {
+        self.fill_near(ahead);
+        self.move_walls(ahead);
+        self.fill_ghosts();
+        self.read_densities();
+    }
+
+    /// Moves the walls to where they are `ahead` of the start of the step.
+    fn move_walls(&mut self, ahead: f64) {
         if self.walls.are_moving() {
             self.walls.move_to(self.time + ahead);
         }
@@ -52,7 +59,8 @@ impl<const D: usize> Simulation<D> {
 
     /// Rates of the fluid `ahead` of the start of the step.
     pub(super) fn evaluate(&mut self, ahead: f64) {
-        self.place(ahead);
+        self.fill_gas(ahead);
+        self.move_walls(ahead);
         self.walls
             .extrapolate(self.arch, &self.wall_lists, &self.records);
         self.fill_ghosts();
@@ -126,11 +134,7 @@ impl<const D: usize> Simulation<D> {
         let first = self.records.start[GHOSTS];
         let (ghosts, images) = (&self.walls.ghosts, &self.ghost_images);
         let wall = |slot: usize| {
-            if let Some(ghost) = ghosts.get(slot - first) {
-                return (ghost.normal, ghost.wall_velocity);
-            }
-            let (source, sign) = images.source(slot - first - ghosts.len());
-            let ghost = &ghosts[source];
+            let (ghost, sign) = images.seen(ghosts, slot - first);
             (
                 sign.component_mul(&ghost.normal),
                 sign.component_mul(&ghost.wall_velocity),

@@ -80,18 +80,27 @@ impl<const D: usize> Images<D> {
 
     /// Copies the records of the sources, which start with one segment, to the images' segment.
     pub fn refresh(&self, records: &mut Records<D>, sources: usize, images: usize) {
+        self.refresh_near(records, sources, images);
         let (sources, first) = (records.start[sources], records.start[images]);
         // Images come after their sources.
-        let (near, near_images) = records.near.split_at_mut(first);
         let (state, state_images) = records.state.split_at_mut(first);
         self.images
             .par_iter()
-            .zip(near_images)
             .zip(state_images)
-            .for_each(|((image, near_image), state_image)| {
-                let source = sources + image.source as usize;
-                *near_image = image.near(&near[source]);
-                *state_image = image.state(&state[source]);
+            .for_each(|(image, state_image)| {
+                *state_image = image.state(&state[sources + image.source as usize]);
+            });
+    }
+
+    /// Copies where the sources are and how they move.
+    pub fn refresh_near(&self, records: &mut Records<D>, sources: usize, images: usize) {
+        let (sources, first) = (records.start[sources], records.start[images]);
+        let (near, near_images) = records.near.split_at_mut(first);
+        self.images
+            .par_iter()
+            .zip(near_images)
+            .for_each(|(image, near_image)| {
+                *near_image = image.near(&near[sources + image.source as usize]);
             });
     }
 
@@ -101,6 +110,18 @@ impl<const D: usize> Images<D> {
             self.images[number].source as usize,
             self.images[number].sign,
         )
+    }
+
+    /// Number `number` of the `sources` and their images after them: which source it is, and the reflection that maps
+    /// vectors to it.
+    pub fn seen<'a, T>(&self, sources: &'a [T], number: usize) -> (&'a T, Vector<D>) {
+        match number.checked_sub(sources.len()) {
+            None => (&sources[number], Vector::repeat(1.0)),
+            Some(image) => {
+                let (source, sign) = self.source(image);
+                (&sources[source], sign)
+            }
+        }
     }
 }
 

@@ -108,13 +108,6 @@ impl<S: Simd> Lane<S> {
         }
     }
 
-    /// True where `self < other` in any lane.
-    #[inline(always)]
-    pub fn any_less(self, other: Self) -> bool {
-        let less = self.simd.less_than_f64s(self.value, other.value);
-        self.simd.first_true_m64s(less) < S::F64_LANES
-    }
-
     /// Square root.
     #[inline(always)]
     pub fn sqrt(self) -> Self {

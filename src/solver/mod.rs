@@ -46,7 +46,7 @@ mod walls;
 
 use calm::Calm;
 use images::Images;
-use neighbours::Lists;
+use neighbours::{Lists, Rough};
 use open::OpenBoundaries;
 use pairs::renormalisation::Renormalisation;
 use particle::{Particle, Rates};
@@ -82,6 +82,7 @@ pub struct Simulation<const D: usize> {
     flow_images: Images<D>,
     ghost_images: Images<D>,
     records: Records<D>,
+    rough: Rough<D>,
     lists: Lists,
     wall_lists: WallLists,
     fluid_pencils: Pencils<D>,
@@ -134,6 +135,7 @@ impl<const D: usize> Simulation<D> {
             flow_images: Images::default(),
             ghost_images: Images::default(),
             records: Records::default(),
+            rough: Rough::default(),
             lists: Lists::default(),
             wall_lists: WallLists::default(),
             fluid_pencils: Pencils::default(),
@@ -199,9 +201,6 @@ impl<const D: usize> Simulation<D> {
         self.last_step = free;
         let step = self.advance_by(step)?;
         self.walls.update_smoothing_lengths();
-        if is_leapfrog {
-            self.remember_rates();
-        }
 
         let before = self.time;
         self.time = if limit - self.time == step {
@@ -237,9 +236,7 @@ impl<const D: usize> Simulation<D> {
     fn try_step(&mut self, step: f64) -> Result<(), Failure> {
         self.predict(0.5 * step)?;
         if self.case.scheme.equations == Equations::Conservative {
-            self.place(0.5 * step);
-            self.fill_ghosts();
-            self.read_densities();
+            self.sum_densities(0.5 * step);
         }
         self.evaluate(0.5 * step);
         self.account(step);

@@ -36,7 +36,10 @@ impl<const D: usize> Simulation<D> {
     pub fn pass(&mut self, pass: Pass) {
         let still = StepBound { step: 0.0 };
         match pass {
-            Pass::Sort => self.sort(still),
+            Pass::Sort => {
+                self.sort(still);
+                self.fill_gas(0.0);
+            }
             Pass::List => self.list(still),
             Pass::Summation => self.read_densities(),
             Pass::Renormalisation => self.renormalise(),

@@ -19,18 +19,15 @@ impl<const D: usize> Simulation<D> {
     /// Sorts all particles in space, makes images and writes the records.
     pub(super) fn sort(&mut self, bound: StepBound) {
         let half_step = 0.5 * bound.step;
-        let positions: Vec<_> = self.fluid.par_iter().map(|p| p.position).collect();
-        self.fluid_pencils.rebuild(&positions, self.width);
+        let fluid = &self.fluid;
+        self.fluid_pencils
+            .rebuild_from(fluid.len(), |i| fluid[i].position, self.width);
         // Between two steps nothing is saved: that room takes the new order, and no third one is needed.
         permute(&self.fluid, self.fluid_pencils.order(), &mut self.saved);
         std::mem::swap(&mut self.fluid, &mut self.saved);
-        let positions: Vec<_> = self
-            .open
-            .particles
-            .iter()
-            .map(|p| p.particle.position)
-            .collect();
-        self.open_pencils.rebuild(&positions, self.width);
+        let open = &self.open.particles;
+        self.open_pencils
+            .rebuild_from(open.len(), |i| open[i].particle.position, self.width);
         let mut particles = Vec::new();
         permute(
             &self.open.particles,
@@ -51,7 +48,7 @@ impl<const D: usize> Simulation<D> {
             self.ghost_images.len(),
         ]);
         self.rates.resize(self.fluid.len(), Rates::default());
-        self.fill_gas(0.0);
+        self.fill_near(0.0);
         self.fill_ghosts();
     }
 
@@ -78,13 +75,23 @@ impl<const D: usize> Simulation<D> {
         if let Some(calm) = &mut self.calm {
             calm.draw(&records.near, is_calm, half_step);
         }
+        let (walls, ghost_images) = (&self.walls, &self.ghost_images);
+        self.rough.copy(&records.near, |slot| {
+            // Ghosts show the gas a velocity at which they do not move.
+            let Some(number) = slot.checked_sub(ghosts.start) else {
+                return records.near[slot].velocity;
+            };
+            let (ghost, sign) = ghost_images.seen(&walls.ghosts, number);
+            sign.component_mul(&ghost.wall_velocity)
+        });
+        let (rough, slots) = (&self.rough, |segment| records.segment(segment));
         let sets = [
-            Candidates::new(&self.fluid_pencils, records, FLUID),
-            Candidates::new(&self.open_pencils, records, OPEN),
-            Candidates::new(&self.flow_images.pencils, records, FLOW_IMAGES),
-            Candidates::ghosts(&self.walls.pencils, records, ghosts.start..views),
-            Candidates::ghosts(&self.walls.view_pencils, records, views..ghosts.end),
-            Candidates::new(&self.ghost_images.pencils, records, GHOST_IMAGES),
+            Candidates::gas(&self.fluid_pencils, rough, slots(FLUID)),
+            Candidates::gas(&self.open_pencils, rough, slots(OPEN)),
+            Candidates::gas(&self.flow_images.pencils, rough, slots(FLOW_IMAGES)),
+            Candidates::ghosts(&self.walls.pencils, rough, ghosts.start..views),
+            Candidates::ghosts(&self.walls.view_pencils, rough, views..ghosts.end),
+            Candidates::ghosts(&self.ghost_images.pencils, rough, slots(GHOST_IMAGES)),
         ];
         let seeker = |i: usize| Seeker {
             position: records.near[i].position,

@@ -7,6 +7,7 @@ use super::failure::Failure;
 use super::neighbours::GROWTH;
 use super::particle::{Particle, Rates};
 use super::snapshot::Extremes;
+use super::time_step::Bounds;
 use crate::case::{Equations, Side};
 
 /// Particles that a task moves at once.
@@ -30,50 +31,65 @@ impl<const D: usize> Simulation<D> {
             } else {
                 midpoint(particle, saved, rates, ahead);
             }
-        })
+            Bounds::default()
+        })?;
+        Ok(())
     }
 
-    /// Corrects the state: the fluid at the start of the step plus `step` times the rates of its middle.
+    /// Corrects the state: the fluid at the start of the step plus `step` times the rates of its middle. The leapfrog
+    /// keeps of these what its next step goes by.
     pub(super) fn correct(&mut self, step: f64) -> Result<(), Failure> {
         let is_leapfrog = self.case.scheme.equations == Equations::Conservative;
         let calm = self.calm.take();
         let result = self.advance(|particle, saved, rates| {
+            let mut bounds = Bounds::default();
             if is_leapfrog {
                 kick_and_drift(particle, saved, rates, step);
+                particle.by_pressure = rates.by_pressure;
+                bounds = Bounds::of(particle, rates);
             } else {
                 midpoint(particle, saved, rates, step);
             }
             if let Some(calm) = &calm {
                 particle.is_calm = calm.holds(particle, rates);
             }
+            bounds
         });
         self.calm = calm;
-        result
+        let bounds = result?;
+        if is_leapfrog {
+            self.stable_step = bounds.step(self.case.scheme.cfl, self.case.gamma);
+        }
+        Ok(())
     }
 
-    /// Moves each particle of the fluid by its state at the start of the step and its rates.
+    /// Moves each particle of the fluid by its state at the start of the step and its rates; returns the tightest of
+    /// the bounds that `stage` finds.
     fn advance(
         &mut self,
-        stage: impl Fn(&mut Particle<D>, &Particle<D>, &Rates<D>) + Sync,
-    ) -> Result<(), Failure> {
-        let extremes = self
+        stage: impl Fn(&mut Particle<D>, &Particle<D>, &Rates<D>) -> Bounds + Sync,
+    ) -> Result<Bounds, Failure> {
+        let (extremes, bounds) = self
             .fluid
             .par_chunks_mut(BLOCK)
             .zip(self.saved.par_chunks(BLOCK))
             .zip(self.rates.par_chunks(BLOCK))
             .map(|((fluid, saved), rates)| {
-                let mut extremes = Extremes::default();
+                let (mut extremes, mut bounds) = Default::default();
                 for ((particle, saved), rates) in fluid.iter_mut().zip(saved).zip(rates) {
-                    stage(particle, saved, rates);
-                    extremes.meet(particle);
+                    bounds = Bounds::tighter(bounds, stage(particle, saved, rates));
+                    Extremes::meet(&mut extremes, particle);
                 }
-                extremes
+                (extremes, bounds)
             })
-            .reduce(Extremes::default, Extremes::merge);
-        self.check(extremes)
+            .reduce(Default::default, |(a, b), (c, d)| {
+                (a.merge(c), b.tighter(d))
+            });
+        self.check(extremes)?;
+        Ok(bounds)
     }
 
-    /// Keeps of the last evaluation what the next step goes by.
+    /// Keeps of an evaluation before any step what the step goes by.
     pub(super) fn remember_rates(&mut self) {
         self.fluid
             .par_iter_mut()

@@ -24,7 +24,7 @@ pub fn time_step<const D: usize>(
     particles: &[Particle<D>],
     rates: &[Rates<D>],
 ) -> f64 {
-    let bounds = match equations {
+    match equations {
         Equations::Paper => {
             let extremes = particles.par_iter().zip(rates).map(|(particle, rates)| {
                 let acceleration = rates.acceleration + rates.wall_acceleration;
@@ -35,33 +35,68 @@ pub fn time_step<const D: usize>(
                 ]
             });
             let [h, energy, acceleration] = extremes.reduce(|| [f64::INFINITY; 3], smaller);
-            [
-                h / sound_speed(gamma, -energy),
-                C_FORCE * (h / (-acceleration).sqrt()).sqrt(),
-                f64::INFINITY,
-            ]
+            let acoustic = h / sound_speed(gamma, -energy);
+            cfl * acoustic.min(C_FORCE * (h / (-acceleration).sqrt()).sqrt())
         }
         Equations::Conservative => {
-            let each = particles.par_iter().zip(rates).map(|(particle, rates)| {
-                let h = particle.smoothing_length;
-                let acceleration = rates.acceleration + rates.wall_acceleration;
-                let thins = particle.density / rates.density.abs();
-                let cools = particle.energy / (-rates.energy).max(0.0);
-                [
-                    h * h / particle.energy,
-                    h * h / acceleration.norm_squared(),
-                    thins.min(cools),
-                ]
-            });
-            let [courant, force, change] = each.reduce(|| [f64::INFINITY; 3], smaller);
-            [
-                courant.sqrt() / sound_speed(gamma, 1.0),
-                C_FORCE * force.sqrt().sqrt(),
-                C_CHANGE * change,
-            ]
+            let each = particles.par_iter().zip(rates);
+            each.map(|(particle, rates)| Bounds::of(particle, rates))
+                .reduce(Bounds::default, Bounds::tighter)
+                .step(cfl, gamma)
         }
-    };
-    cfl * bounds.into_iter().fold(f64::INFINITY, f64::min)
+    }
+}
+
+/// What bounds the step of the conservative scheme, each over the Courant number.
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds {
+    /// `h^2 / e`, the square of what the speed of sound allows but for `gamma`.
+    courant: f64,
+    /// `(h / a)^2`.
+    force: f64,
+    /// Time in which density or energy would change by all that there is.
+    change: f64,
+}
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Self {
+            courant: f64::INFINITY,
+            force: f64::INFINITY,
+            change: f64::INFINITY,
+        }
+    }
+}
+
+impl Bounds {
+    /// Those of one particle.
+    pub fn of<const D: usize>(particle: &Particle<D>, rates: &Rates<D>) -> Self {
+        let h = particle.smoothing_length;
+        let acceleration = rates.acceleration + rates.wall_acceleration;
+        let thins = particle.density / rates.density.abs();
+        let cools = particle.energy / (-rates.energy).max(0.0);
+        Self {
+            courant: h * h / particle.energy,
+            force: h * h / acceleration.norm_squared(),
+            change: thins.min(cools),
+        }
+    }
+
+    /// The smaller ones. Unlike a sum they do not depend on the order, and so not on the threads.
+    pub fn tighter(self, other: Self) -> Self {
+        Self {
+            courant: self.courant.min(other.courant),
+            force: self.force.min(other.force),
+            change: self.change.min(other.change),
+        }
+    }
+
+    /// The longest step within all of them.
+    pub fn step(self, cfl: f64, gamma: f64) -> f64 {
+        let acoustic = self.courant.sqrt() / sound_speed(gamma, 1.0);
+        let force = C_FORCE * self.force.sqrt().sqrt();
+        cfl * acoustic.min(force).min(C_CHANGE * self.change)
+    }
 }
 
 /// The bound from the speed of sound alone, known before any rate.

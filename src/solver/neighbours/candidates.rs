@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use aero_geometry::{Bounds, Pencils, Vector};
 
-use crate::solver::records::{GHOSTS, Near, Records};
+use super::rough::{LOSS, Rough};
 
 /// A set of particles that can be neighbours.
 #[derive(Clone, Copy, Debug)]
@@ -12,51 +12,36 @@ pub struct Candidates<'a, const D: usize> {
     pub(super) pencils: &'a Pencils<D>,
     /// First slot in the records.
     pub(super) first: usize,
-    pub(super) near: &'a [Near<D>],
-    pub(super) half_h_max: f64,
+    pub(super) rough: &'a Rough<D>,
+    /// How far any of them sees, half of the support.
+    pub(super) furthest: f64,
     velocity: Bounds<D>,
     /// Ghosts, listed after the gas.
     wall: bool,
 }
 
 impl<'a, const D: usize> Candidates<'a, D> {
-    /// The particles of one segment of `records`, sorted by `pencils`.
-    pub fn new(pencils: &'a Pencils<D>, records: &'a Records<D>, segment: usize) -> Self {
-        Self::over(
-            pencils,
-            records,
-            records.segment(segment),
-            segment >= GHOSTS,
-        )
+    /// The gas at `slots`, sorted by `pencils`.
+    pub fn gas(pencils: &'a Pencils<D>, rough: &'a Rough<D>, slots: Range<usize>) -> Self {
+        Self::new(pencils, rough, slots, false)
     }
 
     /// The ghosts at `slots`, sorted by `pencils`.
-    pub fn ghosts(pencils: &'a Pencils<D>, records: &'a Records<D>, slots: Range<usize>) -> Self {
-        Self::over(pencils, records, slots, true)
+    pub fn ghosts(pencils: &'a Pencils<D>, rough: &'a Rough<D>, slots: Range<usize>) -> Self {
+        Self::new(pencils, rough, slots, true)
     }
 
-    fn over(
-        pencils: &'a Pencils<D>,
-        records: &'a Records<D>,
-        slots: Range<usize>,
-        wall: bool,
-    ) -> Self {
-        let near = &records.near[slots.clone()];
-        let nowhere = Vector::<D>::repeat(f64::INFINITY);
-        let mut velocity = Bounds::new(nowhere, -nowhere);
-        for near in near {
-            velocity.min = velocity.min.inf(&near.velocity);
-            velocity.max = velocity.max.sup(&near.velocity);
-        }
-        let half_h_max = near
-            .iter()
-            .fold(0.0, |most: f64, near| most.max(near.half_h));
+    fn new(pencils: &'a Pencils<D>, rough: &'a Rough<D>, slots: Range<usize>, wall: bool) -> Self {
+        let extent = rough.extent(slots.clone());
         Self {
             pencils,
             first: slots.start,
-            near,
-            half_h_max,
-            velocity,
+            rough,
+            furthest: f64::from(extent.sight) * (1.0 + LOSS),
+            velocity: Bounds::new(
+                Vector::from_fn(|k, _| f64::from(extent.slowest[k])),
+                Vector::from_fn(|k, _| f64::from(extent.fastest[k])),
+            ),
             wall,
         }
     }
@@ -66,7 +51,7 @@ impl<'a, const D: usize> Candidates<'a, D> {
         self.wall
     }
 
-    /// Upper bound of the speed of any member relative to `velocity`.
+    /// Upper bound, but for what single precision loses, of the speed of any member relative to `velocity`.
     pub(super) fn fastest_relative_to(&self, velocity: &Vector<D>) -> f64 {
         let below = (velocity - self.velocity.min).abs();
         let above = (self.velocity.max - velocity).abs();

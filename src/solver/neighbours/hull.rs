@@ -3,56 +3,73 @@
 use std::ops::Range;
 
 use aero_geometry::Vector;
-use aero_geometry::kernel::SUPPORT;
 use pulp::Simd;
 
-use super::{Candidates, GROWTH, Seeker};
+use super::rough::{BLOCK, Block, LOSS, Rough};
+use super::{Candidates, REACH, Seeker};
 use crate::solver::calm::Calm;
-use crate::solver::lanes::Lane;
-use crate::solver::records::Near;
-
-/// Support per sum of half smoothing lengths, with room for growth within the step.
-const REACH: f64 = SUPPORT * GROWTH;
+use crate::solver::lanes::MAX_LANES;
 
 /// A cluster of seekers, and the box around it in space and in velocity.
-pub struct Hull<S: Simd, const D: usize> {
+pub struct Hull<const D: usize> {
     min: Vector<D>,
     max: Vector<D>,
     velocity: Vector<D>,
     /// Largest difference from `velocity` in the cluster.
     spread: f64,
-    positions: [Lane<S>; D],
-    /// How far the members see, half of the support.
-    reaches: Lane<S>,
-    /// The largest of them.
+    /// The largest of the members' reaches.
     furthest: f64,
+    members: [Member<D>; MAX_LANES],
+    count: usize,
+    /// How much single precision may lose of a reach.
+    slack: f64,
 }
 
-impl<S: Simd, const D: usize> Hull<S, D> {
-    /// The cluster of the seekers `seeker(l)`, one per lane.
+/// A seeker in single precision.
+#[derive(Clone, Copy)]
+struct Member<const D: usize> {
+    position: [f32; D],
+    /// How far it sees, half of the support.
+    reach: f32,
+}
+
+impl<const D: usize> Hull<D> {
+    /// The cluster of the seekers `seeker(l)` for `l` below `count`, among records whose copies are `rough`.
     #[inline(always)]
-    pub fn new(simd: S, seeker: impl Fn(usize) -> Seeker<D>) -> Self {
+    pub fn new(count: usize, seeker: impl Fn(usize) -> Seeker<D>, rough: &Rough<D>) -> Self {
         let first = seeker(0);
         let (mut slowest, mut fastest) = (first.velocity, first.velocity);
-        for seeker in (1..S::F64_LANES).map(&seeker) {
+        for seeker in (1..count).map(&seeker) {
             slowest = slowest.inf(&seeker.velocity);
             fastest = fastest.sup(&seeker.velocity);
         }
+        let nowhere = Member {
+            position: [0.0; D],
+            reach: 0.0,
+        };
         let mut hull = Self {
             min: first.position,
             max: first.position,
             velocity: (slowest + fastest) * 0.5,
             spread: 0.0,
-            positions: std::array::from_fn(|k| Lane::gather(simd, |l| seeker(l).position[k])),
-            reaches: Lane::gather(simd, |l| REACH * seeker(l).half_h),
             furthest: 0.0,
+            members: [nowhere; MAX_LANES],
+            count,
+            slack: 0.0,
         };
-        for seeker in (0..S::F64_LANES).map(seeker) {
+        for (member, seeker) in hull.members.iter_mut().zip((0..count).map(seeker)) {
             hull.min = hull.min.inf(&seeker.position);
             hull.max = hull.max.sup(&seeker.position);
             hull.furthest = hull.furthest.max(REACH * seeker.half_h);
             hull.spread = hull.spread.max((seeker.velocity - hull.velocity).norm());
+            let place = seeker.position - rough.origin;
+            *member = Member {
+                position: std::array::from_fn(|k| place[k] as f32),
+                reach: (REACH * seeker.half_h) as f32,
+            };
         }
+        let far = (hull.min - rough.origin).abs() + (hull.max - rough.origin).abs();
+        hull.slack = LOSS * (far.sum() + hull.furthest);
         hull
     }
 
@@ -64,7 +81,7 @@ impl<S: Simd, const D: usize> Hull<S, D> {
     /// Appends the members of `set` that any of the cluster may meet until the half-step; `runs`
     /// is scratch.
     #[inline(always)]
-    pub fn collect(
+    pub fn collect<S: Simd>(
         &self,
         simd: S,
         set: &Candidates<'_, D>,
@@ -75,53 +92,78 @@ impl<S: Simd, const D: usize> Hull<S, D> {
         // First the box of all that is near enough at rest, grown by the fastest approach that
         // the velocities allow.
         let approach = half_step * (self.spread + set.fastest_relative_to(&self.velocity));
-        let reach = self.furthest + REACH * set.half_h_max + approach;
+        let reach = self.furthest + set.furthest + approach;
+        let slack = self.slack + LOSS * (reach + half_step * self.velocity.norm());
         // The runs first: within a closure the loop would lose the vector instructions.
         runs.clear();
         let mut most = 0;
         set.pencils
-            .for_each_run_near(&self.min, &self.max, reach, |run| {
+            .for_each_run_near(&self.min, &self.max, reach + slack, |run| {
                 most += run.len();
-                runs.push(run);
+                runs.push(set.first + run.start..set.first + run.end);
             });
+        let lost = (slack + half_step * self.spread) as f32;
         // Every candidate is written, and overwritten by the next unless it counts: whether it does is too
         // irregular for the processor to guess.
         let mut end = entries.len();
         entries.resize(end + most, 0);
         for run in runs.iter() {
-            let first = set.first + run.start;
-            for (slot, near) in (first..).zip(&set.near[run.clone()]) {
-                let speed = self.spread + longest(&(near.velocity - self.velocity));
-                entries[end] = slot as u32;
-                let reach = REACH * near.half_h + half_step * speed;
-                end += usize::from(self.meets(simd, near, reach));
+            for number in run.start / BLOCK..run.end.div_ceil(BLOCK) {
+                let first = number * BLOCK;
+                let beyond = self.beyond(simd, &set.rough.blocks[number], half_step as f32, lost);
+                let lanes = run.start.max(first) - first..run.end.min(first + BLOCK) - first;
+                for (slot, beyond) in (first + lanes.start..).zip(&beyond[lanes]) {
+                    entries[end] = slot as u32;
+                    end += usize::from(beyond.is_sign_negative());
+                }
             }
         }
         entries.truncate(end);
     }
 
-    /// True where any member of the cluster is nearer to the candidate than both see.
+    /// Negative for each candidate that is nearer to a member of the cluster than both see: the difference of the squares of
+    /// distance and reach, the smallest of all members'. `more` adds to every reach.
     #[inline(always)]
-    fn meets(&self, simd: S, near: &Near<D>, reach: f64) -> bool {
-        let mut distance = Lane::splat(simd, 0.0);
-        for k in 0..D {
-            let apart = self.positions[k] - Lane::splat(simd, near.position[k]);
-            distance = apart.mul_add(apart, distance);
+    fn beyond<S: Simd>(
+        &self,
+        simd: S,
+        block: &Block<D>,
+        half_step: f32,
+        more: f32,
+    ) -> [f32; BLOCK] {
+        let mut beyond = [0.0; BLOCK];
+        let (results, _) = S::as_mut_simd_f32s(&mut beyond);
+        let (sights, _) = S::as_simd_f32s(&block.sight);
+        let positions = block.position.each_ref().map(|x| S::as_simd_f32s(x).0);
+        let velocities = block.velocity.each_ref().map(|u| S::as_simd_f32s(u).0);
+        let zero = simd.splat_f32s(0.0);
+        for (v, result) in results.iter_mut().enumerate() {
+            let (mut sum, mut most) = (zero, zero);
+            for k in 0..D {
+                let mean = simd.splat_f32s(self.velocity[k] as f32);
+                let size = simd.abs_f32s(simd.sub_f32s(velocities[k][v], mean));
+                sum = simd.add_f32s(sum, size);
+                most = simd.max_f32s(most, size);
+            }
+            // The length of the difference of velocities, or up to an eighth more, without a root: the mean of the
+            // norms of Manhattan and of the largest component. With `a >= b >= c` the square of `a + (b + c) / 2` holds
+            // `a^2 + ab + ac`, and more.
+            let speed = simd.add_f32s(sum, most);
+            let sight = simd.add_f32s(sights[v], simd.splat_f32s(more));
+            let sight = simd.mul_add_e_f32s(speed, simd.splat_f32s(0.5 * half_step), sight);
+            let mut least = simd.splat_f32s(f32::INFINITY);
+            for member in &self.members[..self.count] {
+                let mut square = zero;
+                for k in 0..D {
+                    let apart = simd.sub_f32s(positions[k][v], simd.splat_f32s(member.position[k]));
+                    square = simd.mul_add_e_f32s(apart, apart, square);
+                }
+                let reach = simd.add_f32s(sight, simd.splat_f32s(member.reach));
+                let excess = simd.negate_mul_add_e_f32s(reach, reach, square);
+                least = simd.min_f32s(least, excess);
+            }
+            *result = least;
         }
-        let reach = self.reaches + Lane::splat(simd, reach);
-        distance.any_less(reach * reach)
+        beyond
     }
-}
-
-/// Length of a vector or up to an eighth more, without a root: the mean of the norms of Manhattan and of the
-/// largest component. With `a >= b >= c` the square of `a + (b + c) / 2` holds `a^2 + ab + ac`, and more.
-#[inline(always)]
-fn longest<const D: usize>(vector: &Vector<D>) -> f64 {
-    let (mut sum, mut most) = (0.0, 0.0_f64);
-    for k in 0..D {
-        let size = vector[k].abs();
-        sum += size;
-        most = most.max(size);
-    }
-    0.5 * (sum + most)
 }

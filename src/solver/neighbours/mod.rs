@@ -7,20 +7,26 @@
 use std::ops::Range;
 
 use aero_geometry::Vector;
+use aero_geometry::kernel::SUPPORT;
 use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 mod candidates;
 mod hull;
 mod restrict;
+mod rough;
 
 pub use candidates::Candidates;
 use hull::Hull;
+pub use rough::Rough;
 
 use super::calm::Calm;
 
 /// A smoothing length may grow by this factor in one step; the lists allow for it.
 pub const GROWTH: f64 = 1.03;
+
+/// Support per sum of half smoothing lengths, with room for growth within the step.
+const REACH: f64 = SUPPORT * GROWTH;
 
 /// Clusters per parallel task.
 const CLUSTERS_PER_CHUNK: usize = 32;
@@ -83,6 +89,10 @@ impl Lists {
         half_step: f64,
         calm: Option<&Calm<D>>,
     ) {
+        let Some(rough) = sets.first().map(|set| set.rough) else {
+            self.chunks.clear();
+            return;
+        };
         self.lanes = arch.dispatch(LaneCount);
         let per_chunk = self.chunk_targets();
         self.chunks
@@ -97,6 +107,7 @@ impl Lists {
                     targets,
                     seeker: &seeker,
                     sets,
+                    rough,
                     half_step,
                     calm,
                 });
@@ -110,6 +121,7 @@ struct Build<'a, F, const D: usize> {
     targets: Range<usize>,
     seeker: &'a F,
     sets: &'a [Candidates<'a, D>],
+    rough: &'a Rough<D>,
     half_step: f64,
     calm: Option<&'a Calm<D>>,
 }
@@ -125,7 +137,7 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
         let mut runs = Vec::new();
         for start in self.targets.clone().step_by(S::F64_LANES) {
             let targets = start..self.targets.end.min(start + S::F64_LANES);
-            let hull = Hull::new(simd, |l| (self.seeker)((start + l).min(targets.end - 1)));
+            let hull = Hull::new(targets.len(), |l| (self.seeker)(start + l), self.rough);
             let begin = entries.len();
             let is_calm = hull.is_calm(self.calm);
             if is_calm {

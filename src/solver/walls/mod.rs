@@ -195,8 +195,7 @@ fn sorted<const D: usize>(
     pencils: &mut Pencils<D>,
     width: f64,
 ) -> Vec<Ghost<D>> {
-    let positions: Vec<_> = ghosts.iter().map(|ghost| ghost.position).collect();
-    pencils.rebuild(&positions, width);
+    pencils.rebuild_from(ghosts.len(), |g| ghosts[g].position, width);
     let order = pencils.order().iter();
     order.map(|&g| ghosts[g as usize]).collect()
 }
