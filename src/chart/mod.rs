@@ -11,17 +11,49 @@ use aero_validation::metrics::MetricError;
 use aero_validation::pictures::PictureError;
 use aero_validation::pictures::speed::{SpeedChart, SpeedPoint, SpeedSeries};
 
+use crate::output::{self, OutputError};
 use crate::validate::outcome::{Outcome, Source, run};
 use crate::validate::{Context, Level, ValidateError};
 
-/// The variants, in the order of their lines: equations, extrapolation and whether particles are shifted.
-const VARIANTS: [(&str, &str, bool); 5] = [
-    ("conservative", "wom", false),
-    ("conservative", "wm", false),
-    ("conservative", "wom", true),
-    ("paper", "wom", false),
-    ("paper", "wm", false),
-];
+/// One line of a chart.
+#[derive(Clone, Copy)]
+struct Variant {
+    equations: &'static str,
+    extrapolation: &'static str,
+    shifted: bool,
+    /// Each spacing starts from the flow that twice the spacing has found.
+    coarse_start: bool,
+}
+
+/// The variants, in the order of their lines.
+const VARIANTS: [Variant; 6] = {
+    const fn plain(equations: &'static str, extrapolation: &'static str) -> Variant {
+        Variant {
+            equations,
+            extrapolation,
+            shifted: false,
+            coarse_start: false,
+        }
+    }
+    let usual = plain("conservative", "wom");
+    [
+        usual,
+        plain("conservative", "wm"),
+        Variant {
+            shifted: true,
+            ..usual
+        },
+        Variant {
+            coarse_start: true,
+            ..usual
+        },
+        plain("paper", "wom"),
+        plain("paper", "wm"),
+    ]
+};
+
+/// No coarse start has fewer cells.
+const COARSEST: u32 = 6;
 
 /// One case: what is run and what is measured.
 struct Study {
@@ -35,6 +67,8 @@ struct Study {
     cells: [&'static [u32]; 2],
     /// With a line for shifted particles too.
     shifted: bool,
+    /// Time in which a flow taken over from twice the spacing settles; with a line for such starts where it is given.
+    settles_in: Option<f64>,
     /// What a spacing asks of the scene.
     settings: fn(u32) -> Vec<String>,
     /// The size of the error.
@@ -104,7 +138,7 @@ impl Study {
     fn draw(&self, wishes: Wishes<'_>) -> Result<[PathBuf; 2], ValidateError> {
         let mut costs = Costs::default();
         let mut series = Vec::new();
-        for variant in VARIANTS.into_iter().filter(|v| self.shifted || !v.2) {
+        for variant in VARIANTS.into_iter().filter(|v| self.has(v)) {
             series.push(self.line(variant, wishes, &mut costs)?);
         }
         let peers = (self.peers)(&series, &costs);
@@ -125,33 +159,27 @@ impl Study {
         Ok(files)
     }
 
+    fn has(&self, variant: &Variant) -> bool {
+        (self.shifted || !variant.shifted) && (self.settles_in.is_some() || !variant.coarse_start)
+    }
+
     /// All spacings of one variant.
     fn line(
         &self,
-        (equations, extrapolation, shifted): (&str, &str, bool),
+        variant: Variant,
         wishes: Wishes<'_>,
         costs: &mut Costs,
     ) -> Result<SpeedSeries, ValidateError> {
-        let context = Context {
-            level: Level::Quick,
-            settings: &[],
-            out: wishes.out,
-            announce: wishes.announce,
-        };
-        let addition = if shifted { ", shifted" } else { "" };
-        let name = format!("{equations}, {extrapolation}{addition}");
+        let name = variant.name();
         let more: &[u32] = if wishes.full { self.cells[1] } else { &[] };
         let cells = self.cells[0].iter().chain(more).copied();
         let mut points = Vec::new();
         for cells in cells.take(wishes.spacings.unwrap_or(usize::MAX)) {
-            let mut settings = (self.settings)(cells);
-            settings.push(format!("scheme.equations={equations}"));
-            settings.push(format!("scheme.extrapolation={extrapolation}"));
-            settings.push(format!("scheme.shifting={shifted}"));
             let label = format!("{}/{cells}", self.unit);
-            let found = run(self.scene, &settings, &context)
-                .and_then(|outcome| Ok(((self.measure)(&outcome, cells)?, outcome)));
-            let (error, outcome) = match found {
+            let found = self
+                .run(variant, cells, wishes)
+                .and_then(|runs| Ok(((self.measure)(&runs.last, cells)?, runs)));
+            let (error, runs) = match found {
                 Ok(found) => found,
                 Err(error @ (ValidateError::Run { .. } | ValidateError::Metric { .. })) => {
                     (wishes.announce)(&format!("no point for {name}, {label}: {error}"));
@@ -159,7 +187,7 @@ impl Study {
                 }
                 Err(error) => return Err(error),
             };
-            let summary = &outcome.summary;
+            let summary = &runs.last.summary;
             costs.0.push(Cost {
                 variant: name.clone(),
                 label: label.clone(),
@@ -168,7 +196,7 @@ impl Study {
             });
             points.push(SpeedPoint {
                 label,
-                cpu_seconds: summary.cpu_seconds,
+                cpu_seconds: runs.cpu_seconds,
                 error,
             });
         }
@@ -177,6 +205,67 @@ impl Study {
             peer: false,
             points,
         })
+    }
+
+    /// One spacing of one variant, after the coarser ones that it starts from.
+    fn run(&self, variant: Variant, cells: u32, wishes: Wishes<'_>) -> Result<Runs, ValidateError> {
+        let context = Context {
+            level: Level::Quick,
+            settings: &[],
+            out: wishes.out,
+            announce: wishes.announce,
+        };
+        let mut settings = (self.settings)(cells);
+        settings.extend(variant.settings());
+        let half = cells / 2;
+        let settles_in = self.settles_in.filter(|_| variant.coarse_start);
+        let Some(time) = settles_in.filter(|_| cells.is_multiple_of(2) && half >= COARSEST) else {
+            let last = run(self.scene, &settings, &context)?;
+            return Ok(Runs {
+                cpu_seconds: last.summary.cpu_seconds,
+                last,
+            });
+        };
+        let before = self.run(variant, half, wishes)?;
+        let frame = wishes.out.join(format!("{}-start.vtp", self.scene.name));
+        output::make_folder(wishes.out)?;
+        output::write_frame(&frame, &before.last.frame, false)?;
+        settings.push(format!("initial.frame={}", frame.display()));
+        settings.push(format!("end_time={time}"));
+        let last = run(self.scene, &settings, &context);
+        std::fs::remove_file(&frame).map_err(|source| OutputError::new(&frame, source))?;
+        let last = last?;
+        Ok(Runs {
+            cpu_seconds: before.cpu_seconds + last.summary.cpu_seconds,
+            last,
+        })
+    }
+}
+
+/// A run, and what it and those that it started from took.
+struct Runs {
+    last: Outcome,
+    cpu_seconds: f64,
+}
+
+impl Variant {
+    fn name(&self) -> String {
+        let shifted = if self.shifted { ", shifted" } else { "" };
+        let start = if self.coarse_start {
+            ", coarse start"
+        } else {
+            ""
+        };
+        let (equations, extrapolation) = (self.equations, self.extrapolation);
+        format!("{equations}, {extrapolation}{shifted}{start}")
+    }
+
+    fn settings(&self) -> [String; 3] {
+        [
+            format!("scheme.equations={}", self.equations),
+            format!("scheme.extrapolation={}", self.extrapolation),
+            format!("scheme.shifting={}", self.shifted),
+        ]
     }
 }
 

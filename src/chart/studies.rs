@@ -22,6 +22,8 @@ pub(super) fn all() -> [Study; 5] {
             unit: "1",
             cells: [&[8, 12, 16, 24], &[32, 48]],
             shifted: false,
+            // The gas crosses the box in 1.6.
+            settles_in: Some(2.5),
             settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
             measure: wedge_density,
             peers: |series, costs| {
@@ -37,6 +39,7 @@ pub(super) fn all() -> [Study; 5] {
             unit: "1",
             cells: [&[100, 200, 300, 400], &[500, 800]],
             shifted: false,
+            settles_in: None,
             settings: |cells| {
                 let spacing = 1.0 / f64::from(cells);
                 vec![
@@ -54,6 +57,8 @@ pub(super) fn all() -> [Study; 5] {
             unit: "R",
             cells: [&[10, 14, 20, 28], &[40, 56]],
             shifted: false,
+            // The stream passes ten radii, by which the nose has long settled.
+            settles_in: Some(1.0),
             settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
             measure: |outcome, _| Ok(100.0 * cylinder::wall_departure(outcome)),
             peers: |_, _| Vec::new(),
@@ -65,6 +70,8 @@ pub(super) fn all() -> [Study; 5] {
             unit: "c",
             cells: [&[40, 56, 80, 112], &[160]],
             shifted: false,
+            // It passes two chords.
+            settles_in: Some(0.5),
             settings: |cells| {
                 let spacing = 1.0 / f64::from(cells);
                 vec![
@@ -86,6 +93,8 @@ pub(super) fn all() -> [Study; 5] {
             unit: "1",
             cells: [&[25, 35, 50, 70], &[100, 140]],
             shifted: true,
+            // It crosses the box one and a half times.
+            settles_in: Some(0.75),
             settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
             measure: cone_pressure,
             peers: |_, _| Vec::new(),

@@ -1,6 +1,8 @@
 //! The scene file, key by key. Ranges of single numbers are checked here, by their types; whether
 //! the values make sense together is decided where the case is built.
 
+use std::path::PathBuf;
+
 use serde::Deserialize;
 
 use super::formula::Formula;
@@ -199,6 +201,8 @@ pub struct InitialEntry {
     pub riemann: Option<RiemannEntry>,
     /// Formulas of position, in place of two states.
     pub field: Option<FieldEntry>,
+    /// Frame of an earlier run of whatever spacing, whose flow is taken over; relative to the scene's folder.
+    pub frame: Option<PathBuf>,
     /// Random displacement of the starting lattice, as a fraction of the spacing; none unless
     /// given.
     pub disorder: Option<Disorder>,

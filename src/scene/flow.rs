@@ -1,12 +1,14 @@
 //! From the file's `[free_stream]` and `[initial]` to states of the gas.
 
+use std::path::Path;
+
 use aero_geometry::Vector;
 
 use super::domain::AXES;
 use super::error::SceneError;
-use super::field;
 use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::number::{Finite, Gamma, Positive};
+use super::{earlier, field};
 use crate::case::{Domain, Initial, Side, State};
 
 /// Specific gas constant of dry air, J/(kg K) (R* / M = 8.31446 / 0.0289652; Picard et al. 2008,
@@ -109,19 +111,26 @@ pub(super) fn check_reservoir<const D: usize>(
     Ok(())
 }
 
-/// State at the start.
+/// State at the start; files are looked for from `folder`.
 pub(super) fn initial<const D: usize>(
     file: &SceneFile,
+    folder: &Path,
     domain: &Domain<D>,
     free_stream: &State<D>,
 ) -> Result<Initial<D>, SceneError> {
+    let given = [
+        file.initial.riemann.is_some(),
+        file.initial.field.is_some(),
+        file.initial.frame.is_some(),
+    ];
+    if given.into_iter().filter(|is_given| *is_given).count() > 1 {
+        let message = "give one of riemann, field and frame";
+        return Err(SceneError::value("initial", message));
+    }
+    if let Some(frame) = &file.initial.frame {
+        return earlier::initial(&folder.join(frame));
+    }
     if let Some(entry) = &file.initial.field {
-        if file.initial.riemann.is_some() {
-            return Err(SceneError::value(
-                "initial",
-                "give riemann or field, not both",
-            ));
-        }
         return field::initial(entry, free_stream, file.spacing.get());
     }
     let Some(riemann) = &file.initial.riemann else {

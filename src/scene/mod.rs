@@ -41,6 +41,7 @@ mod bodies;
 mod budget;
 mod cover;
 mod domain;
+mod earlier;
 mod error;
 mod field;
 pub mod file;
@@ -195,7 +196,7 @@ impl Scene {
         flow::check_inlets(&domain, &free_stream)?;
         flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
         axis::check(&domain, &free_stream)?;
-        let initial = flow::initial(file, &domain, &free_stream)?;
+        let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
         let output = output::plan(&file.output, file.end_time.get())?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
         let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;

@@ -88,6 +88,9 @@ pub enum ValidateError {
         /// Why.
         source: MetricError,
     },
+    /// A frame that the next run starts from cannot be written.
+    #[error(transparent)]
+    Frame(#[from] crate::output::OutputError),
     /// There is no exact solution.
     #[error(transparent)]
     Exact(#[from] aero_validation::exact::ExactError),
