@@ -9,7 +9,7 @@ use super::smooth::{Smooth, vertex_normals};
 use super::tree::Tree;
 use super::weld::{BackToBack, Indexed, drop_duplicates, weld};
 use super::{Mesh, orient, slivers, symmetry, weld as welding};
-use crate::error::GeometryError;
+use crate::error::{GeometryError, no_volume};
 use crate::stl::{self, Facet, Soup, Unit};
 use crate::{Bounds, Watch};
 
@@ -119,9 +119,7 @@ impl Mesh {
         mesh.hide_buried(closed.tolerance, pinches.edges > 0)?;
         let solid = mesh.volume() > NO_VOLUME * mesh.bounds.size().max().powi(3);
         if !solid || mesh.hidden.iter().all(|&hidden| hidden) {
-            return Err(GeometryError::Surface(
-                "encloses no volume; give a closed surface around a solid".into(),
-            ));
+            return Err(no_volume());
         }
         watch.begin("looking for symmetry");
         mesh.mirrors = symmetry::mirrors(&mesh, closed.tolerance);

@@ -15,7 +15,7 @@ use super::tree::Tree;
 use super::weld::{Indexed, bounds};
 use super::winding::{OFF_SKIN, crossings};
 use crate::Vector;
-use crate::error::GeometryError;
+use crate::error::{GeometryError, no_volume};
 use crate::stl::Facet;
 
 /// A share of the area that decides beyond doubt.
@@ -110,6 +110,9 @@ pub(super) fn settle(
                 }
             })
             .collect::<Result<_, _>>()?;
+        if thin.iter().all(|&thin| thin) {
+            return Err(no_volume());
+        }
     }
     apply(mesh, &part_of, &parts, &fates, repairs);
     Ok(())

@@ -31,6 +31,14 @@ fn what_encloses_nothing_is_refused() {
     assert!(refusal(vec![point; 4]).contains("no triangles"));
     let sheet = [at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0), at(0.0, 1.0, 0.0)];
     assert!(refusal(vec![sheet, [sheet[0], sheet[2], sheet[1]]]).contains("surface"));
+    // Two squares, each from both sides and with the other diagonal on the back.
+    let square = |z: f64| {
+        let [a, b, c, d] =
+            [[0.0, 0.0], [1.0, 0.0], [1.0, 1.0], [0.0, 1.0]].map(|[x, y]| at(x, y, z));
+        [[a, b, c], [a, c, d], [a, d, b], [b, d, c]]
+    };
+    let message = refusal([square(0.0), square(1.0)].concat());
+    assert!(message.contains("encloses no volume"), "{message}");
     let mut broken = unit_block();
     broken[3][1].y = f64::NAN;
     assert!(refusal(broken).contains("triangle 4 has a corner that is not finite"));
