@@ -100,16 +100,12 @@ pub(super) fn settle(
             .into_par_iter()
             .map(|number| flat(&parts[number]) && nest.is_thin(number))
             .collect();
-        fates = (0..count)
+        let judged: Vec<Result<Fate, GeometryError>> = (0..count)
             .into_par_iter()
-            .map(|number| {
-                if thin[number] {
-                    Ok(Fate::Dropped)
-                } else {
-                    nest.judge(number, &thin)
-                }
-            })
-            .collect::<Result<_, _>>()?;
+            .map(|number| nest.judge(number, &thin))
+            .collect();
+        // In order, so that it is the first refusal that is told.
+        fates = judged.into_iter().collect::<Result<_, _>>()?;
         if thin.iter().all(|&thin| thin) {
             return Err(no_volume());
         }
@@ -218,8 +214,11 @@ impl<'a> Nest<'a> {
         })
     }
 
-    /// Which way a part shall face among those that are not `thin`.
+    /// What becomes of a part: which way it shall face among those that are not `thin`.
     fn judge(&self, number: usize, thin: &[bool]) -> Result<Fate, GeometryError> {
+        if thin[number] {
+            return Ok(Fate::Dropped);
+        }
         let part = &self.parts[number];
         let wanted = |other: u32| other as usize != number && !thin[other as usize];
         let (mut all, mut inside, mut outermost) = (0.0, 0.0, None);
