@@ -9,6 +9,7 @@ mod edges;
 mod exposed;
 mod facing;
 mod holes;
+mod nest;
 mod orient;
 mod patches;
 mod pinches;
