@@ -60,6 +60,11 @@ impl GeometryError {
     }
 }
 
+/// Refuses triangles that are closed, but around nothing.
+pub(crate) fn no_volume() -> GeometryError {
+    GeometryError::Surface("encloses no volume; give a closed surface around a solid".into())
+}
+
 /// Refuses a number that is not finite and above zero.
 pub(crate) fn positive(body: &'static str, name: &str, value: f64) -> Result<f64, GeometryError> {
     if value.is_finite() && value > 0.0 {

@@ -4,16 +4,21 @@
 //! mended is listed in [`Mesh::repairs`].
 
 mod build;
+mod buried;
 mod edges;
 mod exposed;
+mod facing;
 mod holes;
+mod nest;
 mod orient;
+mod patches;
 mod pinches;
 mod slivers;
 mod smooth;
 mod symmetry;
 mod tree;
 mod triangle;
+mod wedges;
 mod weld;
 mod winding;
 
@@ -41,6 +46,8 @@ pub struct Mesh {
     hidden: Vec<bool>,
     /// The parts of triangles that bound the solid, where not all of them do.
     exposed: Option<Exposed>,
+    /// Vertices in which the surface touches itself; empty where there are none.
+    pinched: Vec<bool>,
     vertex_normals: Vec<Vector<3>>,
     smooth: Smooth,
     tree: Tree,
@@ -110,6 +117,21 @@ impl Mesh {
         (facet, closest_on(&self.corners(facet), p), false)
     }
 
+    /// True where the surface touches itself in this feature, so that more than one pair or fan of
+    /// triangles is near.
+    fn is_pinched(&self, facet: u32, feature: Feature) -> bool {
+        let at = |corner: usize| {
+            let vertex = self.facets[facet as usize][corner % 3];
+            self.pinched[vertex as usize]
+        };
+        !self.pinched.is_empty()
+            && match feature {
+                Feature::Face => false,
+                Feature::Edge(edge) => at(edge) && at(edge + 1),
+                Feature::Vertex(corner) => at(corner),
+            }
+    }
+
     /// The direction that tells the sides of a feature apart; not a unit vector.
     fn outward(&self, facet: u32, corners: &[Vector<3>; 3], feature: Feature) -> Vector<3> {
         match feature {
@@ -140,7 +162,7 @@ impl Shape<3> for Mesh {
         let outward = self.outward(facet, &corners, on.feature);
         let offset = p - on.point;
         let length = offset.norm();
-        let inside = if self.simple {
+        let inside = if self.simple && !self.is_pinched(facet, on.feature) {
             offset.dot(&outward) < 0.0
         } else {
             self.winding_number(p) > 0.5

@@ -2,24 +2,19 @@
 
 use std::path::Path;
 
-use rayon::prelude::*;
-
-use super::edges::{half_edges, neighbours, parts};
-use super::exposed::{Exposed, Surface};
+use super::edges::{half_edges, neighbours};
+use super::pinches::Pinches;
 use super::slivers::is_sliver;
-use super::smooth::{Smooth, normal, vertex_normals};
+use super::smooth::{Smooth, vertex_normals};
 use super::tree::Tree;
 use super::weld::{BackToBack, Indexed, drop_duplicates, weld};
-use super::{Mesh, orient, pinches, slivers, symmetry, weld as welding};
-use crate::error::GeometryError;
+use super::{Mesh, orient, slivers, symmetry, weld as welding};
+use crate::error::{GeometryError, no_volume};
 use crate::stl::{self, Facet, Soup, Unit};
-use crate::{Bounds, Vector, Watch};
+use crate::{Bounds, Watch};
 
 /// A mesh encloses no solid whose volume is below this part of its bounding cube.
 const NO_VOLUME: f64 = 1e-9;
-
-/// A surface of one part is tried at about so many places for whether it crosses itself.
-const PROBES: usize = 20_000;
 
 impl Mesh {
     /// The body in an STL file whose numbers are in `unit`.
@@ -97,8 +92,9 @@ impl Mesh {
         } = &closed;
         let corners = |f: u32| facets[f as usize].map(|v| vertices[v as usize]);
         let half_edges = half_edges(facets);
-        let across = neighbours(facets, &half_edges);
-        repairs.extend(pinches::found(&closed, &half_edges, &across));
+        let across = neighbours(&closed, &half_edges);
+        let pinches = Pinches::new(&closed, &half_edges, &across);
+        repairs.extend(pinches.note(vertices));
         drop(half_edges);
         let bounds: Bounds<3> = welding::bounds((0..facets.len() as u32).flat_map(corners));
         let smooth = Smooth::new(vertices, facets, &across, bounds.size().max());
@@ -107,6 +103,7 @@ impl Mesh {
             simple: !hidden.contains(&true),
             hidden,
             exposed: None,
+            pinched: pinches.vertices,
             vertex_normals: vertex_normals(vertices, facets),
             vertices: closed.vertices,
             facets: closed.facets,
@@ -119,60 +116,14 @@ impl Mesh {
             repairs,
         };
         watch.begin("finding out inside and outside");
-        mesh.hide_buried(closed.tolerance);
+        mesh.hide_buried(closed.tolerance, pinches.edges > 0)?;
         let solid = mesh.volume() > NO_VOLUME * mesh.bounds.size().max().powi(3);
         if !solid || mesh.hidden.iter().all(|&hidden| hidden) {
-            return Err(GeometryError::Surface(
-                "encloses no volume; give a closed surface around a solid".into(),
-            ));
+            return Err(no_volume());
         }
         watch.begin("looking for symmetry");
         mesh.mirrors = symmetry::mirrors(&mesh, closed.tolerance);
         Ok(mesh)
-    }
-
-    /// Leaves of the surface what has the solid on one side and the outside on the other: solids
-    /// may lie inside of others or overlap, and the surface may fold through itself.
-    fn hide_buried(&mut self, tolerance: f64) {
-        let step = 10.0 * tolerance;
-        let parting = |corners: &[Vector<3>; 3]| {
-            let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-            let offset = step * normal(corners);
-            self.winding_number(&(middle + offset)) < 0.5
-                && self.winding_number(&(middle - offset)) >= 0.5
-        };
-        let count = self.facets.len();
-        let (_, part_count) = parts(&self.across);
-        let stride = if part_count > 1 {
-            1
-        } else {
-            count.div_ceil(PROBES)
-        };
-        let sound = |f: usize| self.hidden[f] || parting(&self.corners(f as u32));
-        let surface = Surface {
-            tree: &self.tree,
-            vertices: &self.vertices,
-            facets: &self.facets,
-            tolerance,
-            bounds: self.bounds,
-        };
-        let all_sound = (0..count).into_par_iter().step_by(stride).all(sound);
-        if all_sound && (part_count == 1 || !surface.crosses_itself(&self.hidden)) {
-            return;
-        }
-        let exposed = Exposed::new(&surface, &self.hidden, parting);
-        let mut buried = vec![true; count];
-        for owner in exposed.iter().flat_map(Exposed::owners) {
-            buried[owner as usize] = false;
-        }
-        let number = (0..count).filter(|&f| buried[f] && !self.hidden[f]).count();
-        self.hidden = buried;
-        self.exposed = exposed;
-        self.simple = false;
-        self.repairs.push(format!(
-            "ignored {number} triangles inside of the solid, and parts of those that cross; \
-             overlapping parts are united"
-        ));
     }
 }
 

@@ -2,6 +2,9 @@
 
 use rayon::prelude::*;
 
+use super::wedges::wedges;
+use super::weld::Indexed;
+
 /// No triangle on the other side.
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -19,6 +22,11 @@ pub(super) struct HalfEdge {
 impl HalfEdge {
     pub fn vertices(&self) -> [u32; 2] {
         [self.low, self.high]
+    }
+
+    /// How much it adds to the balance of its edge, which is zero where the surface is closed.
+    pub fn sign(&self) -> i32 {
+        if self.ascending { 1 } else { -1 }
     }
 }
 
@@ -49,32 +57,30 @@ pub(super) fn by_edge(half_edges: &[HalfEdge]) -> impl Iterator<Item = &[HalfEdg
     half_edges.chunk_by(|a, b| a.vertices() == b.vertices())
 }
 
-/// The triangle across each edge of each triangle. Where more than two meet, those of one
-/// connected part of the surface are paired, as long as there are two of it.
-pub(super) fn neighbours(facets: &[[u32; 3]], half_edges: &[HalfEdge]) -> Vec<[u32; 3]> {
+/// The triangle across each edge of each triangle, where two meet in it.
+pub(super) fn in_pairs(facets: &[[u32; 3]], half_edges: &[HalfEdge]) -> Vec<[u32; 3]> {
     let mut across = vec![[NONE; 3]; facets.len()];
-    let join = |across: &mut Vec<[u32; 3]>, a: &HalfEdge, b: &HalfEdge| {
-        across[a.facet as usize][a.edge as usize] = b.facet;
-        across[b.facet as usize][b.edge as usize] = a.facet;
-    };
     for group in by_edge(half_edges).filter(|group| group.len() == 2) {
         join(&mut across, &group[0], &group[1]);
     }
-    if by_edge(half_edges).any(|group| group.len() > 2) {
-        let (parts, _) = parts(&across);
-        for group in by_edge(half_edges).filter(|group| group.len() > 2) {
-            for (place, a) in group.iter().enumerate() {
-                let part = parts[a.facet as usize];
-                let same = |h: &&HalfEdge| parts[h.facet as usize] == part;
-                let first = !group[..place].iter().any(|h| same(&h));
-                let mut others = group[place + 1..].iter().filter(same);
-                if let (true, Some(b), None) = (first, others.next(), others.next()) {
-                    join(&mut across, a, b);
-                }
-            }
+    across
+}
+
+/// The triangle across each edge of each triangle of an oriented surface. Where more than two meet,
+/// those that bound one wedge of the solid are neighbours.
+pub(super) fn neighbours(mesh: &Indexed, half_edges: &[HalfEdge]) -> Vec<[u32; 3]> {
+    let mut across = in_pairs(&mesh.facets, half_edges);
+    for group in by_edge(half_edges).filter(|group| group.len() > 2) {
+        for [a, b] in wedges(mesh, group) {
+            join(&mut across, &a, &b);
         }
     }
     across
+}
+
+fn join(across: &mut [[u32; 3]], a: &HalfEdge, b: &HalfEdge) {
+    across[a.facet as usize][a.edge as usize] = b.facet;
+    across[b.facet as usize][b.edge as usize] = a.facet;
 }
 
 /// The connected parts of a surface, numbered in the order of their first triangles: the part of

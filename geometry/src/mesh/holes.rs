@@ -2,7 +2,7 @@
 
 use std::collections::{BTreeMap, HashMap};
 
-use super::edges::{by_edge, half_edges};
+use super::edges::{HalfEdge, by_edge};
 use super::weld::{Indexed, bounds};
 use crate::Vector;
 
@@ -16,11 +16,12 @@ const MOST: f64 = 0.05;
 /// A hole with more corners than this is not small, whatever its size.
 const MOST_CORNERS: usize = 200;
 
-/// Fills small holes of a surface whose triangles agree with their neighbours.
-pub(super) fn fill(mesh: &mut Indexed, repairs: &mut Vec<String>) {
-    let loops = loops(mesh);
+/// Fills small holes of a surface whose triangles agree with their neighbours; false where it filled
+/// none.
+pub(super) fn fill(mesh: &mut Indexed, half_edges: &[HalfEdge], repairs: &mut Vec<String>) -> bool {
+    let loops = loops(half_edges);
     if loops.is_empty() {
-        return;
+        return false;
     }
     let extent = bounds(mesh.facets.iter().flatten().map(|&v| corner(mesh, v)));
     let small = (SMALL * extent.size().norm()).powi(2);
@@ -31,9 +32,9 @@ pub(super) fn fill(mesh: &mut Indexed, repairs: &mut Vec<String>) {
         .filter(|(area, patch)| patch.len() == 1 || *area <= small)
         .collect();
     let filled: f64 = patches.iter().map(|patch| patch.0).sum();
-    let whole: f64 = mesh.facets.iter().map(|&f| area(mesh, f)).sum();
+    let whole: f64 = mesh.facets.iter().map(|&f| mesh.area(f)).sum();
     if patches.is_empty() || filled > MOST * whole {
-        return;
+        return false;
     }
     let largest = patches
         .iter()
@@ -48,23 +49,18 @@ pub(super) fn fill(mesh: &mut Indexed, repairs: &mut Vec<String>) {
         largest.z
     ));
     mesh.facets.extend(patches.into_iter().flat_map(|p| p.1));
+    true
 }
 
 fn corner(mesh: &Indexed, vertex: u32) -> Vector<3> {
     mesh.vertices[vertex as usize]
 }
 
-fn area(mesh: &Indexed, facet: [u32; 3]) -> f64 {
-    let [a, b, c] = facet.map(|v| corner(mesh, v));
-    0.5 * (b - a).cross(&(c - a)).norm()
-}
-
 /// The borders of all holes, each in the direction in which what fills it runs. One that meets
 /// itself in a vertex is taken apart there.
-fn loops(mesh: &Indexed) -> Vec<Vec<u32>> {
-    let half_edges = half_edges(&mesh.facets);
+fn loops(half_edges: &[HalfEdge]) -> Vec<Vec<u32>> {
     let mut next: BTreeMap<u32, Vec<u32>> = BTreeMap::new();
-    for group in by_edge(&half_edges) {
+    for group in by_edge(half_edges) {
         let [low, high] = group[0].vertices();
         let ascending = group.iter().filter(|half| half.ascending).count();
         let descending = group.len() - ascending;
@@ -123,7 +119,7 @@ fn least_area(mesh: &Indexed, border: &[u32]) -> (f64, Vec<[u32; 3]>) {
             for middle in first + 1..last {
                 let total = least[first * count + middle]
                     + least[middle * count + last]
-                    + area(mesh, [border[first], border[middle], border[last]]);
+                    + mesh.area([border[first], border[middle], border[last]]);
                 if total < best.0 {
                     best = (total, middle);
                 }

@@ -3,35 +3,54 @@
 
 use super::edges::{HalfEdge, NONE, by_edge};
 use super::weld::Indexed;
+use crate::Vector;
 
-/// Tells of pinches; nothing where there are none.
-pub(super) fn found(
-    mesh: &Indexed,
-    half_edges: &[HalfEdge],
-    across: &[[u32; 3]],
-) -> Option<String> {
-    let mut pinched = vec![false; mesh.vertices.len()];
-    let mut edges = 0;
-    for group in by_edge(half_edges).filter(|group| group.len() > 2) {
-        edges += 1;
-        for vertex in group[0].vertices() {
-            pinched[vertex as usize] = true;
+/// The pinches of a surface.
+pub(super) struct Pinches {
+    /// Vertices in which the surface touches itself, edges' ends among them; empty where there are none.
+    pub vertices: Vec<bool>,
+    /// Edges in which more than two triangles meet.
+    pub edges: usize,
+    /// Vertices that touch without an edge.
+    single: usize,
+}
+
+impl Pinches {
+    pub fn new(mesh: &Indexed, half_edges: &[HalfEdge], across: &[[u32; 3]]) -> Self {
+        let mut pinched = vec![false; mesh.vertices.len()];
+        let mut edges = 0;
+        for group in by_edge(half_edges).filter(|group| group.len() > 2) {
+            edges += 1;
+            for vertex in group[0].vertices() {
+                pinched[vertex as usize] = true;
+            }
+        }
+        let mut single = 0;
+        for (pinched, fans) in pinched.iter_mut().zip(fans(mesh, across)) {
+            if fans > 1 && !*pinched {
+                *pinched = true;
+                single += 1;
+            }
+        }
+        if edges + single == 0 {
+            pinched = Vec::new();
+        }
+        Self {
+            vertices: pinched,
+            edges,
+            single,
         }
     }
-    let mut first = pinched.iter().position(|&is| is);
-    let mut vertices = 0;
-    for (vertex, fans) in fans(mesh, across).into_iter().enumerate() {
-        if fans > 1 && !pinched[vertex] {
-            vertices += 1;
-            first = first.or(Some(vertex));
-        }
+
+    /// Tells of the pinches; nothing where there are none.
+    pub fn note(&self, vertices: &[Vector<3>]) -> Option<String> {
+        let p = vertices[self.vertices.iter().position(|&is| is)?];
+        Some(format!(
+            "kept {} edges and {} single vertices at which the surface touches itself, one at \
+             ({:.6}, {:.6}, {:.6})",
+            self.edges, self.single, p.x, p.y, p.z
+        ))
     }
-    let p = mesh.vertices[first?];
-    Some(format!(
-        "kept {edges} edges and {vertices} single vertices at which the surface touches itself, one at \
-         ({:.6}, {:.6}, {:.6})",
-        p.x, p.y, p.z
-    ))
 }
 
 /// How many fans of triangles, each hanging together across edges, meet in each vertex.

@@ -51,7 +51,7 @@ pub(super) fn flip(mesh: &mut Indexed, repairs: &mut Vec<String>) {
 
 fn round(mesh: &mut Indexed, slivers: &[usize]) -> usize {
     let half_edges = half_edges(&mesh.facets);
-    let across = neighbours(&mesh.facets, &half_edges);
+    let across = neighbours(mesh, &half_edges);
     let exists = |a: u32, b: u32| {
         let edge = [a.min(b), a.max(b)];
         half_edges

@@ -22,6 +22,17 @@ pub(super) struct Indexed {
     pub tolerance: f64,
 }
 
+impl Indexed {
+    pub fn corners(&self, facet: [u32; 3]) -> Facet {
+        facet.map(|v| self.vertices[v as usize])
+    }
+
+    pub fn area(&self, facet: [u32; 3]) -> f64 {
+        let [a, b, c] = self.corners(facet);
+        0.5 * (b - a).cross(&(c - a)).norm()
+    }
+}
+
 pub(super) fn bounds(points: impl Iterator<Item = Vector<3>>) -> Bounds<3> {
     let empty = Bounds::new(
         Vector::<3>::repeat(f64::INFINITY),

@@ -1,0 +1,112 @@
+//! Distances and normals against exact bodies and another library.
+
+use aero_geometry::Shape;
+use aero_geometry::bodies::{Capsule, cone, cuboid, sphere};
+use approx::assert_relative_eq;
+
+use super::{at, mesh, unit_block};
+
+#[test]
+fn a_sphere_of_triangles_is_close_to_the_exact_one() {
+    let exact = sphere(1.0).unwrap();
+    let facets = exact.tessellate(226);
+    assert!(facets.len() > 50_000);
+    let mesh = mesh(facets);
+    assert!(mesh.repairs().is_empty());
+    assert_eq!(mesh.patch_count(), 1);
+    assert_relative_eq!(mesh.measure().unwrap(), exact.volume(), max_relative = 1e-3);
+    assert_eq!(mesh.mirror_planes(), vec![(0, 0.0), (1, 0.0), (2, 0.0)]);
+    for k in 0..2000 {
+        let k = f64::from(k);
+        let direction = at((0.37 * k).sin(), (0.73 * k).cos(), (1.13 * k).sin()).normalize();
+        let p = (0.9 + 0.2 * (0.91 * k).sin().abs()) * direction;
+        let closest = mesh.closest(&p);
+        assert!((closest.distance - exact.signed_distance(&p)).abs() < 2e-4);
+        assert!(closest.normal.angle(&direction).to_degrees() < 0.2);
+    }
+}
+
+#[test]
+fn a_block_of_triangles_answers_like_the_exact_one() {
+    let (mesh, exact) = (mesh(unit_block()), cuboid([1.0; 3]).unwrap());
+    assert_eq!(mesh.patch_count(), 6);
+    assert_eq!(mesh.measure(), Some(1.0));
+    for k in 0..2000 {
+        let k = f64::from(k);
+        let p = at((0.37 * k).sin(), (0.73 * k).cos(), (1.13 * k).sin());
+        let (a, b) = (mesh.closest(&p), exact.closest(&p));
+        assert!((a.distance - b.distance).abs() < 1e-14);
+        if (a.point - b.point).norm() < 1e-12 {
+            assert!((a.normal - b.normal).norm() < 1e-12);
+        }
+    }
+}
+
+#[test]
+fn a_ramp_between_wide_triangles_stays_a_crease_and_a_round_wall_has_none() {
+    // A block whose top rises by 15 degrees from the middle on.
+    let rise = 15.0_f64.to_radians().tan();
+    let low = [
+        [0.0, 0.0],
+        [1.0, 0.0],
+        [2.0, 0.0],
+        [2.0, 1.0 + rise],
+        [1.0, 1.0],
+        [0.0, 1.0],
+    ];
+    let point = |k: usize, z: f64| at(low[k % 6][0], low[k % 6][1], z);
+    let mut facets = Vec::new();
+    for k in 0..6 {
+        let (a, b, c, d) = (
+            point(k, 0.0),
+            point(k + 1, 0.0),
+            point(k + 1, 1.0),
+            point(k, 1.0),
+        );
+        facets.extend([[a, b, c], [a, c, d]]);
+    }
+    for [a, b, c, d] in [[0, 1, 4, 5], [1, 2, 3, 4]] {
+        for [i, j, k] in [[a, b, c], [a, c, d]] {
+            facets.push([point(i, 1.0), point(j, 1.0), point(k, 1.0)]);
+            facets.push([point(k, 0.0), point(j, 0.0), point(i, 0.0)]);
+        }
+    }
+    let ramp = mesh(facets);
+    let flat = ramp.closest(&at(0.8, 1.1, 0.5));
+    let slope = ramp.closest(&at(1.5, 1.3, 0.5));
+    assert_relative_eq!(flat.normal, at(0.0, 1.0, 0.0), epsilon = 1e-12);
+    assert_relative_eq!(
+        slope.normal,
+        at(-rise, 1.0, 0.0).normalize(),
+        epsilon = 1e-12
+    );
+    assert_ne!(flat.face, slope.face);
+    // The cone's wall is one patch, its base another.
+    let spike = mesh(cone(20.0, 1.0).unwrap().tessellate(60));
+    assert_eq!(spike.patch_count(), 2);
+}
+
+#[test]
+fn distances_agree_with_another_library() {
+    use parry3d::query::PointQuery;
+    let facets = Capsule::apollo().body().unwrap().tessellate(40);
+    let mesh = mesh(facets.clone());
+    let vertices: Vec<_> = facets
+        .iter()
+        .flatten()
+        .map(|v| parry3d::math::Vector::new(v.x, v.y, v.z))
+        .collect();
+    let indices = (0..facets.len() as u32).map(|f| [3 * f, 3 * f + 1, 3 * f + 2]);
+    let other = parry3d::shape::TriMesh::new(vertices, indices.collect()).unwrap();
+    for k in 0..3000 {
+        let k = f64::from(k);
+        let p = at(
+            1.5 + 3.0 * (0.37 * k).sin(),
+            3.0 * (0.73 * k).cos(),
+            3.0 * (1.13 * k).sin(),
+        );
+        let distance =
+            other.distance_to_local_point(parry3d::math::Vector::new(p.x, p.y, p.z), false);
+        assert!((mesh.signed_distance(&p).abs() - distance.abs()).abs() < 1e-12);
+    }
+}
