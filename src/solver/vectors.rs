@@ -76,12 +76,19 @@ impl Arch {
 
     /// Runs `pass` in these vectors.
     pub fn dispatch<P: Pass>(self, pass: P) -> P::Output {
-        match (self.precision, self.instructions) {
-            (Precision::Double, instructions) => instructions.dispatch(InDouble(pass)),
-            // Eight lanes of `f32` are half an AVX-512 vector: its instructions and registers on 256 bits.
+        if self.precision == Precision::Double {
+            return self.instructions.dispatch(InDouble(pass));
+        }
+        match self.instructions {
+            // Half a vector of AVX-512, with all its instructions and registers.
             #[cfg(target_arch = "x86_64")]
-            (Precision::Mixed, pulp::Arch::V4(simd)) => simd.vectorize(InHalves(pass, *simd)),
-            (Precision::Mixed, instructions) => instructions.dispatch(InSingle(pass)),
+            pulp::Arch::V4(simd) => simd.vectorize(InEights(pass, *simd)),
+            #[cfg(target_arch = "x86_64")]
+            pulp::Arch::V3(simd) => simd.vectorize(InEights(pass, simd)),
+            #[cfg(target_arch = "x86_64")]
+            _ => InSingle(pass).with_simd(pulp::Scalar),
+            #[cfg(not(target_arch = "x86_64"))]
+            instructions => instructions.dispatch(InSingle(pass)),
         }
     }
 }
@@ -127,11 +134,12 @@ impl<P: Pass> WithSimd for InSingle<P> {
     }
 }
 
+/// Eight `f32` at once.
 #[cfg(target_arch = "x86_64")]
-struct InHalves<P>(P, pulp::x86::V3);
+struct InEights<P>(P, pulp::x86::V3);
 
 #[cfg(target_arch = "x86_64")]
-impl<P: Pass> NullaryFnOnce for InHalves<P> {
+impl<P: Pass> NullaryFnOnce for InEights<P> {
     type Output = P::Output;
 
     #[inline(always)]

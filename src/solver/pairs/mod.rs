@@ -1,6 +1,7 @@
 //! Pair laws, one published model per file, and the passes that sum them.
 //!
-//! A pass treats one cluster of particles `i` in the lanes and broadcasts each neighbour `j`.
+//! A pass treats one cluster of particles `i` in the lanes and broadcasts each neighbour `j`. Laws do not ask in what numbers
+//! the lanes are ([`super::vectors`]).
 
 use super::lanes::Lane;
 use super::records::Near;
