@@ -34,6 +34,15 @@ fn an_unknown_side_is_shown_with_those_there_are() {
 }
 
 #[test]
+fn an_unknown_precision_is_shown_with_those_there_are() {
+    let scene = box_with("[domain]", "[scheme]\nprecision = \"half\"\n\n[domain]");
+    refused(
+        &scene,
+        &["^^^^^^", "unknown variant `half`", "`double` or `mixed`"],
+    );
+}
+
+#[test]
 fn an_unknown_key_of_a_wall_is_shown_with_its_place() {
     let scene = box_with("x_max = \"wall\"", "x_max = { wall = { speed = 1.0 } }");
     refused(

@@ -26,11 +26,14 @@ fn a_section_that_the_scene_lacks_can_be_set_with_bare_words() {
         "scheme.equations=paper",
         "--set",
         "scheme.extrapolation=wm",
+        "--set",
+        "scheme.precision=mixed",
     ];
     place.run(BOX, &settings).succeeds();
     let summary = place.json("results/summary.json");
     assert_eq!(summary["scheme"], "paper");
     assert_eq!(summary["extrapolation"], "wm");
+    assert_eq!(summary["precision"], "mixed");
 }
 
 #[test]

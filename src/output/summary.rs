@@ -13,6 +13,8 @@ pub struct Summary {
     pub scheme: String,
     /// How ghosts got their state.
     pub extrapolation: String,
+    /// In what numbers pairs were computed.
+    pub precision: String,
     /// Number of space dimensions.
     pub dimension: usize,
     /// Particle spacing.

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 
 use super::Stopwatch;
 use super::steady::Window;
-use crate::case::{Body, Case, Equations, Extrapolation};
+use crate::case::{Body, Case, Equations, Extrapolation, Precision};
 use crate::frame::{Load, Totals};
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
 use crate::solver::Simulation;
@@ -137,6 +137,11 @@ impl Tally {
             extrapolation: match case.scheme.extrapolation {
                 Extrapolation::Wom => "wom",
                 Extrapolation::Wm => "wm",
+            }
+            .into(),
+            precision: match case.scheme.precision {
+                Precision::Double => "double",
+                Precision::Mixed => "mixed",
             }
             .into(),
             dimension: D,

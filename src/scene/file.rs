@@ -12,7 +12,7 @@ use super::number::{
 use super::shapes::ShapeEntry;
 use super::side::{SideEntry, WallWord};
 use super::spin::{Rotation, Spin};
-use crate::case::{Equations, Extrapolation, Stop};
+use crate::case::{Equations, Extrapolation, Precision, Stop};
 
 /// A whole scene.
 #[derive(Clone, Debug, Deserialize)]
@@ -79,6 +79,8 @@ pub struct SchemeEntry {
     pub surface_tags: Option<bool>,
     /// Moves the undisturbed free stream on without pair sums.
     pub skip_undisturbed: Option<bool>,
+    /// `double` unless given.
+    pub precision: Option<PrecisionWord>,
     /// 0.5 unless given.
     pub cfl: Option<Courant>,
 }
@@ -98,6 +100,25 @@ impl From<StopWord> for Stop {
         match word {
             StopWord::EndTime => Self::EndTime,
             StopWord::Steady => Self::Steady,
+        }
+    }
+}
+
+/// Numbers of the pair sums, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PrecisionWord {
+    /// All in `f64`.
+    Double,
+    /// Pairs in `f32`.
+    Mixed,
+}
+
+impl From<PrecisionWord> for Precision {
+    fn from(word: PrecisionWord) -> Self {
+        match word {
+            PrecisionWord::Double => Self::Double,
+            PrecisionWord::Mixed => Self::Mixed,
         }
     }
 }

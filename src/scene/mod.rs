@@ -257,6 +257,7 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         limited_conduction: entry.limited_conduction.unwrap_or(usual.limited_conduction),
         surface_tags: entry.surface_tags.unwrap_or(usual.surface_tags),
         skip_undisturbed: entry.skip_undisturbed.unwrap_or(usual.skip_undisturbed),
+        precision: entry.precision.map_or(usual.precision, Into::into),
         cfl: entry.cfl.map_or(usual.cfl, Courant::get),
     }
 }

@@ -1,7 +1,7 @@
 //! The undisturbed free stream: gas that needs no pair sums, because they would be zero.
 //!
-//! A particle is *calm* while its state is that of the free stream, and its rates are zero, to
-//! [`TOLERANCE`]. Clusters that see nothing but calm particles are moved on as they are; whatever disturbs
+//! A particle is *calm* while its state is that of the free stream, and its rates are zero, to a
+//! tolerance. Clusters that see nothing but calm particles are moved on as they are; whatever disturbs
 //! a neighbour's neighbour wakes them, two reaches ahead of it. What is left out is below the tolerance, and so is
 //! what it could have become: no sound is lost that a sum of zeros would have carried.
 
@@ -11,12 +11,15 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use super::neighbours::GROWTH;
 use super::particle::{Particle, Rates};
 use super::records::Near;
-use crate::case::{Case, Side};
+use crate::case::{Case, Precision, Side};
 
 /// What counts as nothing: differences of density, energy and smoothing length over their values, of velocity
 /// over the speed of sound, and what the rates make of these in the time that sound takes for a
 /// smoothing length.
 const TOLERANCE: f64 = 1e-9;
+
+/// The same in mixed precision, some ten times what rounding leaves of a lattice's sums.
+const MIXED_TOLERANCE: f64 = 1e-5;
 
 /// Edge of a cell of the map, in spacings: about a cluster of particles.
 const CELL: f64 = 2.0;
@@ -27,6 +30,7 @@ const MARGIN: f64 = 3.0;
 /// Map of what is calm.
 #[derive(Clone, Debug)]
 pub struct Calm<const D: usize> {
+    tolerance: f64,
     density: f64,
     velocity: Vector<D>,
     energy: f64,
@@ -53,6 +57,10 @@ impl<const D: usize> Calm<D> {
         let cell = CELL * case.spacing;
         let bounds = &case.domain.bounds;
         Some(Self {
+            tolerance: match case.scheme.precision {
+                Precision::Double => TOLERANCE,
+                Precision::Mixed => MIXED_TOLERANCE,
+            },
             density: gas.density,
             velocity: gas.velocity,
             energy: gas.pressure / ((case.gamma - 1.0) * gas.density),
@@ -70,11 +78,11 @@ impl<const D: usize> Calm<D> {
 
     /// True of a particle whose state and `rates` are those of the free stream.
     pub fn holds(&self, particle: &Particle<D>, rates: &Rates<D>) -> bool {
-        let speed = TOLERANCE * self.sound;
+        let speed = self.tolerance * self.sound;
         let time = self.h / self.sound;
         let acceleration = rates.acceleration + rates.wall_acceleration;
         let is_near = |value: f64, expected: f64, rate: f64| {
-            let least = TOLERANCE * expected;
+            let least = self.tolerance * expected;
             (value - expected).abs() < least && rate.abs() * time < least
         };
         is_near(particle.density, self.density, rates.density)

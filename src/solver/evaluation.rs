@@ -21,11 +21,12 @@ impl<const D: usize> Simulation<D> {
     /// In rarefied gas the smoothing length stops growing where [`Self::widest`] says.
     pub(super) fn read_densities(&mut self) {
         let widest = self.widest();
+        self.round_near();
         self.densities.resize(self.fluid.len(), 0.0);
         densities(
             self.arch,
             &self.lists,
-            &self.records.near,
+            &self.records,
             self.lattice_sum,
             &mut self.densities,
         );
@@ -108,10 +109,11 @@ impl<const D: usize> Simulation<D> {
     pub(super) fn renormalise(&mut self) {
         self.renormalisations
             .resize(self.fluid.len(), Renormalisation::default());
+        self.round_near();
         renormalise(
             self.arch,
             &self.lists,
-            &self.records.near,
+            &self.records,
             Gradients {
                 of_density: self.case.scheme.equations == Equations::Paper,
                 of_concentration: self.case.scheme.shifting,
@@ -128,6 +130,18 @@ impl<const D: usize> Simulation<D> {
             });
         self.flow_images
             .refresh(&mut self.records, FLUID, FLOW_IMAGES);
+        if self.arch.is_mixed() {
+            let Records { state, rounded, .. } = &mut self.records;
+            rounded.round_state(state);
+        }
+    }
+
+    /// Rounds the geometry where pairs are computed in `f32`.
+    fn round_near(&mut self) {
+        if self.arch.is_mixed() {
+            let Records { near, rounded, .. } = &mut self.records;
+            rounded.round_near(near);
+        }
     }
 
     pub(super) fn shield(&mut self) {

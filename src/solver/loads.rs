@@ -144,7 +144,7 @@ impl<const D: usize> Simulation<D> {
     fn ghost_forces(&self) -> Vec<Vector<D>> {
         let mut rates = vec![Rates::default(); self.walls.ghosts.len()];
         reactions(
-            self.arch,
+            self.arch.double(),
             &self.wall_lists.near,
             &self.records,
             self.sought(),

@@ -5,7 +5,6 @@
 
 use aero_geometry::Pencils;
 use aero_geometry::kernel::SMOOTHING_RATIO;
-use pulp::Arch;
 
 use crate::case::{Case, Equations};
 use crate::frame::Totals;
@@ -32,6 +31,7 @@ mod records;
 mod reservoir;
 mod rigid;
 mod rings;
+mod rounding;
 mod shifting;
 mod shock_sensor;
 mod side_walls;
@@ -42,6 +42,7 @@ mod stages;
 mod tests;
 mod time_step;
 mod turning;
+mod vectors;
 mod walls;
 
 use calm::Calm;
@@ -50,8 +51,9 @@ use neighbours::{Lists, Rough};
 use open::OpenBoundaries;
 use pairs::renormalisation::Renormalisation;
 use particle::{Particle, Rates};
-use records::Records;
+use records::{Records, Rounded};
 use rings::Rings;
+use vectors::Arch;
 use walls::{WallLists, Walls};
 
 pub use checkpoint::Memory;
@@ -112,8 +114,8 @@ struct StepBound {
 impl<const D: usize> Simulation<D> {
     /// Sets up the particles of `case`.
     pub fn new(case: Case<D>) -> Result<Self, String> {
-        let arch = lanes::processor()?;
-        let lanes = neighbours::lane_count(arch) as f64;
+        let arch = Arch::of_processor(case.scheme.precision)?;
+        let lanes = arch.lanes() as f64;
         let width = case.spacing * lanes.powf(1.0 / D as f64);
         let (fluid, open) = OpenBoundaries::fill(&case)?;
         if fluid.is_empty() {
@@ -134,7 +136,10 @@ impl<const D: usize> Simulation<D> {
             calm: Calm::new(&case),
             flow_images: Images::default(),
             ghost_images: Images::default(),
-            records: Records::default(),
+            records: Records {
+                rounded: Rounded::new(&case),
+                ..Records::default()
+            },
             rough: Rough::default(),
             lists: Lists::default(),
             wall_lists: WallLists::default(),

@@ -2,56 +2,106 @@
 //! `[fluid | open | flow images | ghosts | ghost images]`.
 
 use aero_geometry::Vector;
-use nalgebra::SMatrix;
+use nalgebra::{SMatrix, SVector, Scalar};
+
+pub use super::rounding::{Rounded, Split};
 
 /// A `D x D` matrix.
 pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
 
+/// What records are made of: `f64`, or `f32` for what is done pair by pair.
+pub trait Number: Scalar + Copy + Into<f64> {
+    /// A coordinate.
+    type Place: Scalar + Copy;
+
+    /// The records in these numbers.
+    fn of<const D: usize>(records: &Records<D>) -> Read<'_, D, Self>;
+}
+
+/// Records in one kind of number.
+#[derive(Clone, Copy, Debug)]
+pub struct Read<'a, const D: usize, N: Number> {
+    /// Geometry.
+    pub near: &'a [Near<D, N>],
+    /// State.
+    pub state: &'a [State<D, N>],
+    /// Shift of the gas, up to the first ghost.
+    pub shift: &'a [SVector<N, D>],
+    /// The inverse of what lengths are measured in.
+    pub per_length: f64,
+}
+
+impl Number for f64 {
+    type Place = Self;
+
+    #[inline(always)]
+    fn of<const D: usize>(records: &Records<D>) -> Read<'_, D, Self> {
+        Read {
+            near: &records.near,
+            state: &records.state,
+            shift: &records.shift,
+            per_length: 1.0,
+        }
+    }
+}
+
 /// Geometry and motion of a neighbour: enough for lists, summation density and renormalisation.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub struct Near<const D: usize> {
+pub struct Near<const D: usize, N: Number = f64> {
     /// Position.
-    pub position: Vector<D>,
+    pub position: SVector<N::Place, D>,
     /// Half the smoothing length: two halves add to `h_ij`.
-    pub half_h: f64,
+    pub half_h: N,
     /// Volume `V_j = m_j / rho_j`; a ghost's own, constant.
-    pub volume: f64,
+    pub volume: N,
     /// Mass; `rho V` for a ghost.
-    pub mass: f64,
+    pub mass: N,
     /// Half the density: two halves add to `rho_ij`.
-    pub half_density: f64,
+    pub half_density: N,
     /// Velocity.
-    pub velocity: Vector<D>,
+    pub velocity: SVector<N, D>,
 }
 
 /// State of a neighbour: what the rates need on top.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub struct State<const D: usize> {
+pub struct State<const D: usize, N: Number = f64> {
     /// Half the speed of sound: two halves add to `c_ij`.
-    pub half_sound: f64,
+    pub half_sound: N,
     /// Specific internal energy.
-    pub energy: f64,
+    pub energy: N,
     /// Pressure.
-    pub pressure: f64,
+    pub pressure: N,
     /// Half the density gradient.
-    pub half_gradient: Vector<D>,
+    pub half_gradient: SVector<N, D>,
     /// Rate of strain.
-    pub strain: Symmetric<D>,
+    pub strain: Symmetric<D, N>,
     /// Slope of the energy that conduction leaves alone.
-    pub energy_slope: Vector<D>,
+    pub energy_slope: SVector<N, D>,
     /// `V p L`.
-    pub stress: Symmetric<D>,
+    pub stress: Symmetric<D, N>,
 }
 
 /// A symmetric `D x D` matrix without its lower triangle.
 #[derive(Clone, Copy, Debug)]
 #[repr(C)]
-pub struct Symmetric<const D: usize> {
-    diagonal: Vector<D>,
+pub struct Symmetric<const D: usize, N: Number = f64> {
+    diagonal: SVector<N, D>,
     /// Above the diagonal, row by row: at most as many as on it.
-    above: Vector<D>,
+    above: SVector<N, D>,
+}
+
+impl<const D: usize, N: Number> Symmetric<D, N> {
+    /// Component `a, b`.
+    #[inline(always)]
+    pub fn get(&self, a: usize, b: usize) -> N {
+        if a == b {
+            self.diagonal[a]
+        } else {
+            self.above[a + b - 1]
+        }
+    }
 }
 
 impl<const D: usize> Symmetric<D> {
@@ -77,16 +127,6 @@ impl<const D: usize> Symmetric<D> {
         }
     }
 
-    /// Component `a, b`.
-    #[inline(always)]
-    pub fn get(&self, a: usize, b: usize) -> f64 {
-        if a == b {
-            self.diagonal[a]
-        } else {
-            self.above[a + b - 1]
-        }
-    }
-
     /// The mirror image where `sign` is -1 along the axes that turn round.
     pub fn reflected(mut self, sign: &Vector<D>) -> Self {
         for a in 0..D {
@@ -95,6 +135,15 @@ impl<const D: usize> Symmetric<D> {
             }
         }
         self
+    }
+
+    /// `factor` times this, rounded.
+    pub(super) fn rounded(&self, factor: f64) -> Symmetric<D, f32> {
+        let round = |vector: &Vector<D>| vector.map(|x| (x * factor) as f32);
+        Symmetric {
+            diagonal: round(&self.diagonal),
+            above: round(&self.above),
+        }
     }
 }
 
@@ -140,6 +189,8 @@ pub struct Records<const D: usize> {
     pub state: Vec<State<D>>,
     /// Shift of the gas, renormalised, up to the first ghost; empty where particles are not shifted.
     pub shift: Vec<Vector<D>>,
+    /// The same in `f32`, where pairs are computed so; empty elsewhere.
+    pub rounded: Rounded<D>,
     /// First slot of the segments fluid, open, flow images, ghosts, ghost images; then the end.
     pub start: [usize; 6],
 }
@@ -150,6 +201,7 @@ impl<const D: usize> Default for Records<D> {
             near: Vec::new(),
             state: Vec::new(),
             shift: Vec::new(),
+            rounded: Rounded::default(),
             start: [0; 6],
         }
     }

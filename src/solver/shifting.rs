@@ -11,7 +11,7 @@ use rayon::prelude::*;
 use super::Simulation;
 use super::pairs::renormalisation::Renormalisation;
 use super::particle::Particle;
-use super::records::{FLOW_IMAGES, GHOSTS};
+use super::records::{FLOW_IMAGES, GHOSTS, Records};
 
 /// Drift along a gradient of concentration of `1 / (2 h)`, over the speed of sound: the largest Mach number of the
 /// weakly compressible flows for which Sun et al. [2017, 2019] give `du = -Ma c (2h) grad C`.
@@ -66,6 +66,10 @@ impl<const D: usize> Simulation<D> {
         for (number, slot) in (records.start[FLOW_IMAGES]..gas).enumerate() {
             let (source, sign) = self.flow_images.source(number);
             records.shift[slot] = sign.component_mul(&records.shift[source]);
+        }
+        if self.arch.is_mixed() {
+            let Records { shift, rounded, .. } = &mut self.records;
+            rounded.round_shift(shift);
         }
     }
 

@@ -8,7 +8,7 @@ use pulp::Simd;
 use super::rough::{BLOCK, Block, LOSS, Rough};
 use super::{Candidates, REACH, Seeker};
 use crate::solver::calm::Calm;
-use crate::solver::lanes::MAX_LANES;
+use crate::solver::vectors::MAX_LANES;
 
 /// A cluster of seekers, and the box around it in space and in velocity.
 pub struct Hull<const D: usize> {

@@ -8,7 +8,7 @@ use std::ops::Range;
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
 mod candidates;
@@ -21,6 +21,7 @@ use hull::Hull;
 pub use rough::Rough;
 
 use super::calm::Calm;
+use super::vectors::Arch;
 
 /// A smoothing length may grow by this factor in one step; the lists allow for it.
 pub const GROWTH: f64 = 1.03;
@@ -93,7 +94,8 @@ impl Lists {
             self.chunks.clear();
             return;
         };
-        self.lanes = arch.dispatch(LaneCount);
+        self.lanes = arch.lanes();
+        let lanes = self.lanes;
         let per_chunk = self.chunk_targets();
         self.chunks
             .resize_with(count.div_ceil(per_chunk), Chunk::default);
@@ -102,7 +104,8 @@ impl Lists {
             .enumerate()
             .for_each(|(number, chunk)| {
                 let targets = number * per_chunk..count.min((number + 1) * per_chunk);
-                arch.dispatch(Build {
+                arch.instructions.dispatch(Build {
+                    lanes,
                     chunk,
                     targets,
                     seeker: &seeker,
@@ -117,6 +120,7 @@ impl Lists {
 
 /// Fills one chunk.
 struct Build<'a, F, const D: usize> {
+    lanes: usize,
     chunk: &'a mut Chunk,
     targets: Range<usize>,
     seeker: &'a F,
@@ -135,8 +139,8 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
         entries.clear();
         clusters.clear();
         let mut runs = Vec::new();
-        for start in self.targets.clone().step_by(S::F64_LANES) {
-            let targets = start..self.targets.end.min(start + S::F64_LANES);
+        for start in self.targets.clone().step_by(self.lanes) {
+            let targets = start..self.targets.end.min(start + self.lanes);
             let hull = Hull::new(targets.len(), |l| (self.seeker)(start + l), self.rough);
             let begin = entries.len();
             let is_calm = hull.is_calm(self.calm);
@@ -166,20 +170,4 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
             });
         }
     }
-}
-
-/// Number of particles that the processor treats at once.
-struct LaneCount;
-
-impl WithSimd for LaneCount {
-    type Output = usize;
-
-    fn with_simd<S: Simd>(self, _: S) -> usize {
-        S::F64_LANES
-    }
-}
-
-/// Number of particles that the processor treats at once.
-pub fn lane_count(arch: Arch) -> usize {
-    arch.dispatch(LaneCount)
 }

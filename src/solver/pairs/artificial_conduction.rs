@@ -1,8 +1,7 @@
 //! Artificial conduction of heat, and the heat flux that keeps walls from overheating.
 
-use pulp::Simd;
-
 use super::super::lanes::Lane;
+use super::super::vectors::Vectors;
 
 /// Coefficient (Villodi & Ramachandran 2024, below eq. 14).
 pub const KAPPA: f64 = 0.1;
@@ -22,8 +21,8 @@ pub const CONDUCTION: f64 = -2.0 * KAPPA;
 /// viscosity heats it too much, and its density is then too low for good; as long as it is compressed, its neighbours
 /// share that heat. `closing` is the viscosity's `mu`.
 #[inline(always)]
-pub fn shock_speed<S: Simd>(simd: S, closing: Lane<S>) -> Lane<S> {
-    closing * Lane::splat(simd, -COMPRESSED / KAPPA)
+pub fn shock_speed<V: Vectors>(vectors: V, closing: Lane<V>) -> Lane<V> {
+    closing * Lane::splat(vectors, -COMPRESSED / KAPPA)
 }
 
 /// That part of the `difference` `e_j - e_i` that does not vary linearly across the pair: what is left of it by the least
@@ -32,8 +31,13 @@ pub fn shock_speed<S: Simd>(simd: S, closing: Lane<S>) -> Lane<S> {
 /// Rosswog 2020, section 2.3], contacts are then not smeared further than the scheme needs. Van Leer's mean is a tenth better at
 /// contacts, costs 4 % more time and lets walls overheat.
 #[inline(always)]
-pub fn uneven_part<S: Simd>(simd: S, difference: Lane<S>, own: Lane<S>, other: Lane<S>) -> Lane<S> {
-    let zero = Lane::splat(simd, 0.0);
+pub fn uneven_part<V: Vectors>(
+    vectors: V,
+    difference: Lane<V>,
+    own: Lane<V>,
+    other: Lane<V>,
+) -> Lane<V> {
+    let zero = Lane::splat(vectors, 0.0);
     let rise = own.min(other).min(difference).max(zero);
     let fall = own.max(other).max(difference).min(zero);
     difference - (rise + fall)

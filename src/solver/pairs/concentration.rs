@@ -1,8 +1,7 @@
 //! Concentration of particles: where they crowd.
 
-use pulp::Simd;
-
 use super::super::lanes::Lane;
+use super::super::vectors::Vectors;
 use super::{Pair, brackets, fourth};
 
 /// Coefficient `R` of the short-ranged part (Monaghan 2000; Sun et al. 2017).
@@ -17,13 +16,13 @@ const ONE_SPACING: f64 = (16_807.0 - 6.0 * 1_024.0 + 15.0) / 243.0;
 /// `r / h` alone: a smooth gradient of density, along which spacing and `h` grow together, is then no disorder
 /// up to terms in `h^2`.
 #[inline(always)]
-pub fn repulsion<S: Simd, const D: usize>(simd: S, pair: &Pair<S, D>) -> Lane<S> {
-    let [a, b, c] = brackets(simd, pair.ratio);
-    let six = Lane::splat(simd, -6.0);
-    let fifteen = Lane::splat(simd, 15.0);
+pub fn repulsion<V: Vectors, const D: usize>(vectors: V, pair: &Pair<V, D>) -> Lane<V> {
+    let [a, b, c] = brackets(vectors, pair.ratio);
+    let six = Lane::splat(vectors, -6.0);
+    let fifteen = Lane::splat(vectors, 15.0);
     let value = (fourth(c) * c).mul_add(fifteen, (fourth(b) * b).mul_add(six, fourth(a) * a));
-    let relative = value * Lane::splat(simd, 1.0 / ONE_SPACING);
-    fourth(relative).mul_add(Lane::splat(simd, SHORT_RANGE), Lane::splat(simd, 1.0))
+    let relative = value * Lane::splat(vectors, 1.0 / ONE_SPACING);
+    fourth(relative).mul_add(Lane::splat(vectors, SHORT_RANGE), Lane::splat(vectors, 1.0))
 }
 
 #[cfg(test)]

@@ -1,8 +1,7 @@
 //! Diffusion of density, the "delta" of delta-SPH.
 
-use pulp::Simd;
-
 use super::super::lanes::Lane;
+use super::super::vectors::Vectors;
 
 /// Coefficient (Antuono et al. 2010; Villodi & Ramachandran 2024, below eq. 10).
 pub const DELTA: f64 = 0.1;
@@ -14,6 +13,6 @@ pub const DIFFUSION: f64 = -2.0 * DELTA;
 /// (g_i + g_j).r_ji / 2]`, to be weighed by `m_j / rho_j` [Villodi & Ramachandran 2024, eqs
 /// 10-11]. `deviation` is the bracket, `reach` is `h_ij F`.
 #[inline(always)]
-pub fn diffusion<S: Simd>(deviation: Lane<S>, sound: Lane<S>, reach: Lane<S>) -> Lane<S> {
+pub fn diffusion<V: Vectors>(deviation: Lane<V>, sound: Lane<V>, reach: Lane<V>) -> Lane<V> {
     sound * reach * deviation
 }

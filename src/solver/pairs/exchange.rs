@@ -1,8 +1,7 @@
 //! What shifted particles exchange, so that the flow stays where it was.
 
-use pulp::Simd;
-
 use super::super::lanes::Lane;
+use super::super::vectors::Vectors;
 use super::{LaneVector, Pair, dot};
 
 /// Rate at which `j` gives its state to `i` where both are shifted, over the mass of `i`:
@@ -16,10 +15,10 @@ use super::{LaneVector, Pair, dot};
 /// taken back, as the advection terms of Oger et al. [2016] and Sun et al. [2019] do, while the mean moves
 /// mass, momentum and energy alike.
 #[inline(always)]
-pub fn exchange_rate<S: Simd, const D: usize>(
-    pair: &Pair<S, D>,
-    shift: &LaneVector<S, D>,
-    pairwise: Lane<S>,
-) -> Lane<S> {
+pub fn exchange_rate<V: Vectors, const D: usize>(
+    pair: &Pair<V, D>,
+    shift: &LaneVector<V, D>,
+    pairwise: Lane<V>,
+) -> Lane<V> {
     pairwise * pair.gradient_factor * dot(shift, &pair.separation)
 }

@@ -2,12 +2,13 @@
 
 use aero_geometry::Vector;
 use nalgebra::{Matrix4, Vector4};
-use pulp::{Arch, Simd, WithSimd};
+use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
-use super::super::lanes::{Lane, MAX_LANES};
+use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists, Seeker};
 use super::super::records::{Matrix, Records};
+use super::super::vectors::{Arch, Double, MAX_LANES, Vectors};
 use super::{LaneVector, Separation, Target, kernel_value, unlane, zeros};
 
 /// A mirror point with less than this share of a full neighbourhood's volume is short of
@@ -45,7 +46,7 @@ pub enum Consistency {
     FirstOrder,
 }
 
-/// Interpolates the gas at every listed seeker; none where no neighbour is in reach.
+/// Interpolates the gas at every listed seeker, in double precision; none where no neighbour is in reach.
 pub fn interpolate<const D: usize>(
     arch: Arch,
     lists: &Lists,
@@ -59,7 +60,7 @@ pub fn interpolate<const D: usize>(
         .par_iter()
         .zip(results.par_chunks_mut(lists.chunk_targets()))
         .for_each(|(chunk, results)| {
-            arch.dispatch(Pass {
+            arch.instructions.dispatch(Pass {
                 chunk,
                 seeker: &seeker,
                 records,
@@ -78,20 +79,20 @@ struct Pass<'a, F, const D: usize> {
 }
 
 /// Moments of the fields, one per lane.
-struct Moments<S: Simd, const D: usize> {
+struct Moments<V: Vectors, const D: usize> {
     /// `sum w`, `w = W V` for first order, `W` for Shepard.
-    weight: Lane<S>,
+    weight: Lane<V>,
     /// `sum w (r_j - r)`.
-    first: LaneVector<S, D>,
+    first: LaneVector<V, D>,
     /// `sum w (r_j - r) (x) (r_j - r)`.
-    second: [LaneVector<S, D>; D],
+    second: [LaneVector<V, D>; D],
     /// Velocity, pressure, energy and smoothing length: `sum w f_j` and `sum w f_j (r_j - r)`.
-    velocity: [LaneVector<S, D>; D],
-    velocity_sum: LaneVector<S, D>,
-    scalars: [LaneVector<S, D>; 3],
-    scalar_sums: [Lane<S>; 3],
+    velocity: [LaneVector<V, D>; D],
+    velocity_sum: LaneVector<V, D>,
+    scalars: [LaneVector<V, D>; 3],
+    scalar_sums: [Lane<V>; 3],
     /// `sum w E_j`, on and above the diagonal.
-    strain: [LaneVector<S, D>; D],
+    strain: [LaneVector<V, D>; D],
 }
 
 impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
@@ -99,6 +100,7 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
 
     #[inline(always)]
     fn with_simd<S: Simd>(self, simd: S) {
+        let vectors = Double(simd);
         let first_order = self.consistency == Consistency::FirstOrder;
         let mut results = self.results.iter_mut();
         for cluster in &self.chunk.clusters {
@@ -114,40 +116,41 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
                 (self.seeker)((cluster.targets.start + l).min(cluster.targets.end - 1))
             });
             let target = Target::new(
-                simd,
-                std::array::from_fn(|k| Lane::gather(simd, |l| seekers[l].position[k])),
-                Lane::gather(simd, |l| seekers[l].half_h),
-                Lane::splat(simd, 0.0),
+                vectors,
+                |l, k| seekers[l].position[k],
+                Lane::gather(vectors, |l| seekers[l].half_h),
+                Lane::splat(vectors, 0.0),
             );
-            let zero = Lane::splat(simd, 0.0);
-            let mut moments = Moments::<S, D> {
+            let zero = Lane::splat(vectors, 0.0);
+            let mut moments = Moments::<Double<S>, D> {
                 weight: zero,
-                first: zeros(simd),
-                second: [zeros(simd); D],
-                velocity: [zeros(simd); D],
-                velocity_sum: zeros(simd),
-                scalars: [zeros(simd); 3],
+                first: zeros(vectors),
+                second: [zeros(vectors); D],
+                velocity: [zeros(vectors); D],
+                velocity_sum: zeros(vectors),
+                scalars: [zeros(vectors); 3],
                 scalar_sums: [zero; 3],
-                strain: [zeros(simd); D],
+                strain: [zeros(vectors); D],
             };
             for &j in neighbours {
                 let near = &self.records.near[j as usize];
                 let state = &self.records.state[j as usize];
-                let separation = Separation::new(simd, &target, near);
+                let separation = Separation::new(vectors, &target, near);
                 let roots = separation.squared.roots(separation.h);
-                let mut weight = kernel_value::<S, D>(simd, roots.root, roots.inverse_other);
+                let mut weight =
+                    kernel_value::<Double<S>, D>(vectors, roots.root, roots.inverse_other);
                 if first_order {
-                    weight = weight * Lane::splat(simd, near.volume);
+                    weight = weight * Lane::splat(vectors, near.volume);
                 }
                 let scalars = [state.pressure, state.energy, near.smoothing_length()];
                 for a in 0..D {
                     for b in a..D {
-                        let strain = Lane::splat(simd, state.strain.get(a, b));
+                        let strain = Lane::splat(vectors, state.strain.get(a, b));
                         moments.strain[a][b] = weight.mul_add(strain, moments.strain[a][b]);
                     }
                 }
                 moments.add(
-                    simd,
+                    vectors,
                     weight,
                     &separation.vector,
                     &near.velocity,
@@ -167,22 +170,22 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Pass<'_, F, D> {
     }
 }
 
-impl<S: Simd, const D: usize> Moments<S, D> {
+impl<V: Vectors, const D: usize> Moments<V, D> {
     #[inline(always)]
     fn add(
         &mut self,
-        simd: S,
-        weight: Lane<S>,
-        separation: &LaneVector<S, D>,
+        vectors: V,
+        weight: Lane<V>,
+        separation: &LaneVector<V, D>,
         velocity: &Vector<D>,
         scalars: [f64; 3],
         first_order: bool,
     ) {
         self.weight += weight;
         // r_j - r = -r_ij.
-        let arm: LaneVector<S, D> = std::array::from_fn(|k| -(weight * separation[k]));
-        let velocity: LaneVector<S, D> = std::array::from_fn(|k| Lane::splat(simd, velocity[k]));
-        let scalars = scalars.map(|scalar| Lane::splat(simd, scalar));
+        let arm: LaneVector<V, D> = std::array::from_fn(|k| -(weight * separation[k]));
+        let velocity: LaneVector<V, D> = std::array::from_fn(|k| Lane::splat(vectors, velocity[k]));
+        let scalars = scalars.map(|scalar| Lane::splat(vectors, scalar));
         for a in 0..D {
             self.first[a] += arm[a];
             self.velocity_sum[a] = weight.mul_add(velocity[a], self.velocity_sum[a]);
@@ -220,7 +223,7 @@ struct Numbers<const D: usize> {
 
 impl<const D: usize> Numbers<D> {
     #[inline(always)]
-    fn from<S: Simd>(moments: &Moments<S, D>) -> Self {
+    fn from<V: Vectors>(moments: &Moments<V, D>) -> Self {
         Self {
             weight: moments.weight.to_array(),
             first: moments.first.map(Lane::to_array),

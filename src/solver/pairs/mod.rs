@@ -1,13 +1,13 @@
 //! Pair laws, one published model per file, and the passes that sum them.
 //!
-//! A pass treats one cluster of particles `i` in the lanes and broadcasts each neighbour `j`.
-
-use aero_geometry::Vector;
-use aero_geometry::kernel::QuinticSpline;
-use pulp::Simd;
+//! A pass treats one cluster of particles `i` in the lanes and broadcasts each neighbour `j`. Laws do not ask in what numbers
+//! the lanes are ([`super::vectors`]).
 
 use super::lanes::Lane;
 use super::records::Near;
+use super::vectors::{MAX_LANES, Place, Vectors};
+use aero_geometry::Vector;
+use aero_geometry::kernel::QuinticSpline;
 
 pub mod artificial_conduction;
 pub mod artificial_viscosity;
@@ -22,93 +22,98 @@ pub mod summation;
 mod sums;
 
 /// A vector per lane.
-pub type LaneVector<S, const D: usize> = [Lane<S>; D];
+pub type LaneVector<V, const D: usize> = [Lane<V>; D];
 
 /// The geometry of particle `i` in each lane.
 #[derive(Clone, Copy)]
-pub struct Target<S: Simd, const D: usize> {
-    position: LaneVector<S, D>,
-    half_h: Lane<S>,
-    half_density: Lane<S>,
+pub struct Target<V: Vectors, const D: usize> {
+    position: [V::Places; D],
+    half_h: Lane<V>,
+    half_density: Lane<V>,
     /// Keeps squared distances off zero, so that a particle meets itself without dividing by zero;
     /// all terms of that pair carry a factor `r_ij` or a difference and vanish.
-    least: Lane<S>,
+    least: Lane<V>,
 }
 
-impl<S: Simd, const D: usize> Target<S, D> {
+impl<V: Vectors, const D: usize> Target<V, D> {
     /// Loads the particles `near(l)`, one per lane.
     #[inline(always)]
-    pub fn load<'a>(simd: S, near: impl Fn(usize) -> &'a Near<D>) -> Self {
+    pub fn load<'a>(vectors: V, near: impl Fn(usize) -> &'a Near<D, V::Number>) -> Self {
         Self::new(
-            simd,
-            std::array::from_fn(|k| Lane::gather(simd, |l| near(l).position[k])),
-            Lane::gather(simd, |l| near(l).half_h),
-            Lane::gather(simd, |l| near(l).half_density),
+            vectors,
+            |l, k| near(l).position[k],
+            Lane::gather(vectors, |l| near(l).half_h),
+            Lane::gather(vectors, |l| near(l).half_density),
         )
     }
 
-    /// Points in space, half the smoothing length and half the density there.
+    /// Points in space `place(lane, axis)`, half the smoothing length and half the density there.
     #[inline(always)]
-    fn new(simd: S, position: LaneVector<S, D>, half_h: Lane<S>, half_density: Lane<S>) -> Self {
+    fn new(
+        vectors: V,
+        place: impl Fn(usize, usize) -> Place<V>,
+        half_h: Lane<V>,
+        half_density: Lane<V>,
+    ) -> Self {
         Self {
-            position,
+            position: std::array::from_fn(|k| vectors.places(|l| place(l, k))),
             half_h,
             half_density,
-            least: Lane::splat(simd, 1e-24) * half_h * half_h,
+            least: Lane::splat(vectors, V::LEAST_SQUARE) * half_h * half_h,
         }
     }
 }
 
 /// A pair `i, j`: what all laws need of it.
 #[derive(Clone, Copy)]
-pub struct Pair<S: Simd, const D: usize> {
+pub struct Pair<V: Vectors, const D: usize> {
     /// `r_ij = r_i - r_j`.
-    pub separation: LaneVector<S, D>,
+    pub separation: LaneVector<V, D>,
     /// `r_ij^2`; positive for the particle with itself.
-    pub squared: Lane<S>,
+    pub squared: Lane<V>,
     /// `1 / r_ij`.
-    pub inverse_distance: Lane<S>,
+    pub inverse_distance: Lane<V>,
     /// `h_ij`, the mean smoothing length.
-    pub h: Lane<S>,
+    pub h: Lane<V>,
     /// `r_ij / h_ij`.
-    pub ratio: Lane<S>,
+    pub ratio: Lane<V>,
     /// `F` in `grad_i W_ij = F r_ij`; never positive.
-    pub gradient_factor: Lane<S>,
+    pub gradient_factor: Lane<V>,
     /// `1 / rho_ij`, with the mean density.
-    pub inverse_density: Lane<S>,
+    pub inverse_density: Lane<V>,
 }
 
 /// A pair's geometry before any law is applied.
-struct Separation<S: Simd, const D: usize> {
-    vector: LaneVector<S, D>,
-    /// Squared distance, kept off zero by a part in 10^24 of `h^2`.
-    squared: Lane<S>,
-    h: Lane<S>,
+struct Separation<V: Vectors, const D: usize> {
+    vector: LaneVector<V, D>,
+    /// Squared distance, kept off zero by less than the numbers' own spacing.
+    squared: Lane<V>,
+    h: Lane<V>,
 }
 
-impl<S: Simd, const D: usize> Separation<S, D> {
+impl<V: Vectors, const D: usize> Separation<V, D> {
     #[inline(always)]
-    fn new(simd: S, i: &Target<S, D>, j: &Near<D>) -> Self {
-        let vector: LaneVector<S, D> =
-            std::array::from_fn(|k| i.position[k] - Lane::splat(simd, j.position[k]));
+    fn new(vectors: V, i: &Target<V, D>, j: &Near<D, V::Number>) -> Self {
+        let vector: LaneVector<V, D> =
+            std::array::from_fn(|k| Lane::apart(vectors, i.position[k], j.position[k]));
         Self {
             vector,
             squared: dot_add(&vector, &vector, i.least),
-            h: i.half_h + Lane::splat(simd, j.half_h),
+            h: i.half_h + Lane::splat(vectors, j.half_h),
         }
     }
 }
 
-impl<S: Simd, const D: usize> Pair<S, D> {
+impl<V: Vectors, const D: usize> Pair<V, D> {
     /// The pair of the particles in `i` with `j`.
     #[inline(always)]
-    pub fn new(simd: S, i: &Target<S, D>, j: &Near<D>) -> Self {
-        let Separation { vector, squared, h } = Separation::new(simd, i, j);
-        let density = i.half_density + Lane::splat(simd, j.half_density);
+    pub fn new(vectors: V, i: &Target<V, D>, j: &Near<D, V::Number>) -> Self {
+        let Separation { vector, squared, h } = Separation::new(vectors, i, j);
+        let density = i.half_density + Lane::splat(vectors, j.half_density);
         let roots = squared.roots(h * density);
         let inverse_h = roots.inverse_other * density;
         let gradient_factor =
-            gradient_factor::<S, D>(simd, roots.root, roots.inverse_root, inverse_h);
+            gradient_factor::<V, D>(vectors, roots.root, roots.inverse_root, inverse_h);
         Self {
             separation: vector,
             squared,
@@ -123,50 +128,50 @@ impl<S: Simd, const D: usize> Pair<S, D> {
 
 /// `(dW/dr) / r` of the quintic spline.
 #[inline(always)]
-fn gradient_factor<S: Simd, const D: usize>(
-    simd: S,
-    distance: Lane<S>,
-    inverse_distance: Lane<S>,
-    inverse_h: Lane<S>,
-) -> Lane<S> {
-    let [a, b, c] = brackets(simd, distance * inverse_h);
-    let six = Lane::splat(simd, -6.0);
-    let fifteen = Lane::splat(simd, 15.0);
+fn gradient_factor<V: Vectors, const D: usize>(
+    vectors: V,
+    distance: Lane<V>,
+    inverse_distance: Lane<V>,
+    inverse_h: Lane<V>,
+) -> Lane<V> {
+    let [a, b, c] = brackets(vectors, distance * inverse_h);
+    let six = Lane::splat(vectors, -6.0);
+    let fifteen = Lane::splat(vectors, 15.0);
     let slope = fourth(c).mul_add(fifteen, fourth(b).mul_add(six, fourth(a)));
-    let scale = Lane::splat(simd, -5.0 * QuinticSpline::<D>::NORMALISATION);
-    scale * slope * inverse_distance * power::<S, D>(inverse_h) * inverse_h
+    let scale = Lane::splat(vectors, -5.0 * QuinticSpline::<D>::NORMALISATION);
+    scale * slope * inverse_distance * power::<V, D>(inverse_h) * inverse_h
 }
 
 /// Value of the quintic spline.
 #[inline(always)]
-fn kernel_value<S: Simd, const D: usize>(
-    simd: S,
-    distance: Lane<S>,
-    inverse_h: Lane<S>,
-) -> Lane<S> {
-    let [a, b, c] = brackets(simd, distance * inverse_h);
-    let six = Lane::splat(simd, -6.0);
-    let fifteen = Lane::splat(simd, 15.0);
+fn kernel_value<V: Vectors, const D: usize>(
+    vectors: V,
+    distance: Lane<V>,
+    inverse_h: Lane<V>,
+) -> Lane<V> {
+    let [a, b, c] = brackets(vectors, distance * inverse_h);
+    let six = Lane::splat(vectors, -6.0);
+    let fifteen = Lane::splat(vectors, 15.0);
     let value = (fourth(c) * c).mul_add(fifteen, (fourth(b) * b).mul_add(six, fourth(a) * a));
-    Lane::splat(simd, QuinticSpline::<D>::NORMALISATION) * value * power::<S, D>(inverse_h)
+    Lane::splat(vectors, QuinticSpline::<D>::NORMALISATION) * value * power::<V, D>(inverse_h)
 }
 
 /// The positive parts of `3 - q`, `2 - q`, `1 - q`: beyond the support all are exactly zero.
 #[inline(always)]
-fn brackets<S: Simd>(simd: S, q: Lane<S>) -> [Lane<S>; 3] {
-    let zero = Lane::splat(simd, 0.0);
-    [3.0, 2.0, 1.0].map(|n| (Lane::splat(simd, n) - q).max(zero))
+fn brackets<V: Vectors>(vectors: V, q: Lane<V>) -> [Lane<V>; 3] {
+    let zero = Lane::splat(vectors, 0.0);
+    [3.0, 2.0, 1.0].map(|n| (Lane::splat(vectors, n) - q).max(zero))
 }
 
 #[inline(always)]
-fn fourth<S: Simd>(a: Lane<S>) -> Lane<S> {
+fn fourth<V: Vectors>(a: Lane<V>) -> Lane<V> {
     let squared = a * a;
     squared * squared
 }
 
 /// `a^D`.
 #[inline(always)]
-fn power<S: Simd, const D: usize>(a: Lane<S>) -> Lane<S> {
+fn power<V: Vectors, const D: usize>(a: Lane<V>) -> Lane<V> {
     match D {
         1 => a,
         2 => a * a,
@@ -176,7 +181,7 @@ fn power<S: Simd, const D: usize>(a: Lane<S>) -> Lane<S> {
 
 /// Scalar product.
 #[inline(always)]
-pub fn dot<S: Simd, const D: usize>(a: &LaneVector<S, D>, b: &LaneVector<S, D>) -> Lane<S> {
+pub fn dot<V: Vectors, const D: usize>(a: &LaneVector<V, D>, b: &LaneVector<V, D>) -> Lane<V> {
     let mut sum = a[0] * b[0];
     for k in 1..D {
         sum = a[k].mul_add(b[k], sum);
@@ -186,11 +191,11 @@ pub fn dot<S: Simd, const D: usize>(a: &LaneVector<S, D>, b: &LaneVector<S, D>) 
 
 /// Scalar product, and what is added to it.
 #[inline(always)]
-pub fn dot_add<S: Simd, const D: usize>(
-    a: &LaneVector<S, D>,
-    b: &LaneVector<S, D>,
-    addend: Lane<S>,
-) -> Lane<S> {
+pub fn dot_add<V: Vectors, const D: usize>(
+    a: &LaneVector<V, D>,
+    b: &LaneVector<V, D>,
+    addend: Lane<V>,
+) -> Lane<V> {
     let mut sum = addend;
     for k in 0..D {
         sum = a[k].mul_add(b[k], sum);
@@ -200,12 +205,12 @@ pub fn dot_add<S: Simd, const D: usize>(
 
 /// A vector of zeros.
 #[inline(always)]
-pub fn zeros<S: Simd, const D: usize>(simd: S) -> LaneVector<S, D> {
-    [Lane::splat(simd, 0.0); D]
+pub fn zeros<V: Vectors, const D: usize>(vectors: V) -> LaneVector<V, D> {
+    [Lane::splat(vectors, 0.0); D]
 }
 
 /// Lane `l` of a vector, from its components' arrays.
 #[inline(always)]
-fn unlane<const D: usize>(lanes: &[[f64; super::lanes::MAX_LANES]; D], l: usize) -> Vector<D> {
+fn unlane<const D: usize>(lanes: &[[f64; MAX_LANES]; D], l: usize) -> Vector<D> {
     Vector::from_fn(|k, _| lanes[k][l])
 }

@@ -1,6 +1,5 @@
 //! Rates of density, velocity and energy of all particles, from the sums over their pairs.
 
-use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 use crate::case::Equations;
@@ -8,7 +7,8 @@ use crate::case::Equations;
 use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
 use super::super::particle::{ByPressure, Rates};
-use super::super::records::{GHOSTS, Matrix, Records};
+use super::super::records::{GHOSTS, Matrix, Number, Records};
+use super::super::vectors::{Arch, Pass, Vectors};
 use super::super::walls::even_renormalisation;
 use super::artificial_conduction::CONDUCTION;
 use super::density_diffusion::DIFFUSION;
@@ -57,7 +57,7 @@ pub fn rates<const D: usize>(
         .par_iter()
         .zip(rates.par_chunks_mut(lists.chunk_targets()))
         .for_each(|(chunk, rates)| {
-            let pass = Pass {
+            let pass = Work {
                 chunk,
                 records,
                 sought,
@@ -98,7 +98,7 @@ pub fn reactions<const D: usize>(
         .par_iter()
         .zip(rates.par_chunks_mut(lists.chunk_targets()))
         .for_each(|(chunk, rates)| {
-            let pass = Pass {
+            let pass = Work {
                 chunk,
                 records,
                 sought,
@@ -111,7 +111,7 @@ pub fn reactions<const D: usize>(
         });
 }
 
-struct Pass<'a, const D: usize> {
+struct Work<'a, const D: usize> {
     chunk: &'a Chunk,
     records: &'a Records<D>,
     sought: Sought,
@@ -125,19 +125,21 @@ struct FluidPass<
     const CONSERVATIVE: bool,
     const SHIFTED: bool,
     const EXCHANGES: bool,
->(Pass<'a, D>, &'a [Renormalisation<D>]);
+>(Work<'a, D>, &'a [Renormalisation<D>]);
 
-struct ReactionPass<'a, const D: usize, const CONSERVATIVE: bool>(Pass<'a, D>);
+struct ReactionPass<'a, const D: usize, const CONSERVATIVE: bool>(Work<'a, D>);
 
-impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHANGES: bool> WithSimd
+impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHANGES: bool> Pass
     for FluidPass<'_, D, CONSERVATIVE, SHIFTED, EXCHANGES>
 {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
+    fn run<V: Vectors>(self, vectors: V) {
         let Self(pass, renormalisations) = self;
         let (chunk, records, sought) = (pass.chunk, pass.records, pass.sought);
+        let read = V::Number::of(records);
+        let per_length = Lane::splat(vectors, read.per_length);
         let mut results = pass.rates.iter_mut();
         for cluster in &chunk.clusters {
             if cluster.is_calm {
@@ -146,26 +148,27 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHAN
                 continue;
             }
             let (start, last) = (cluster.targets.start, cluster.targets.end - 1);
-            let own = Own::load(simd, records, |l| (start + l).min(last));
-            let own_shift: LaneVector<S, D> = if EXCHANGES {
-                let shift = |l: usize| &records.shift[(start + l).min(last)];
-                std::array::from_fn(|k| Lane::gather(simd, |l| shift(l)[k]))
+            let own = Own::load(vectors, read, |l| (start + l).min(last));
+            let own_shift: LaneVector<V, D> = if EXCHANGES {
+                let shift = |l: usize| &read.shift[(start + l).min(last)];
+                std::array::from_fn(|k| Lane::gather(vectors, |l| shift(l)[k]))
             } else {
-                zeros(simd)
+                zeros(vectors)
             };
-            let mut sums = Sums::new(simd);
+            let mut sums = Sums::new(vectors);
             for &j in &chunk.entries[cluster.gas.clone()] {
-                let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<true, CONSERVATIVE, SHIFTED>(simd, sought, &own, (near, state));
+                let (near, state) = (&read.near[j as usize], &read.state[j as usize]);
+                sums.add::<true, CONSERVATIVE, SHIFTED>(vectors, sought, &own, (near, state));
                 if EXCHANGES {
-                    sums.exchange(simd, &own, &own_shift, records, j as usize);
+                    sums.exchange(vectors, &own, &own_shift, read, j as usize);
                 }
             }
-            let by_gas = Forces::from(&sums);
+            let by_gas = Forces::from(&sums.per_length(per_length));
             for &j in &chunk.entries[cluster.wall.clone()] {
-                let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<false, CONSERVATIVE, SHIFTED>(simd, sought, &own, (near, state));
+                let (near, state) = (&read.near[j as usize], &read.state[j as usize]);
+                sums.add::<false, CONSERVATIVE, SHIFTED>(vectors, sought, &own, (near, state));
             }
+            let sums = sums.per_length(per_length);
             let forces = Forces::from(&sums);
             let velocity_gradient = sums.velocity_gradient.map(|row| row.map(Lane::to_array));
             let energy_gradient = sums.energy_gradient.map(Lane::to_array);
@@ -224,12 +227,12 @@ impl<const D: usize, const CONSERVATIVE: bool, const SHIFTED: bool, const EXCHAN
     }
 }
 
-impl<const D: usize, const CONSERVATIVE: bool> WithSimd for ReactionPass<'_, D, CONSERVATIVE> {
+impl<const D: usize, const CONSERVATIVE: bool> Pass for ReactionPass<'_, D, CONSERVATIVE> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
-        let Pass {
+    fn run<V: Vectors>(self, vectors: V) {
+        let Work {
             chunk,
             records,
             sought,
@@ -237,18 +240,21 @@ impl<const D: usize, const CONSERVATIVE: bool> WithSimd for ReactionPass<'_, D, 
         } = self.0;
         let first = records.start[GHOSTS];
         let even = even_renormalisation();
+        let read = V::Number::of(records);
+        let per_length = Lane::splat(vectors, read.per_length);
         let mut results = rates.iter_mut();
         for cluster in &chunk.clusters {
             let (start, last) = (
                 first + cluster.targets.start,
                 first + cluster.targets.end - 1,
             );
-            let own = Own::load(simd, records, |l| (start + l).min(last));
-            let mut sums = Sums::new(simd);
+            let own = Own::load(vectors, read, |l| (start + l).min(last));
+            let mut sums = Sums::new(vectors);
             for &j in &chunk.entries[cluster.gas.clone()] {
-                let (near, state) = (&records.near[j as usize], &records.state[j as usize]);
-                sums.add::<false, CONSERVATIVE, false>(simd, sought, &own, (near, state));
+                let (near, state) = (&read.near[j as usize], &read.state[j as usize]);
+                sums.add::<false, CONSERVATIVE, false>(vectors, sought, &own, (near, state));
             }
+            let sums = sums.per_length(per_length);
             let forces = Forces::from(&sums);
             for (l, rates) in results.by_ref().take(cluster.targets.len()).enumerate() {
                 let (near, state) = (&records.near[start + l], &records.state[start + l]);

@@ -2,12 +2,12 @@
 //! gradient of their concentration.
 
 use aero_geometry::Vector;
-use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
 use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
-use super::super::records::{Matrix, Near};
+use super::super::records::{Matrix, Near, Number, Read, Records};
+use super::super::vectors::{Arch, Pass, Vectors};
 use super::super::walls::even_renormalisation;
 use super::concentration::repulsion;
 use super::{LaneVector, Pair, Target, unlane, zeros};
@@ -64,7 +64,7 @@ pub struct Gradients {
 pub fn renormalise<const D: usize>(
     arch: Arch,
     lists: &Lists,
-    near: &[Near<D>],
+    records: &Records<D>,
     gradients: Gradients,
     results: &mut [Renormalisation<D>],
 ) {
@@ -74,9 +74,9 @@ pub fn renormalise<const D: usize>(
         .par_iter()
         .zip(results.par_chunks_mut(lists.chunk_targets()))
         .for_each(|(chunk, results)| {
-            arch.dispatch(Pass {
+            arch.dispatch(Renormalise {
                 chunk,
-                near,
+                records,
                 even,
                 gradients,
                 results,
@@ -84,9 +84,9 @@ pub fn renormalise<const D: usize>(
         });
 }
 
-struct Pass<'a, const D: usize> {
+struct Renormalise<'a, const D: usize> {
     chunk: &'a Chunk,
-    near: &'a [Near<D>],
+    records: &'a Records<D>,
     /// That of a lattice.
     even: Matrix<D>,
     gradients: Gradients,
@@ -94,29 +94,35 @@ struct Pass<'a, const D: usize> {
 }
 
 /// Running sums, one per lane.
-struct Sums<S: Simd, const D: usize> {
+struct Sums<V: Vectors, const D: usize> {
     /// On and above the diagonal.
-    moments: [LaneVector<S, D>; D],
-    slope: LaneVector<S, D>,
-    concentration: LaneVector<S, D>,
+    moments: [LaneVector<V, D>; D],
+    slope: LaneVector<V, D>,
+    concentration: LaneVector<V, D>,
 }
 
-impl<S: Simd, const D: usize> Sums<S, D> {
+impl<V: Vectors, const D: usize> Sums<V, D> {
     #[inline(always)]
-    fn new(simd: S) -> Self {
+    fn new(vectors: V) -> Self {
         Self {
-            moments: [zeros(simd); D],
-            slope: zeros(simd),
-            concentration: zeros(simd),
+            moments: [zeros(vectors); D],
+            slope: zeros(vectors),
+            concentration: zeros(vectors),
         }
     }
 
     #[inline(always)]
-    fn add(&mut self, simd: S, gradients: Gradients, target: &Target<S, D>, j: &Near<D>) {
-        let pair = Pair::new(simd, target, j);
-        let weight = pair.gradient_factor * Lane::splat(simd, j.volume);
+    fn add(
+        &mut self,
+        vectors: V,
+        gradients: Gradients,
+        target: &Target<V, D>,
+        j: &Near<D, V::Number>,
+    ) {
+        let pair = Pair::new(vectors, target, j);
+        let weight = pair.gradient_factor * Lane::splat(vectors, j.volume);
         if gradients.of_density {
-            let difference = Lane::splat(simd, j.half_density) - target.half_density;
+            let difference = Lane::splat(vectors, j.half_density) - target.half_density;
             let rise = weight * difference;
             for a in 0..D {
                 self.slope[a] = rise.mul_add(pair.separation[a], self.slope[a]);
@@ -129,7 +135,7 @@ impl<S: Simd, const D: usize> Sums<S, D> {
             }
         }
         if gradients.of_concentration {
-            let weight = weight * repulsion(simd, &pair);
+            let weight = weight * repulsion(vectors, &pair);
             for a in 0..D {
                 self.concentration[a] = weight.mul_add(pair.separation[a], self.concentration[a]);
             }
@@ -137,11 +143,14 @@ impl<S: Simd, const D: usize> Sums<S, D> {
     }
 }
 
-impl<const D: usize> WithSimd for Pass<'_, D> {
+impl<const D: usize> Pass for Renormalise<'_, D> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
+    fn run<V: Vectors>(self, vectors: V) {
+        let Read {
+            near, per_length, ..
+        } = V::Number::of(self.records);
         let mut results = self.results.iter_mut();
         for cluster in &self.chunk.clusters {
             if cluster.is_calm {
@@ -154,19 +163,20 @@ impl<const D: usize> WithSimd for Pass<'_, D> {
                 continue;
             }
             let (first, last) = (cluster.targets.start, cluster.targets.end - 1);
-            let target = Target::load(simd, |l| &self.near[(first + l).min(last)]);
-            let mut sums = Sums::new(simd);
+            let target = Target::load(vectors, |l| &near[(first + l).min(last)]);
+            let mut sums = Sums::new(vectors);
             for &j in &self.chunk.entries[cluster.gas.clone()] {
-                sums.add(simd, self.gradients, &target, &self.near[j as usize]);
+                sums.add(vectors, self.gradients, &target, &near[j as usize]);
             }
             let by_gas = sums.concentration;
             for &j in &self.chunk.entries[cluster.wall.clone()] {
-                sums.add(simd, self.gradients, &target, &self.near[j as usize]);
+                sums.add(vectors, self.gradients, &target, &near[j as usize]);
             }
             let moments = sums.moments.map(|row| row.map(Lane::to_array));
-            let slope = sums.slope.map(Lane::to_array);
-            let concentration = sums.concentration.map(Lane::to_array);
-            let by_gas = by_gas.map(Lane::to_array);
+            let per_length = Lane::splat(vectors, per_length);
+            let slope = sums.slope.map(|sum| (sum * per_length).to_array());
+            let concentration = sums.concentration.map(|sum| (sum * per_length).to_array());
+            let by_gas = by_gas.map(|sum| (sum * per_length).to_array());
             for (l, result) in results.by_ref().take(cluster.targets.len()).enumerate() {
                 let matrix = Matrix::<D>::from_fn(|a, b| -moments[a.min(b)][a.max(b)][l]);
                 result.matrix = inverse(&matrix);

@@ -1,11 +1,11 @@
 //! Density read off the particles.
 
-use pulp::{Arch, Simd, WithSimd};
 use rayon::prelude::*;
 
-use super::super::lanes::{Lane, MAX_LANES};
+use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
-use super::super::records::Near;
+use super::super::records::{Near, Number, Records};
+use super::super::vectors::{Arch, MAX_LANES, Pass, Vectors};
 use super::{Separation, Target, kernel_value};
 
 /// The walls' share of the kernel is never taken above this, so that a particle squeezed among
@@ -18,7 +18,7 @@ const LARGEST_WALL_SHARE: f64 = 0.7;
 pub fn densities<const D: usize>(
     arch: Arch,
     lists: &Lists,
-    near: &[Near<D>],
+    records: &Records<D>,
     lattice: f64,
     densities: &mut [f64],
 ) {
@@ -29,7 +29,7 @@ pub fn densities<const D: usize>(
         .for_each(|(chunk, densities)| {
             arch.dispatch(Summation {
                 chunk,
-                near,
+                records,
                 lattice,
                 densities,
             });
@@ -38,16 +38,17 @@ pub fn densities<const D: usize>(
 
 struct Summation<'a, const D: usize> {
     chunk: &'a Chunk,
-    near: &'a [Near<D>],
+    records: &'a Records<D>,
     lattice: f64,
     densities: &'a mut [f64],
 }
 
-impl<const D: usize> WithSimd for Summation<'_, D> {
+impl<const D: usize> Pass for Summation<'_, D> {
     type Output = ();
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) {
+    fn run<V: Vectors>(self, vectors: V) {
+        let near = V::Number::of(self.records).near;
         let mut results = self.densities.iter_mut();
         for cluster in &self.chunk.clusters {
             let last = cluster.targets.end - 1;
@@ -55,25 +56,25 @@ impl<const D: usize> WithSimd for Summation<'_, D> {
             if cluster.is_calm {
                 for i in cluster.targets.clone() {
                     if let Some(density) = results.next() {
-                        *density = self.near[i].density();
+                        *density = self.records.near[i].density();
                     }
                 }
                 continue;
             }
-            let target = Target::load(simd, |l| &self.near[(first + l).min(last)]);
+            let target = Target::load(vectors, |l| &near[(first + l).min(last)]);
             let mass: [f64; MAX_LANES] = {
-                let mut sum = Lane::splat(simd, 0.0);
+                let mut sum = Lane::splat(vectors, 0.0);
                 for &j in &self.chunk.entries[cluster.gas.clone()] {
-                    let j = &self.near[j as usize];
-                    sum = weight(simd, &target, j).mul_add(Lane::splat(simd, j.mass), sum);
+                    let j = &near[j as usize];
+                    sum = weight(vectors, &target, j).mul_add(Lane::splat(vectors, j.mass), sum);
                 }
                 sum.to_array()
             };
             let share: [f64; MAX_LANES] = {
-                let mut sum = Lane::splat(simd, 0.0);
+                let mut sum = Lane::splat(vectors, 0.0);
                 for &j in &self.chunk.entries[cluster.wall.clone()] {
-                    let j = &self.near[j as usize];
-                    sum = weight(simd, &target, j).mul_add(Lane::splat(simd, j.volume), sum);
+                    let j = &near[j as usize];
+                    sum = weight(vectors, &target, j).mul_add(Lane::splat(vectors, j.volume), sum);
                 }
                 sum.to_array()
             };
@@ -86,8 +87,12 @@ impl<const D: usize> WithSimd for Summation<'_, D> {
 }
 
 #[inline(always)]
-fn weight<S: Simd, const D: usize>(simd: S, i: &Target<S, D>, j: &Near<D>) -> Lane<S> {
-    let separation = Separation::new(simd, i, j);
+fn weight<V: Vectors, const D: usize>(
+    vectors: V,
+    i: &Target<V, D>,
+    j: &Near<D, V::Number>,
+) -> Lane<V> {
+    let separation = Separation::new(vectors, i, j);
     let roots = separation.squared.roots(separation.h);
-    kernel_value::<S, D>(simd, roots.root, roots.inverse_other)
+    kernel_value::<V, D>(vectors, roots.root, roots.inverse_other)
 }

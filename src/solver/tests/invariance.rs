@@ -1,10 +1,13 @@
 use nalgebra::Rotation2;
 
 use super::*;
+use crate::case::Precision;
+use crate::solver::vectors::Arch;
 
 /// A cloud in empty space: the stirred box's particles around its centre.
-fn cloud(cells: usize) -> Simulation<2> {
+fn cloud(cells: usize, precision: Precision) -> Simulation<2> {
     let mut case = stirred::<2>(cells);
+    case.scheme.precision = precision;
     case.scheme.equations = Equations::Paper;
     let centre = case.domain.bounds.max * 0.5;
     let mut simulation = start(case);
@@ -22,10 +25,15 @@ fn by_id(simulation: &Simulation<2>) -> Vec<crate::solver::particle::Particle<2>
 
 #[test]
 fn a_rotated_cloud_gives_the_rotated_flow() {
+    is_the_same_turned(Precision::Double, 1e-9);
+    is_the_same_turned(Precision::Mixed, 1e-5);
+}
+
+fn is_the_same_turned(precision: Precision, allowed: f64) {
     let turn = Rotation2::new(0.61);
-    let mut plain = cloud(40);
+    let mut plain = cloud(40, precision);
     let centre = plain.case.domain.bounds.max * 0.5;
-    let mut turned = cloud(40);
+    let mut turned = cloud(40, precision);
     for particle in &mut turned.fluid {
         particle.position = centre + turn * (particle.position - centre);
         particle.velocity = turn * particle.velocity;
@@ -36,9 +44,9 @@ fn a_rotated_cloud_gives_the_rotated_flow() {
     advance(&mut turned, 6);
     for (plain, turned) in by_id(&plain).iter().zip(by_id(&turned)) {
         let expected = centre + turn * (plain.position - centre);
-        assert!((turned.position - expected).norm() < 1e-9);
-        assert!((turned.velocity - turn * plain.velocity).norm() < 1e-9);
-        assert!((turned.energy - plain.energy).abs() < 1e-9);
+        assert!((turned.position - expected).norm() < allowed);
+        assert!((turned.velocity - turn * plain.velocity).norm() < allowed);
+        assert!((turned.energy - plain.energy).abs() < allowed);
     }
 }
 
@@ -105,7 +113,7 @@ fn half_equals_the_whole(shifting: bool) {
     }
 }
 
-fn bits(threads: usize, shifting: bool) -> Vec<u64> {
+fn bits(threads: usize, shifting: bool, precision: Precision) -> Vec<u64> {
     let pool = rayon::ThreadPoolBuilder::new()
         .num_threads(threads)
         .build()
@@ -117,6 +125,7 @@ fn bits(threads: usize, shifting: bool) -> Vec<u64> {
         case.scheme.extrapolation = Extrapolation::Wm;
         case.scheme.shield = true;
         case.scheme.shifting = shifting;
+        case.scheme.precision = precision;
         let mut simulation = start(case);
         advance(&mut simulation, 40);
         simulation
@@ -129,17 +138,23 @@ fn bits(threads: usize, shifting: bool) -> Vec<u64> {
 
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    for shifting in [false, true] {
-        let one = bits(1, shifting);
-        assert_eq!(one, bits(2, shifting));
-        assert_eq!(one, bits(4, shifting));
+    for (shifting, precision) in [
+        (false, Precision::Double),
+        (true, Precision::Double),
+        (true, Precision::Mixed),
+    ] {
+        let one = bits(1, shifting, precision);
+        assert_eq!(one, bits(2, shifting, precision));
+        assert_eq!(one, bits(4, shifting, precision));
     }
 }
 
 /// A stirred box in space after some steps, with these vectors.
-fn with_vectors(arch: pulp::Arch) -> Vec<[f64; 5]> {
-    let mut simulation = start(stirred::<3>(12));
-    simulation.arch = arch;
+fn with_vectors(arch: pulp::Arch, precision: Precision) -> Vec<[f64; 5]> {
+    let mut case = stirred::<3>(12);
+    case.scheme.precision = precision;
+    let mut simulation = start(case);
+    simulation.arch = Arch::new(arch, precision);
     advance(&mut simulation, 5);
     let mut particles = simulation.fluid.clone();
     particles.sort_by_key(|particle| particle.id);
@@ -152,12 +167,17 @@ fn with_vectors(arch: pulp::Arch) -> Vec<[f64; 5]> {
 
 #[test]
 fn any_width_of_vectors_gives_the_same_flow_to_round_off() {
-    let plain = with_vectors(pulp::Arch::Scalar);
-    let avx2 = crate::solver::lanes::avx2();
+    any_width_gives_the_same(Precision::Double, 1e-11);
+    any_width_gives_the_same(Precision::Mixed, 1e-5);
+}
+
+fn any_width_gives_the_same(precision: Precision, allowed: f64) {
+    let plain = with_vectors(pulp::Arch::Scalar, precision);
+    let avx2 = crate::solver::vectors::avx2();
     for arch in [Some(pulp::Arch::new()), avx2].into_iter().flatten() {
-        let wide = with_vectors(arch);
+        let wide = with_vectors(arch, precision);
         for (plain, wide) in plain.iter().flatten().zip(wide.iter().flatten()) {
-            assert!((plain - wide).abs() < 1e-11, "{plain} became {wide}");
+            assert!((plain - wide).abs() < allowed, "{plain} became {wide}");
         }
     }
 }

@@ -5,6 +5,7 @@ mod conduction;
 mod conservation;
 mod invariance;
 mod leapfrog;
+mod mixed;
 mod rest;
 mod rings;
 mod shifting;

@@ -1,12 +1,12 @@
 //! The state that ghosts show the gas: that of the gas nearby, mirrored at the wall.
 
-use pulp::Arch;
 use rayon::prelude::*;
 
 use super::super::neighbours::GROWTH;
 use super::super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
 use super::super::particle::Ghost;
 use super::super::records::{Matrix, Records};
+use super::super::vectors::Arch;
 use super::{WallLists, Walls, mirror_seeker, seeker};
 use crate::case::{Equations, Extrapolation, WallKind};
 

@@ -2,7 +2,6 @@
 
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_geometry::{Pencils, Vector};
-use pulp::Arch;
 use rayon::prelude::*;
 
 mod mirror;
@@ -16,6 +15,7 @@ use super::particle::Ghost;
 use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
 use super::rigid::Pose;
 use super::side_walls;
+use super::vectors::Arch;
 use crate::case::{Case, Equations, Extrapolation, Motion, WallKind};
 
 /// All ghosts, and what their bodies do.
@@ -147,6 +147,8 @@ impl<const D: usize> Walls<D> {
         half_step: f64,
         lists: &mut WallLists,
     ) {
+        // The sums over the gas around ghosts are few.
+        let arch = arch.double();
         let ghosts = &self.ghosts;
         let count = ghosts.len();
         let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
