@@ -15,6 +15,10 @@ pub const BLOCK: usize = 16;
 /// Bound of what single precision loses of a distance, over the numbers that it comes from.
 pub const LOSS: f64 = 1.0 / (1 << 20) as f64;
 
+/// Nothing is faster, not even where a run goes wrong: a sum of infinite velocities would be no number, and nobody's
+/// neighbour.
+const FASTEST: f32 = 1e18;
+
 /// Records side by side.
 #[derive(Clone, Copy, Debug)]
 pub struct Block<const D: usize> {
@@ -72,7 +76,7 @@ impl<const D: usize> Rough<D> {
                 let velocity = motion(number * BLOCK + l);
                 for k in 0..D {
                     block.position[k][l] = (near.position[k] - origin[k]) as f32;
-                    block.velocity[k][l] = velocity[k] as f32;
+                    block.velocity[k][l] = (velocity[k] as f32).clamp(-FASTEST, FASTEST);
                 }
                 block.sight[l] = (REACH * near.half_h) as f32;
             }
