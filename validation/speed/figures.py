@@ -5,8 +5,8 @@
     python3 validation/speed/figures.py target/release/aero [sizes] [vectors] [threads]
 
 `sizes`: the plane from ten thousand to five million particles. `vectors`: 200 000 particles in the plane, 500 000 in
-space, with AVX-512, AVX2 and plain arithmetic. `threads`: wall time of one thread over that of two, which means something
-on an idle machine alone. Medians of several runs; microseconds of user and system time, all passes, no start-up. Output is
+space, with AVX-512, AVX2 and plain arithmetic, pairs in double and in single precision. `threads`: wall time of one
+thread over that of two, which means something on an idle machine alone. Medians of several runs; microseconds of user and system time, all passes, no start-up. Output is
 a history row per step.
 """
 
@@ -54,7 +54,7 @@ checkpoint_seconds = 1e6
 """
 
 
-def run(program, dimension, cells, vectors="", threads=1):
+def run(program, dimension, cells, vectors="", threads=1, precision="double"):
     """The summary of one run."""
     with tempfile.TemporaryDirectory() as folder:
         path = Path(folder) / "box.toml"
@@ -64,21 +64,22 @@ def run(program, dimension, cells, vectors="", threads=1):
         if vectors:
             environment["AERO_VECTORS"] = vectors
         command = [program, "run", str(path), "--threads", str(threads), "--out", folder + "/out"]
+        command += ["--set", f"scheme.precision={precision}"]
         done = subprocess.run(command, capture_output=True, text=True, env=environment)
         if done.returncode != 0:
             sys.exit(f"figures.py: {done.stderr}")
         return json.loads((Path(folder) / "out" / "summary.json").read_text())
 
 
-def cost(program, dimension, cells, vectors="", runs=RUNS):
+def cost(program, dimension, cells, vectors="", runs=RUNS, precision="double"):
     """Prints and returns microseconds per particle and step."""
-    summaries = [run(program, dimension, cells, vectors) for _ in range(runs)]
+    summaries = [run(program, dimension, cells, vectors, precision=precision) for _ in range(runs)]
     each = [1e6 / summary["particle_updates_per_cpu_second"] for summary in summaries]
     last = summaries[-1]
     peak = last["peak_memory_bytes"] or 0
     count = last["particles"]["fluid"]
     print(
-        f"{dimension}D {count:8d} particles {vectors or 'widest':7s} {statistics.median(each):7.3f} us "
+        f"{dimension}D {count:8d} particles {vectors or 'widest':7s} {precision} {statistics.median(each):7.3f} us "
         f"({min(each):.3f} to {max(each):.3f}), {last['steps']} steps, {last['neighbours_mean']:.0f} neighbours, "
         f"{peak / count:.0f} bytes each, load {os.getloadavg()[0]:.1f}",
         flush=True,
@@ -90,8 +91,9 @@ def main(program, *parts):
     parts = parts or ("sizes", "vectors", "threads")
     if "vectors" in parts:
         for dimension, cells in [(2, 447), (3, 79)]:
-            for vectors in ["", "avx2", "plain"]:
-                cost(program, dimension, cells, vectors)
+            for precision in ["double", "mixed"]:
+                for vectors in ["", "avx2", "plain"]:
+                    cost(program, dimension, cells, vectors, precision=precision)
     if "sizes" in parts:
         for cells in [100, 224, 447, 1000, 2236]:
             cost(program, 2, cells, runs=RUNS if cells < 2000 else 1)

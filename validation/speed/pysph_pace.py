@@ -586,7 +586,8 @@ def compare(name, program):
     if program is None:
         return
     published = ["scheme.equations=paper", "scheme.skip_undisturbed=false"]
-    for words, settings in [("the same equations", published), ("its default", [])]:
+    single = ["scheme.precision=mixed"]
+    for words, settings in [("the same equations", published), ("its default", []), ("pairs in single precision", single)]:
         summary = aero(program, scene, end, more + settings)
         ours = summary["particle_updates_per_cpu_second"]
         print(f"  aero, {words}: {summary['particles']['fluid']} fluid particles, {summary['steps']} steps, "
