@@ -15,6 +15,8 @@ fn a_case_is_charted_in_every_variant_with_its_peers() {
     for variant in [
         "conservative, wom",
         "conservative, wm",
+        "conservative, wom, coarse start",
+        "conservative, wom, coarse start, mixed",
         "paper, wom",
         "paper, wm",
     ] {

@@ -23,16 +23,19 @@ struct Variant {
     shifted: bool,
     /// Each spacing starts from the flow that twice the spacing has found.
     coarse_start: bool,
+    /// Pairs in single precision.
+    mixed: bool,
 }
 
 /// The variants, in the order of their lines.
-const VARIANTS: [Variant; 6] = {
+const VARIANTS: [Variant; 7] = {
     const fn plain(equations: &'static str, extrapolation: &'static str) -> Variant {
         Variant {
             equations,
             extrapolation,
             shifted: false,
             coarse_start: false,
+            mixed: false,
         }
     }
     let usual = plain("conservative", "wom");
@@ -45,6 +48,11 @@ const VARIANTS: [Variant; 6] = {
         },
         Variant {
             coarse_start: true,
+            ..usual
+        },
+        Variant {
+            coarse_start: true,
+            mixed: true,
             ..usual
         },
         plain("paper", "wom"),
@@ -256,15 +264,18 @@ impl Variant {
         } else {
             ""
         };
+        let mixed = if self.mixed { ", mixed" } else { "" };
         let (equations, extrapolation) = (self.equations, self.extrapolation);
-        format!("{equations}, {extrapolation}{shifted}{start}")
+        format!("{equations}, {extrapolation}{shifted}{start}{mixed}")
     }
 
-    fn settings(&self) -> [String; 3] {
+    fn settings(&self) -> [String; 4] {
+        let precision = if self.mixed { "mixed" } else { "double" };
         [
             format!("scheme.equations={}", self.equations),
             format!("scheme.extrapolation={}", self.extrapolation),
             format!("scheme.shifting={}", self.shifted),
+            format!("scheme.precision={precision}"),
         ]
     }
 }
