@@ -3,8 +3,9 @@
 //! [`Simulation::step`] is the contents page: sort and list the neighbours, predict, read the density off the particles,
 //! evaluate, correct, exchange with open boundaries.
 
-use aero_geometry::Pencils;
-use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
+use aero_geometry::{Pencils, Vector};
+use rayon::prelude::*;
 
 use crate::case::{Case, Equations};
 use crate::frame::Totals;
@@ -253,12 +254,35 @@ impl<const D: usize> Simulation<D> {
         const GROWTH_OF_STEP: f64 = 1.1;
         let acoustic = time_step::acoustic_step(self.case.scheme.cfl, self.case.gamma, &self.fluid);
         let mut step = acoustic.min(GROWTH_OF_STEP * self.last_step);
+        if self.last_step.is_infinite() {
+            step = step.min(self.crossing_time());
+        }
         if self.case.has_open_sides() {
             // The free-stream lattice must not jump across its buffer.
             let speed = self.case.free_stream.velocity.norm();
             step = step.min(2.0 * self.case.spacing / speed);
         }
         StepBound { step }
+    }
+
+    /// Time in which a half step brings nothing nearer to anything by more than a support. No rates bound a first step yet, and
+    /// sound alone would let it list all of a cold gas as neighbours of each other.
+    fn crossing_time(&self) -> f64 {
+        let nowhere = Vector::<D>::repeat(f64::INFINITY);
+        let gas = self.fluid.par_iter().map(|particle| particle.velocity);
+        let walls = self
+            .walls
+            .ghosts
+            .par_iter()
+            .map(|ghost| ghost.wall_velocity);
+        let (slowest, fastest) = gas
+            .chain(walls)
+            .map(|velocity| (velocity, velocity))
+            .reduce(
+                || (nowhere, -nowhere),
+                |(a, b), (c, d)| (a.inf(&c), b.sup(&d)),
+            );
+        2.0 * SUPPORT * SMOOTHING_RATIO * self.case.spacing / (fastest - slowest).norm()
     }
 
     /// The stable step, at the rates of its start.

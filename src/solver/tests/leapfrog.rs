@@ -65,3 +65,19 @@ fn time_step_of_the_start(simulation: &Simulation<1>) -> f64 {
     fresh.evaluate(0.0);
     fresh.time_step()
 }
+
+#[test]
+fn the_first_step_of_a_cold_implosion_lists_neighbours_alone() {
+    let mut case = cube::<2>(60, Side::Symmetry);
+    let centre = (case.domain.bounds.min + case.domain.bounds.max) * 0.5;
+    case.initial = Initial::Field(Field(Arc::new(move |position: &Vector<2>| State {
+        density: 1.0,
+        velocity: (centre - position).normalize(),
+        // Sound would allow a step in which the gas crosses the box many times.
+        pressure: 1e-9,
+    })));
+    let mut simulation = start(case);
+    simulation.prepare(simulation.step_bound());
+    let listed = simulation.listed_pairs() as f64 / simulation.fluid.len() as f64;
+    assert!(listed < 500.0, "{listed} neighbours listed per particle");
+}
