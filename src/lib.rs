@@ -2,10 +2,8 @@
 
 pub mod case;
 pub mod chart;
-pub mod frame;
 pub mod output;
 pub mod pack;
 pub mod run;
 pub mod scene;
-pub mod solver;
 pub mod validate;

@@ -6,7 +6,7 @@ use std::io::{self, BufWriter, Seek, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 use super::OutputError;
-use crate::frame::{Load, Totals};
+use aero_solver::frame::{Load, Totals};
 
 /// One row.
 #[derive(Clone, Copy, Debug)]

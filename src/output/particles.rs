@@ -4,7 +4,7 @@ use std::path::Path;
 
 use super::OutputError;
 use super::vtp::Cloud;
-use crate::frame::Frame;
+use aero_solver::frame::Frame;
 
 /// Writes a snapshot of all particles, compressed if so wished.
 pub fn write_frame(path: &Path, frame: &Frame, is_compressed: bool) -> Result<(), OutputError> {

@@ -9,7 +9,7 @@ use super::recorder::Written;
 use super::steady::Monitor;
 use super::tally::Sums;
 use crate::output::{self, CheckpointError};
-use crate::solver::Memory;
+use aero_solver::Memory;
 
 /// A run between two steps.
 #[derive(Clone, Debug, Serialize, Deserialize)]

@@ -14,10 +14,10 @@ pub use stopwatch::Stopwatch;
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use crate::case::{Case, Stop};
+use crate::case::{Case, RunPlan, Stop};
 use crate::output::{self, CheckpointError, OutputError, Summary};
 use crate::scene::AnyCase;
-use crate::solver::Simulation;
+use aero_solver::Simulation;
 use checkpoint::Pace;
 use steady::Monitor;
 use tally::Tally;
@@ -146,6 +146,7 @@ pub fn simulate<const D: usize>(
 
 /// A run between two steps.
 struct UnderWay<const D: usize> {
+    plan: RunPlan<D>,
     simulation: Simulation<D>,
     tally: Tally,
     pace: Pace,
@@ -159,11 +160,13 @@ impl<const D: usize> UnderWay<D> {
         recorder: &mut dyn Recorder<D>,
         stopwatch: Stopwatch,
     ) -> Result<Self, RunError> {
-        let monitor = (case.stop == Stop::Steady).then(|| Monitor::new(&case));
-        let simulation = Simulation::new(case).map_err(RunError::SetUp)?;
+        let Case { problem, plan } = case;
+        let monitor = (plan.stop == Stop::Steady).then(|| Monitor::new(&problem));
+        let simulation = Simulation::new(problem).map_err(RunError::SetUp)?;
         recorder.frame(&simulation)?;
         let this = Self {
-            tally: Tally::start(&simulation, stopwatch),
+            tally: Tally::start(&plan, &simulation, stopwatch),
+            plan,
             simulation,
             pace: Pace {
                 frames: 1,
@@ -181,9 +184,11 @@ impl<const D: usize> UnderWay<D> {
         checkpoint: Checkpoint<'_, D>,
         stopwatch: Stopwatch,
     ) -> Result<Self, String> {
-        let simulation = Simulation::resume(case, checkpoint.simulation)?;
+        let Case { problem, plan } = case;
+        let simulation = Simulation::resume(problem, checkpoint.simulation)?;
         Ok(Self {
-            tally: Tally::resume(&simulation, checkpoint.sums, stopwatch),
+            tally: Tally::resume(&plan, checkpoint.sums, stopwatch),
+            plan,
             simulation,
             pace: checkpoint.pace,
             monitor: checkpoint.monitor,
@@ -201,8 +206,8 @@ impl<const D: usize> UnderWay<D> {
 
     /// Steps to the end.
     fn finish(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
-        let end = self.simulation.case().end_time;
-        let interval = self.simulation.case().output.frame_interval;
+        let end = self.plan.end_time;
+        let interval = self.plan.output.frame_interval;
         loop {
             let due = frame_time(self.pace.frames, interval, end);
             let dt = match self.simulation.step(due) {

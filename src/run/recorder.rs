@@ -5,13 +5,14 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
+use aero_geometry::Bounds;
 use serde::{Deserialize, Serialize};
 
 use super::Progress;
 use super::checkpoint::Checkpoint;
 use crate::case::Case;
 use crate::output::{self, Background, Collection, History, HistoryRow, OutputError};
-use crate::solver::{Simulation, wall_sides};
+use aero_solver::{Simulation, wall_sides};
 
 /// Sees a run at its frames and steps.
 pub trait Recorder<const D: usize> {
@@ -50,12 +51,13 @@ pub(super) struct Written {
 
 /// Writes frames, surfaces, history and checkpoints into a folder; all but the history while the solver
 /// goes on.
-pub struct FileRecorder<'a> {
+pub struct FileRecorder<'a, const D: usize> {
     folder: PathBuf,
     written: Written,
     particles: Collection,
     surfaces: Option<Collection>,
     background: Background,
+    region: Option<Bounds<D>>,
     is_compressed: bool,
     history: History,
     history_every: u64,
@@ -67,7 +69,7 @@ pub struct FileRecorder<'a> {
     watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
 }
 
-impl fmt::Debug for FileRecorder<'_> {
+impl<const D: usize> fmt::Debug for FileRecorder<'_, D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("FileRecorder")
             .field("folder", &self.folder)
@@ -76,13 +78,13 @@ impl fmt::Debug for FileRecorder<'_> {
     }
 }
 
-impl<'a> FileRecorder<'a> {
+impl<'a, const D: usize> FileRecorder<'a, D> {
     /// Starts to record `case`, which is what `scene` means, into `folder`, which exists; `watch`
     /// is called after every step.
     ///
     /// # Errors
     /// When the folder takes no files. A checkpoint of an earlier run is gone afterwards.
-    pub fn create<const D: usize>(
+    pub fn create(
         folder: &Path,
         case: &Case<D>,
         scene: &str,
@@ -95,7 +97,7 @@ impl<'a> FileRecorder<'a> {
     }
 
     /// Goes on recording after what has been `written`.
-    pub(super) fn resume<const D: usize>(
+    pub(super) fn resume(
         folder: &Path,
         case: &Case<D>,
         scene: &str,
@@ -115,7 +117,7 @@ impl<'a> FileRecorder<'a> {
         Ok(recorder)
     }
 
-    fn new<const D: usize>(
+    fn new(
         folder: &Path,
         case: &Case<D>,
         scene: &str,
@@ -129,23 +131,24 @@ impl<'a> FileRecorder<'a> {
             particles: Collection::new(folder.join("run.pvd")),
             surfaces: has_surfaces.then(|| Collection::new(folder.join("surface.pvd"))),
             background: Background::default(),
-            is_compressed: case.output.is_compressed,
+            region: case.plan.output.region.clone(),
+            is_compressed: case.plan.output.is_compressed,
             history,
-            history_every: case.output.history_every as u64,
-            checkpoint_every: Duration::from_secs_f64(case.output.checkpoint_seconds),
+            history_every: case.plan.output.history_every as u64,
+            checkpoint_every: Duration::from_secs_f64(case.plan.output.checkpoint_seconds),
             last_checkpoint: Instant::now(),
             scene: scene.to_owned(),
-            end_time: case.end_time,
+            end_time: case.plan.end_time,
             watch,
         }
     }
 }
 
-impl<const D: usize> Recorder<D> for FileRecorder<'_> {
+impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
     fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError> {
         let number = self.written.times.len();
         let time = simulation.time();
-        let region = simulation.case().output.region.as_ref();
+        let region = self.region.as_ref();
         let frame = region.map_or_else(|| simulation.frame(), |r| simulation.frame_within(r));
         let path = self.folder.join(frame_name(number));
         self.particles.note(time, &frame_name(number));
@@ -224,8 +227,8 @@ fn surface_name(number: usize) -> String {
 
 /// Names of all that carries a load, in the solver's order: bodies, then wall sides.
 fn load_names<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let bodies = case.bodies.iter().map(|body| body.name.clone());
-    let walls = wall_sides(&case.domain).into_iter();
+    let bodies = case.problem.bodies.iter().map(|body| body.name.clone());
+    let walls = wall_sides(&case.problem.domain).into_iter();
     let walls =
         walls.map(|(axis, end)| format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]));
     bodies.chain(walls).collect()

@@ -5,16 +5,18 @@ use serde::{Deserialize, Serialize};
 
 use super::Stopwatch;
 use super::steady::Window;
-use crate::case::{Body, Case, Equations, Extrapolation, Precision};
-use crate::frame::{Load, Totals};
+use crate::case::RunPlan;
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
-use crate::solver::Simulation;
+use aero_solver::Simulation;
+use aero_solver::frame::{Load, Totals};
+use aero_solver::problem::{Body, Equations, Extrapolation, Precision, Problem};
 
 /// Part of the run, at its end, over which loads are averaged.
 const MEAN_PART: f64 = 0.2;
 
 /// What is summed up over a run.
 pub(super) struct Tally {
+    name: String,
     stopwatch: Stopwatch,
     /// Processor time of this process when its first step began: packing is not part of the speed.
     cpu_before: f64,
@@ -45,28 +47,33 @@ struct Spent {
 
 impl Tally {
     /// Begins with the state at the start.
-    pub(super) fn start<const D: usize>(simulation: &Simulation<D>, stopwatch: Stopwatch) -> Self {
-        let case = simulation.case();
+    pub(super) fn start<const D: usize>(
+        plan: &RunPlan<D>,
+        simulation: &Simulation<D>,
+        stopwatch: Stopwatch,
+    ) -> Self {
+        let bodies = &simulation.problem().bodies;
         let sums = Sums {
             start: simulation.totals(),
-            impulse: vec![[0.0; 3]; case.bodies.len()],
-            square: vec![[0.0; 3]; case.bodies.len()],
+            impulse: vec![[0.0; 3]; bodies.len()],
+            square: vec![[0.0; 3]; bodies.len()],
             duration: 0.0,
             spent: Spent::default(),
         };
-        Self::resume(simulation, sums, stopwatch)
+        Self::resume(plan, sums, stopwatch)
     }
 
     /// Goes on from earlier sums.
     pub(super) fn resume<const D: usize>(
-        simulation: &Simulation<D>,
+        plan: &RunPlan<D>,
         sums: Sums,
         stopwatch: Stopwatch,
     ) -> Self {
         Self {
+            name: plan.name.clone(),
             stopwatch,
             cpu_before: stopwatch.cpu_seconds(),
-            mean_from: (1.0 - MEAN_PART) * simulation.case().end_time,
+            mean_from: (1.0 - MEAN_PART) * plan.end_time,
             sums,
         }
     }
@@ -117,35 +124,35 @@ impl Tally {
         simulation: &Simulation<D>,
         stop_reason: &str,
     ) -> Summary {
-        let case = simulation.case();
+        let problem = simulation.problem();
         // What the summary itself costs is no part of the speed.
         let spent = self.spent();
         let statistics = simulation.statistics();
         let stepping = spent.stepping.max(f64::MIN_POSITIVE);
         let loads = simulation.loads();
-        let bodies = case.bodies.iter().enumerate().map(|(number, body)| {
+        let bodies = problem.bodies.iter().enumerate().map(|(number, body)| {
             let load = loads.get(number).copied().unwrap_or_default();
-            (body.name.clone(), self.body(case, number, body, &load))
+            (body.name.clone(), self.body(problem, number, body, &load))
         });
         Summary {
-            case: case.name.clone(),
-            scheme: match case.scheme.equations {
+            case: self.name.clone(),
+            scheme: match problem.scheme.equations {
                 Equations::Paper => "paper",
                 Equations::Conservative => "conservative",
             }
             .into(),
-            extrapolation: match case.scheme.extrapolation {
+            extrapolation: match problem.scheme.extrapolation {
                 Extrapolation::Wom => "wom",
                 Extrapolation::Wm => "wm",
             }
             .into(),
-            precision: match case.scheme.precision {
+            precision: match problem.scheme.precision {
                 Precision::Double => "double",
                 Precision::Mixed => "mixed",
             }
             .into(),
             dimension: D,
-            spacing: case.spacing,
+            spacing: problem.spacing,
             particles: Particles {
                 fluid: statistics.fluid,
                 ghost: statistics.ghost,
@@ -170,7 +177,7 @@ impl Tally {
 
     fn body<const D: usize>(
         &self,
-        case: &Case<D>,
+        problem: &Problem<D>,
         number: usize,
         body: &Body<D>,
         load: &Load,
@@ -185,7 +192,7 @@ impl Tally {
             // The difference of two large numbers may round to below zero.
             (square - force_mean[k] * force_mean[k]).max(0.0).sqrt()
         });
-        let stream = &case.free_stream;
+        let stream = &problem.free_stream;
         let scale = 0.5 * stream.density * stream.velocity.norm_squared() * body.reference_area;
         let axes = stream_axes(&stream.velocity).filter(|_| scale > 0.0);
         let along = |axis: usize, force: &[f64; 3]| {

@@ -1,7 +1,7 @@
 //! What a scene with an axis must satisfy: the flow is the same all around it.
 
 use super::error::SceneError;
-use crate::case::{Domain, Motion, Side, State};
+use aero_solver::problem::{Domain, Motion, Side, State};
 
 /// Refuses an axis that is no `r = 0`, and a stream or side that is not the same all around it.
 pub(super) fn check<const D: usize>(

@@ -19,7 +19,7 @@ use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::Made;
 use super::side::WallWord;
-use crate::case::{Body, Domain, State};
+use aero_solver::problem::{Body, Domain, State};
 
 /// Ghost layers, as deep as the flow's spacing each: five cover the support of the kernel
 /// [Villodi & Ramachandran 2024, section 4].

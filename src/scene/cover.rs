@@ -5,7 +5,7 @@ use aero_geometry::Vector;
 use super::bodies::BodyPlan;
 use super::domain::AXES;
 use super::error::SceneError;
-use crate::case::{Domain, Side};
+use aero_solver::problem::{Domain, Side};
 
 /// A side that is to be closed by a body must be inside one everywhere, or gas would leave there.
 pub(super) fn check_covered_sides<const D: usize>(

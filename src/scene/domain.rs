@@ -5,7 +5,7 @@ use aero_geometry::{Bounds, Vector};
 use super::error::SceneError;
 use super::file::{SceneFile, SidesEntry};
 use super::flow::vector;
-use crate::case::{Domain, Side};
+use aero_solver::problem::{Domain, Side};
 
 /// Letters of the axes.
 pub(super) const AXES: [&str; 3] = ["x", "y", "z"];

@@ -12,7 +12,8 @@ use super::number::{
 use super::shapes::ShapeEntry;
 use super::side::{SideEntry, WallWord};
 use super::spin::{Rotation, Spin};
-use crate::case::{Equations, Extrapolation, Precision, Stop};
+use crate::case::Stop;
+use aero_solver::problem::{Equations, Extrapolation, Precision};
 
 /// A whole scene.
 #[derive(Clone, Debug, Deserialize)]

@@ -9,7 +9,7 @@ use super::error::SceneError;
 use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::number::{Finite, Gamma, Positive};
 use super::{earlier, field};
-use crate::case::{Domain, Initial, Side, State};
+use aero_solver::problem::{Domain, Initial, Side, State};
 
 /// Specific gas constant of dry air, J/(kg K) (R* / M = 8.31446 / 0.0289652; Picard et al. 2008,
 /// Metrologia 45, 149, doi 10.1088/0026-1394/45/2/004).

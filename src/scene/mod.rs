@@ -64,7 +64,8 @@ pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, Scheme, Stop};
+use crate::case::{Case, RunPlan, Stop};
+use aero_solver::problem::{Problem, Scheme};
 use file::{SceneFile, SchemeEntry};
 use number::{Courant, Disorder};
 
@@ -101,12 +102,12 @@ impl AnyCase {
 }
 
 fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let of_body = |body: &crate::case::Body<D>| {
+    let of_body = |body: &aero_solver::problem::Body<D>| {
         let lines = body.report.repairs.iter().chain(&body.report.warnings);
         let remark = |line: &String| format!("body `{}`: {line}", body.name);
         lines.map(remark).collect::<Vec<_>>()
     };
-    case.bodies.iter().flat_map(of_body).collect()
+    case.problem.bodies.iter().flat_map(of_body).collect()
 }
 
 impl Scene {
@@ -205,11 +206,8 @@ impl Scene {
             .map(|plan| plan.body(&domain, &free_stream))
             .collect::<Result<Vec<_>, _>>()?;
         packed::check(&bodies, &domain, spacing)?;
-        Ok(Case {
-            name: self.name.clone(),
+        let problem = Problem {
             spacing,
-            end_time: file.end_time.get(),
-            stop: file.stop.map_or(Stop::EndTime, Into::into),
             gamma: flow::gamma(file),
             scheme: scheme(file.scheme),
             domain,
@@ -217,7 +215,15 @@ impl Scene {
             initial,
             disorder: file.initial.disorder.map_or(0.0, Disorder::get),
             bodies,
-            output,
+        };
+        Ok(Case {
+            problem,
+            plan: RunPlan {
+                name: self.name.clone(),
+                end_time: file.end_time.get(),
+                stop: file.stop.map_or(Stop::EndTime, Into::into),
+                output,
+            },
         })
     }
 

@@ -5,7 +5,7 @@ use aero_packer::Packing;
 
 use super::domain::AXES;
 use super::error::SceneError;
-use crate::case::{Body, Domain, PackedFluid, Side};
+use aero_solver::problem::{Body, Domain, PackedFluid, Side};
 
 /// Conforming layers around a body that asks for packed fluid; the packer leads over from there
 /// into the lattice.

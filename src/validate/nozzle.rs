@@ -13,7 +13,7 @@ use aero_validation::table::{Check, Subject};
 
 use super::outcome::{Keep, Outcome, Source, run_keeping};
 use super::{Context, Level, ValidateError};
-use crate::frame::{Frame, Kind};
+use aero_solver::frame::{Frame, Kind};
 
 const SCENE: Source = Source {
     name: "nozzle",

@@ -8,11 +8,11 @@ use aero_validation::metrics::MetricError;
 
 use super::{Context, ValidateError};
 use crate::case::Case;
-use crate::frame::{Frame, Kind, Load, SurfaceFrame};
 use crate::output::{OutputError, Summary};
 use crate::run::{Recorder, RunError, Stopwatch, simulate};
 use crate::scene::{AnyCase, Scene};
-use crate::solver::Simulation;
+use aero_solver::Simulation;
+use aero_solver::frame::{Frame, Kind, Load, SurfaceFrame};
 
 /// A scene of the project, by name and text.
 #[derive(Clone, Copy, Debug)]
@@ -145,7 +145,7 @@ fn finish<const D: usize>(
 ) -> Result<Outcome, RunError> {
     let mut keeper = Keeper {
         keep,
-        frames_from: 0.5 * case.end_time,
+        frames_from: 0.5 * case.plan.end_time,
         history: History::default(),
     };
     let (simulation, summary) = simulate(case, &mut keeper, stopwatch)?;

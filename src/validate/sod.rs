@@ -101,7 +101,7 @@ pub(crate) fn density_error(outcome: &Outcome, tube: &ClosedTube) -> Result<f64,
 fn plateau(
     outcome: &Outcome,
     tube: &ClosedTube,
-    value: impl Fn(&crate::frame::Frame, usize) -> f64,
+    value: impl Fn(&aero_solver::frame::Frame, usize) -> f64,
 ) -> f64 {
     let gas = &outcome.gas;
     let shock = tube.shock_position(gas.time).unwrap_or(1.0);

@@ -154,7 +154,8 @@ impl Loads {
 
     fn new(outcome: &Outcome) -> Self {
         let history = &outcome.history;
-        let pick = |value: fn(&crate::frame::Load) -> f64| history.load.iter().map(value).collect();
+        let pick =
+            |value: fn(&aero_solver::frame::Load) -> f64| history.load.iter().map(value).collect();
         Self {
             time: history.time.iter().map(|time| 1e3 * time).collect(),
             values: [

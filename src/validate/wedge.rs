@@ -12,7 +12,7 @@ use aero_validation::table::{Check, Subject};
 
 use super::outcome::{Outcome, Source, diameters, run};
 use super::{Context, Level, ValidateError};
-use crate::frame::Frame;
+use aero_solver::frame::Frame;
 
 pub(crate) const SCENE: Source = Source {
     name: "wedge",

@@ -4,8 +4,8 @@ use aero_validation::table::Check;
 
 use super::rows::{Rows, ended};
 use super::{Context, GAMMA, ValidateError, variant};
-use crate::frame::SurfaceFrame;
 use crate::validate::outcome::{Source, attempt};
+use aero_solver::frame::SurfaceFrame;
 
 const CAPSULE: Source = Source {
     name: "apollo-axisymmetric",

@@ -134,7 +134,7 @@ fn picture(
     context: &Context<'_>,
 ) -> Result<(), ValidateError> {
     let gas = &outcome.gas;
-    let gamma = scene(tube.source, &[])?.build::<1>()?.gamma;
+    let gamma = scene(tube.source, &[])?.build::<1>()?.problem.gamma;
     let x: Vec<f64> = gas.position.iter().map(|p| p[0]).collect();
     let velocity: Vec<f64> = gas.velocity.iter().map(|u| u[0]).collect();
     let panel = |label: &str, values: &[f64], pick: &dyn Fn(&State) -> f64| {

@@ -6,8 +6,8 @@ use aero_validation::pictures::curves::{Curves, Panel, Series};
 use aero_validation::table::{Check, Subject};
 
 use super::{Context, Level, VARIANTS, ValidateError, common_rows, variant};
-use crate::frame::Frame;
 use crate::validate::outcome::{Attempt, Source, attempt};
+use aero_solver::frame::Frame;
 
 /// Largest mean error of the density, in per cent of its mean.
 const ALLOWED: f64 = 5.0;

@@ -5,8 +5,8 @@ use aero_validation::metrics::order::convergence_order;
 use aero_validation::table::{Check, Subject};
 
 use super::{Context, Level, VARIANTS, ValidateError, common_rows, variant};
-use crate::frame::Frame;
 use crate::validate::outcome::{Attempt, Source, attempt};
+use aero_solver::frame::Frame;
 
 /// Least order of convergence of the isentropic vortex.
 const LEAST_ORDER: f64 = 1.5;

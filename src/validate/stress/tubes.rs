@@ -7,8 +7,10 @@ use aero_validation::exact::riemann::Riemann;
 use aero_validation::exact::{ExactError, State};
 use aero_validation::reference;
 
-use crate::case::{self, Case, Initial, Side};
+use crate::case::Case;
 use crate::validate::outcome::Source;
+use aero_solver::problem;
+use aero_solver::problem::{Initial, Side};
 
 /// Gas along a line at the end time.
 pub type Profile = Box<dyn Fn(f64) -> State>;
@@ -138,36 +140,36 @@ fn riemann(case: &Case<1>) -> Result<Profile, ExactError> {
         right,
         position,
         ..
-    } = &case.initial
+    } = &case.problem.initial
     else {
         return nothing("the start of a tube without two states");
     };
-    let (position, time) = (*position, case.end_time);
-    let riemann = Riemann::new(gas(left), gas(right), case.gamma)?;
+    let (position, time) = (*position, case.plan.end_time);
+    let riemann = Riemann::new(gas(left), gas(right), case.problem.gamma)?;
     Ok(Box::new(move |x| riemann.sample((x - position) / time)))
 }
 
 /// The scene's gas on the left of 0.5, nothing on the right.
 fn vacuum(case: &Case<1>) -> Result<Profile, ExactError> {
-    let time = case.end_time;
+    let time = case.plan.end_time;
     let riemann = Riemann::new(
         State::new(1.0, 0.0, 1.0),
         State::new(0.0, 0.0, 0.0),
-        case.gamma,
+        case.problem.gamma,
     )?;
     Ok(Box::new(move |x| riemann.sample((x - 0.5) / time)))
 }
 
 fn noh(case: &Case<1>) -> Result<Profile, ExactError> {
-    let (noh, time) = (Noh::new(1, case.gamma)?, case.end_time);
+    let (noh, time) = (Noh::new(1, case.problem.gamma)?, case.plan.end_time);
     Ok(Box::new(move |x| noh.at(x, time)))
 }
 
 /// A stream that a wall stops is a piston at the stream's speed, seen from the piston.
 fn reflection(case: &Case<1>) -> Result<Profile, ExactError> {
-    let stream = &case.free_stream;
-    let (speed, time) = (-stream.velocity[0], case.end_time);
-    let piston = Piston::new(speed, stream.density, stream.pressure, case.gamma)?;
+    let stream = &case.problem.free_stream;
+    let (speed, time) = (-stream.velocity[0], case.plan.end_time);
+    let piston = Piston::new(speed, stream.density, stream.pressure, case.problem.gamma)?;
     Ok(Box::new(move |x| {
         let state = piston.at(x + speed * time, time);
         State::new(state.density, state.velocity - speed, state.pressure)
@@ -175,20 +177,21 @@ fn reflection(case: &Case<1>) -> Result<Profile, ExactError> {
 }
 
 fn piston(case: &Case<1>) -> Result<Profile, ExactError> {
-    let Side::Wall { velocity, .. } = case.domain.sides[0][0] else {
+    let Side::Wall { velocity, .. } = case.problem.domain.sides[0][0] else {
         return nothing("the speed of a piston that is no wall");
     };
-    let (gas, time) = (&case.free_stream, case.end_time);
-    let piston = Piston::new(velocity, gas.density, gas.pressure, case.gamma)?;
+    let (gas, time) = (&case.problem.free_stream, case.plan.end_time);
+    let piston = Piston::new(velocity, gas.density, gas.pressure, case.problem.gamma)?;
     Ok(Box::new(move |x| piston.at(x, time)))
 }
 
 fn accelerating_piston(case: &Case<1>) -> Result<Profile, ExactError> {
-    let Side::Wall { acceleration, .. } = case.domain.sides[0][0] else {
+    let Side::Wall { acceleration, .. } = case.problem.domain.sides[0][0] else {
         return nothing("the acceleration of a piston that is no wall");
     };
-    let (gas, time) = (&case.free_stream, case.end_time);
-    let piston = AcceleratingPiston::new(acceleration, gas.density, gas.pressure, case.gamma)?;
+    let (gas, time) = (&case.problem.free_stream, case.plan.end_time);
+    let piston =
+        AcceleratingPiston::new(acceleration, gas.density, gas.pressure, case.problem.gamma)?;
     piston.at(1.0, time)?;
     let nowhere = State::new(f64::NAN, f64::NAN, f64::NAN);
     Ok(Box::new(move |x| piston.at(x, time).unwrap_or(nowhere)))
@@ -202,7 +205,7 @@ fn table(table: reference::Table) -> Profile {
     })
 }
 
-fn gas(state: &case::State<1>) -> State {
+fn gas(state: &problem::State<1>) -> State {
     State::new(state.density, state.velocity[0], state.pressure)
 }
 

@@ -1,0 +1,132 @@
+//! Gas that enters from a reservoir at less than the speed of sound. Of the three values that fix its
+//! state two come from the reservoir and one, an acoustic wave on its way out, from the flow inside.
+//! Not for the particles of the buffer: those are in `open`.
+
+use aero_geometry::Vector;
+
+use super::particle::Particle;
+use crate::problem::{Problem, Side, State};
+
+/// Depth, in spacings, of the layer of gas in which the outgoing wave is read.
+const LAYER: f64 = 2.0;
+
+/// A side that gas enters through from a reservoir.
+#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+pub struct Reservoir {
+    axis: usize,
+    /// Direction into the domain along the axis.
+    inward: f64,
+    face: f64,
+    /// Pressure and square of the speed of sound of the gas at rest.
+    pressure: f64,
+    sound_square: f64,
+}
+
+impl Reservoir {
+    /// The reservoir of `problem`, at the stagnation state of its free stream; scenes have one at most.
+    pub fn of<const D: usize>(problem: &Problem<D>) -> Option<Self> {
+        let (axis, end) = (0..D)
+            .flat_map(|axis| [(axis, 0), (axis, 1)])
+            .find(|&(axis, end)| problem.domain.sides[axis][end] == Side::Reservoir)?;
+        let gas = &problem.free_stream;
+        let heat = problem.gamma - 1.0;
+        let sound_square = problem.gamma * gas.pressure / gas.density;
+        // NACA Report 1135 (1953), eqs 43 and 44.
+        let rise = 1.0 + 0.5 * heat * gas.velocity.norm_squared() / sound_square;
+        let bounds = &problem.domain.bounds;
+        Some(Self {
+            axis,
+            inward: if end == 0 { 1.0 } else { -1.0 },
+            face: if end == 0 { bounds.min } else { bounds.max }[axis],
+            pressure: gas.pressure * rise.powf(problem.gamma / heat),
+            sound_square: sound_square * rise,
+        })
+    }
+
+    /// State in which gas enters a flow whose particles are `fluid`, straight into the domain; none
+    /// where no gas is near the side.
+    pub fn inflow<const D: usize>(
+        &self,
+        problem: &Problem<D>,
+        fluid: &[Particle<D>],
+    ) -> Option<State<D>> {
+        let wave = self.outgoing_wave(problem, fluid)?;
+        let (speed, sound) = entering(wave, self.sound_square, problem.gamma);
+        let share = sound * sound / self.sound_square;
+        let pressure = self.pressure * share.powf(problem.gamma / (problem.gamma - 1.0));
+        let mut velocity = Vector::zeros();
+        velocity[self.axis] = self.inward * speed;
+        Some(State {
+            density: problem.gamma * pressure / (sound * sound),
+            velocity,
+            pressure,
+        })
+    }
+
+    /// Mean over the mass of gas next to the side of the invariant `u - 2 c / (gamma - 1)` that sound carries
+    /// out against the flow, with `u` into the domain.
+    fn outgoing_wave<const D: usize>(
+        &self,
+        problem: &Problem<D>,
+        fluid: &[Particle<D>],
+    ) -> Option<f64> {
+        let heat = problem.gamma - 1.0;
+        let (mut sum, mut mass) = (0.0, 0.0);
+        for particle in fluid {
+            let depth = self.inward * (particle.position[self.axis] - self.face);
+            if depth < LAYER * problem.spacing {
+                let sound = (problem.gamma * heat * particle.energy).sqrt();
+                let wave = self.inward * particle.velocity[self.axis] - 2.0 * sound / heat;
+                sum += particle.mass * wave;
+                mass += particle.mass;
+            }
+        }
+        (mass > 0.0).then(|| sum / mass)
+    }
+}
+
+/// Speed, and speed of sound, at which gas of the stagnation speed of sound `sqrt(sound_square)` meets
+/// the outgoing invariant `wave = u - 2 c / (gamma - 1)`.
+///
+/// The constant total enthalpy, `c^2 + (gamma - 1) u^2 / 2 = c_0^2`, makes it a quadratic equation
+/// [e.g. Hirsch, Numerical Computation of Internal and External Flows, vol. 2, 1990, section 19.1.2].
+/// The speed stays between zero and that of sound: gas neither flows back into the reservoir nor
+/// outruns the wave.
+fn entering(wave: f64, sound_square: f64, gamma: f64) -> (f64, f64) {
+    let heat = gamma - 1.0;
+    let critical = (2.0 * sound_square / (gamma + 1.0)).sqrt();
+    // u^2 (gamma + 1) / 4 - wave (gamma - 1) u / 2 + (gamma - 1) wave^2 / 4 - c_0^2 / (gamma - 1) = 0, over
+    // (gamma - 1), with c = (gamma - 1) (u - wave) / 2.
+    let a = 0.25 * (gamma + 1.0);
+    let b = -0.5 * heat * wave;
+    let c = 0.25 * heat * wave * wave - sound_square / heat;
+    let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
+    let speed = ((root - b) / (2.0 * a)).clamp(0.0, critical);
+    let sound = (sound_square - 0.5 * heat * speed * speed).sqrt();
+    (speed, sound)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const GAMMA: f64 = 1.4;
+
+    #[test]
+    fn a_flow_that_already_fits_the_reservoir_is_left_alone() {
+        for mach in [0.0, 0.3, 0.9] {
+            let sound_square = 1.0 + 0.2 * mach * mach;
+            let (speed, sound) = entering(mach - 5.0, sound_square, GAMMA);
+            assert!((speed - mach).abs() < 1e-12, "{mach}: {speed}");
+            assert!((sound - 1.0).abs() < 1e-12, "{mach}: {sound}");
+        }
+    }
+
+    #[test]
+    fn higher_pressure_inside_slows_the_inflow_down_to_rest_at_most() {
+        let wave = |sound: f64| 0.3 - 5.0 * sound;
+        let speed = |sound: f64| entering(wave(sound), 1.018, GAMMA).0;
+        assert!(speed(1.01) < speed(1.0) && speed(1.0) < speed(0.99));
+        assert_eq!(speed(1.2), 0.0);
+    }
+}
