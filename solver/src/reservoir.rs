@@ -51,16 +51,22 @@ impl Reservoir {
         fluid: &[Particle<D>],
     ) -> Option<State<D>> {
         let wave = self.outgoing_wave(problem, fluid)?;
-        let (speed, sound) = entering(wave, self.sound_square, problem.gamma);
-        let share = sound * sound / self.sound_square;
-        let pressure = self.pressure * share.powf(problem.gamma / (problem.gamma - 1.0));
+        let (speed, density, pressure) = self.entering(wave, problem.gamma);
         let mut velocity = Vector::zeros();
         velocity[self.axis] = self.inward * speed;
         Some(State {
-            density: problem.gamma * pressure / (sound * sound),
+            density,
             velocity,
             pressure,
         })
+    }
+
+    /// Speed, density and pressure at which gas enters against the outgoing invariant `wave`, see [`entering`].
+    pub fn entering(&self, wave: f64, gamma: f64) -> (f64, f64, f64) {
+        let (speed, sound) = entering(wave, self.sound_square, gamma);
+        let share = sound * sound / self.sound_square;
+        let pressure = self.pressure * share.powf(gamma / (gamma - 1.0));
+        (speed, gamma * pressure / (sound * sound), pressure)
     }
 
     /// Mean over the mass of gas next to the side of the invariant `u - 2 c / (gamma - 1)` that sound carries

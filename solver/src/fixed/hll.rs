@@ -42,10 +42,7 @@ impl<const D: usize, R: Real> Jump<D, R> {
         right: Primitive<D, R>,
         normal: [R; D],
     ) -> Self {
-        let speeds = [
-            dot(&left.velocity, &normal),
-            dot(&right.velocity, &normal),
-        ];
+        let speeds = [dot(&left.velocity, &normal), dot(&right.velocity, &normal)];
         let sounds = [
             gas.sound_square(left.density, left.pressure),
             gas.sound_square(right.density, right.pressure),
@@ -90,7 +87,8 @@ impl<const D: usize, R: Real> Jump<D, R> {
         let (slow, fast) = (left.wave.min(zero), right.wave.max(zero));
         let share = zero.like(1.0) / (fast - slow);
         let (from_left, from_right, both) = (fast * share, -slow * share, slow * fast * share);
-        let [a, b] = [left, right].map(|half| half.state.flux(half.energy, half.speed, &self.normal));
+        let [a, b] =
+            [left, right].map(|half| half.state.flux(half.energy, half.speed, &self.normal));
         let mix = |a: R, b: R, apart: R| from_left * a + from_right * b + both * apart;
         let momentum = |half: &Half<D, R>, k: usize| half.state.density * half.state.velocity[k];
         Conserved {

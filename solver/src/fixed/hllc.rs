@@ -44,8 +44,7 @@ impl<const D: usize, R: Real> Jump<D, R> {
                     + ahead * (behind - density * velocity)
             }),
             energy: (energy + pressure) * speed
-                + ahead
-                    * (star * (energy / density + push * (contact + pressure / flow)) - energy),
+                + ahead * (star * (energy / density + push * (contact + pressure / flow)) - energy),
         }
     }
 }

@@ -15,6 +15,8 @@ pub struct Neighbours<const D: usize, R> {
     pub rises: [Primitive<D, R>; 2],
     /// From zero in strong shocks to one elsewhere.
     pub smooth: R,
+    /// Below zero where no slope may be used at all.
+    pub order: R,
 }
 
 impl<const D: usize, R: Real> Neighbours<D, R> {
@@ -56,12 +58,10 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
         });
         array::from_fn(|side| {
             let mean = &self.means[side];
-            let least = density[side].min(pressure[side]);
+            let least = density[side].min(pressure[side]).min(self.order);
             Primitive {
                 density: least.select(density[side], mean.density),
-                velocity: array::from_fn(|k| {
-                    least.select(velocity[k][side], mean.velocity[k])
-                }),
+                velocity: array::from_fn(|k| least.select(velocity[k][side], mean.velocity[k])),
                 pressure: least.select(pressure[side], mean.pressure),
             }
         })
@@ -74,13 +74,14 @@ pub fn rise<R: Real, const D: usize>(
     slopes: &[Primitive<D, R>; D],
     apart: &[R; D],
 ) -> Primitive<D, R> {
-    let along = |variable: &dyn Fn(&Primitive<D, R>) -> R| {
-        let values: [R; D] = array::from_fn(|k| variable(&slopes[k]));
-        dot(&values, apart)
-    };
+    let [density, pressure] = [
+        array::from_fn(|k| slopes[k].density),
+        array::from_fn(|k| slopes[k].pressure),
+    ]
+    .map(|values| dot(&values, apart));
     Primitive {
-        density: along(&|q| q.density),
-        velocity: array::from_fn(|k| along(&|q| q.velocity[k])),
-        pressure: along(&|q| q.pressure),
+        density,
+        velocity: array::from_fn(|k| dot(&array::from_fn(|axis| slopes[axis].velocity[k]), apart)),
+        pressure,
     }
 }

@@ -4,7 +4,7 @@ use std::array;
 
 use super::gas::Gas;
 use super::real::Real;
-use crate::case::State;
+use crate::problem::State;
 
 /// Density, velocity and pressure.
 #[derive(Clone, Copy, Debug, PartialEq)]

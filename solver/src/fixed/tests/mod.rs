@@ -1,0 +1,4 @@
+//! Flows with known answers on cells made by hand.
+
+mod lattice;
+mod tubes;
