@@ -34,6 +34,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
     Problem {
         spacing,
         gamma: 1.4,
+        method: crate::method::Method::default(),
         scheme: Scheme::default(),
         domain: Domain {
             bounds,
