@@ -21,7 +21,7 @@ mod sides;
 mod snapshot;
 mod state;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 mod walls;
 
 use std::f64::consts::TAU;

@@ -3,6 +3,7 @@
 use aero_geometry::{Bounds, Vector};
 
 use super::super::{Cells, Face, SideFace, WallFace, WallOwner};
+use crate::method::{FixedPoints, Method};
 use crate::problem::{Domain, Field, Initial, Problem, Scheme, Side, State, WallKind};
 
 /// A wall at rest that gas slides along.
@@ -22,6 +23,7 @@ pub fn problem<const D: usize>(
     Problem {
         spacing,
         gamma: 1.4,
+        method: Method::Fixed(FixedPoints::default()),
         scheme: Scheme::default(),
         domain: Domain {
             bounds: Bounds {
@@ -142,4 +144,94 @@ fn morton<const D: usize>(place: &[usize; D]) -> u64 {
         }
     }
     key
+}
+
+/// Cells between the lines of a lattice that `map` bends, `counts` in the unit square; its edges are the sides of the problem.
+pub fn bent(
+    problem: &Problem<2>,
+    counts: [usize; 2],
+    map: impl Fn(f64, f64) -> Vector<2>,
+) -> Cells<2> {
+    let corner = |i: usize, j: usize| map(i as f64 / counts[0] as f64, j as f64 / counts[1] as f64);
+    let mut places: Vec<[usize; 2]> = (0..counts[0])
+        .flat_map(|i| (0..counts[1]).map(move |j| [i, j]))
+        .collect();
+    places.sort_by_key(morton);
+    let numbers: std::collections::HashMap<[usize; 2], u32> =
+        places.iter().copied().zip(0..).collect();
+    let is_axisymmetric = problem.domain.is_axisymmetric();
+    let radius = |y: f64| if is_axisymmetric { y } else { 1.0 };
+    let middle = |[i, j]: [usize; 2]| {
+        let corners = [
+            corner(i, j),
+            corner(i + 1, j),
+            corner(i + 1, j + 1),
+            corner(i, j + 1),
+        ];
+        let (mut sum, mut area) = (Vector::<2>::zeros(), 0.0);
+        for triangle in [[0, 1, 2], [0, 2, 3]].map(|t| t.map(|c| corners[c])) {
+            let [a, b, c] = triangle;
+            let twice = (b - a).perp(&(c - a));
+            sum += (a + b + c) / 3.0 * twice;
+            area += 0.5 * twice;
+        }
+        (sum / (2.0 * area), area)
+    };
+    let mut cells = Cells::default();
+    for (i, place) in (0_u32..).zip(&places) {
+        let (point, area) = middle(*place);
+        cells.points.push(point);
+        cells.volumes.push(area.abs() * radius(point.y));
+        let [x, y] = *place;
+        let edges = [
+            (0, 0, corner(x, y + 1), corner(x, y)),
+            (0, 1, corner(x + 1, y), corner(x + 1, y + 1)),
+            (1, 0, corner(x, y), corner(x + 1, y)),
+            (1, 1, corner(x + 1, y + 1), corner(x, y + 1)),
+        ];
+        for (axis, end, from, to) in edges {
+            let along = to - from;
+            let centre = (from + to) * 0.5;
+            let full = Vector::<2>::new(along.y, -along.x) * (radius(centre.y) * area.signum());
+            let is_last = place[axis] == if end == 0 { 0 } else { counts[axis] - 1 };
+            let mut next = *place;
+            if is_last {
+                let side = problem.domain.sides[axis][end];
+                if matches!(side, Side::Wall { .. }) {
+                    cells.walls.push(WallFace {
+                        i,
+                        area: full,
+                        owner: WallOwner::Side {
+                            axis: axis as u8,
+                            end: end as u8,
+                        },
+                        curvature: nalgebra::SMatrix::zeros(),
+                        foot: centre,
+                        facet: 0,
+                    });
+                } else {
+                    cells.sides.push(SideFace {
+                        i,
+                        area: full,
+                        axis: axis as u8,
+                        end: end as u8,
+                        centre,
+                    });
+                }
+                continue;
+            }
+            next[axis] = next[axis] + 2 * end - 1;
+            let j = numbers[&next];
+            if i < j {
+                cells.faces.push(Face {
+                    i,
+                    j,
+                    area: full,
+                    apart: middle(next).0 - point,
+                });
+            }
+        }
+    }
+    cells.faces.sort_by_key(|face| (face.i, face.j));
+    cells
 }

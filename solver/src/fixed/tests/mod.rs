@@ -1,4 +1,4 @@
 //! Flows with known answers on cells made by hand.
 
-mod lattice;
+pub(crate) mod lattice;
 mod tubes;
