@@ -5,13 +5,15 @@ use std::sync::Arc;
 use aero_geometry::{Bounds, Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 
+use crate::gas::Gas;
+
 /// A flow problem ready to run, in `D` dimensions.
 #[derive(Clone, Debug)]
 pub struct Problem<const D: usize> {
     /// Particle spacing `dx` of the undisturbed lattice.
     pub spacing: f64,
-    /// Ratio of specific heats.
-    pub gamma: f64,
+    /// Equation of state.
+    pub gas: Gas,
     /// Equations and boundary treatment.
     pub scheme: Scheme,
     /// Box of the flow and what bounds it.

@@ -65,6 +65,7 @@ pub use error::SceneError;
 use std::path::{Path, PathBuf};
 
 use crate::case::{Case, RunPlan, Stop};
+use aero_solver::gas::Gas;
 use aero_solver::problem::{Problem, Scheme};
 use file::{SceneFile, SchemeEntry};
 use number::{Courant, Disorder};
@@ -208,7 +209,7 @@ impl Scene {
         packed::check(&bodies, &domain, spacing)?;
         let problem = Problem {
             spacing,
-            gamma: flow::gamma(file),
+            gas: Gas::ideal(flow::gamma(file)),
             scheme: scheme(file.scheme),
             domain,
             free_stream,

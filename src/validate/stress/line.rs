@@ -6,7 +6,7 @@ use aero_validation::metrics::order::convergence_order;
 use aero_validation::pictures::curves::{Curves, Panel, Series};
 use aero_validation::table::{Check, Subject};
 
-use super::tubes::{NOH, Profile, SOD, TORO_3, TUBES, Tube};
+use super::tubes::{NOH, Profile, SOD, TORO_3, TUBES, Tube, gamma};
 use super::{Context, Level, VARIANTS, ValidateError, common_rows, scene, variant};
 use crate::validate::outcome::{Attempt, Outcome, attempt};
 
@@ -134,7 +134,7 @@ fn picture(
     context: &Context<'_>,
 ) -> Result<(), ValidateError> {
     let gas = &outcome.gas;
-    let gamma = scene(tube.source, &[])?.build::<1>()?.problem.gamma;
+    let gamma = gamma(&scene(tube.source, &[])?.build::<1>()?);
     let x: Vec<f64> = gas.position.iter().map(|p| p[0]).collect();
     let velocity: Vec<f64> = gas.velocity.iter().map(|u| u[0]).collect();
     let panel = |label: &str, values: &[f64], pick: &dyn Fn(&State) -> f64| {
