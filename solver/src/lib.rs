@@ -24,6 +24,7 @@ mod initial;
 mod lanes;
 mod lattice;
 mod loads;
+pub mod method;
 mod neighbours;
 mod open;
 mod pairs;

@@ -6,6 +6,7 @@ use aero_geometry::{Bounds, Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 
 use crate::gas::Gas;
+use crate::method::Method;
 
 /// A flow problem ready to run, in `D` dimensions.
 #[derive(Clone, Debug)]
@@ -14,7 +15,9 @@ pub struct Problem<const D: usize> {
     pub spacing: f64,
     /// Equation of state.
     pub gas: Gas,
-    /// Equations and boundary treatment.
+    /// What carries the gas.
+    pub method: Method,
+    /// Equations and boundary treatment of particles.
     pub scheme: Scheme,
     /// Box of the flow and what bounds it.
     pub domain: Domain<D>,

@@ -48,12 +48,14 @@ pub mod file;
 mod flow;
 pub mod formula;
 mod lines;
+mod method;
 mod motion;
 pub mod number;
 mod output;
 mod overrides;
 mod packed;
 mod reference;
+mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
@@ -207,9 +209,12 @@ impl Scene {
             .map(|plan| plan.body(&domain, &free_stream))
             .collect::<Result<Vec<_>, _>>()?;
         packed::check(&bodies, &domain, spacing)?;
+        let stop = file.stop.map_or(Stop::EndTime, Into::into);
+        let method = method::method(&file.scheme, stop)?;
         let problem = Problem {
             spacing,
             gas: Gas::ideal(flow::gamma(file)),
+            method,
             scheme: scheme(file.scheme),
             domain,
             free_stream,
@@ -222,7 +227,7 @@ impl Scene {
             plan: RunPlan {
                 name: self.name.clone(),
                 end_time: file.end_time.get(),
-                stop: file.stop.map_or(Stop::EndTime, Into::into),
+                stop,
                 output,
             },
         })

@@ -35,6 +35,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
     Problem {
         spacing,
         gas: Gas::ideal(1.4),
+        method: crate::method::Method::default(),
         scheme: Scheme::default(),
         domain: Domain {
             bounds,
