@@ -67,6 +67,7 @@ pub use error::SceneError;
 use std::path::{Path, PathBuf};
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
+use aero_solver::gas::Gas;
 use aero_solver::problem::{Problem, Scheme};
 use file::{SceneFile, SchemeEntry};
 use number::{Courant, Disorder};
@@ -180,8 +181,8 @@ impl Scene {
         let method = method::method(&file.scheme, stop)?;
         let problem = Problem {
             spacing,
+            gas: Gas::ideal(flow::gamma(file)),
             method,
-            gamma: flow::gamma(file),
             scheme: scheme(file.scheme),
             domain,
             free_stream,
