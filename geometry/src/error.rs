@@ -60,9 +60,22 @@ impl GeometryError {
     }
 }
 
+/// What closes holes.
+pub(crate) const FILL: &str = "`--fill` (in a scene, `fill = true`) closes every hole";
+
+/// What makes a solid of a sheet.
+pub(crate) const THICKEN: &str =
+    "`--thicken T` (in a scene, `thicken = T`) makes a solid T thick of a sheet";
+
+/// What makes a solid of anything.
+pub(crate) const WRAP: &str =
+    "`--wrap` (in a scene, `wrap = true`) lays a closed surface around whatever it is";
+
 /// Refuses triangles that are closed, but around nothing.
 pub(crate) fn no_volume() -> GeometryError {
-    GeometryError::Surface("encloses no volume; give a closed surface around a solid".into())
+    GeometryError::Surface(format!(
+        "encloses no volume; give a closed surface around a solid, or {THICKEN}"
+    ))
 }
 
 /// Refuses a number that is not finite and above zero.

@@ -35,7 +35,7 @@ impl Mesh {
         for corner in soup.facets.iter_mut().flatten() {
             *corner *= unit.metres();
         }
-        Self::make(&soup, watch).map_err(|source| GeometryError::In {
+        Self::make(&soup, false, watch).map_err(|source| GeometryError::In {
             path: path.to_owned(),
             source: Box::new(source),
         })
@@ -57,10 +57,10 @@ impl Mesh {
     /// # Errors
     /// See [`Mesh::from_facets`].
     pub fn new(soup: &Soup) -> Result<Self, GeometryError> {
-        Self::make(soup, &Watch::default())
+        Self::make(soup, false, &Watch::default())
     }
 
-    fn make(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
+    pub(crate) fn make(soup: &Soup, fill: bool, watch: &Watch) -> Result<Self, GeometryError> {
         let not_finite = |facet: &Facet| !facet.iter().flatten().all(|x| x.is_finite());
         if let Some(index) = soup.facets.iter().position(not_finite) {
             return Err(GeometryError::Surface(format!(
@@ -72,7 +72,7 @@ impl Mesh {
         let mut repairs = Vec::new();
         let welded = weld(&soup.facets, &mut repairs);
         watch.begin("repairing");
-        let mut closed = close(welded, &mut repairs)?;
+        let mut closed = close(welded, fill, &mut repairs)?;
         slivers::flip(&mut closed, &mut repairs);
         let names = soup.solids.iter().map(|(name, _)| name.clone()).collect();
         Self::assemble(&closed, names, repairs, watch)
@@ -153,7 +153,11 @@ fn reorder(mesh: &Indexed, order: &[u32]) -> Indexed {
 }
 
 /// Makes the triangles one closed, oriented surface.
-fn close(mut mesh: Indexed, repairs: &mut Vec<String>) -> Result<Indexed, GeometryError> {
+fn close(
+    mut mesh: Indexed,
+    fill: bool,
+    repairs: &mut Vec<String>,
+) -> Result<Indexed, GeometryError> {
     let original = mesh.facets.clone();
     let mut last = None;
     for rule in [BackToBack::Cancel, BackToBack::KeepOne] {
@@ -168,7 +172,7 @@ fn close(mut mesh: Indexed, repairs: &mut Vec<String>) -> Result<Indexed, Geomet
                 "has no triangles with an area; give a closed surface around a solid".into(),
             ))
         } else {
-            orient::orient(&mut mesh, &mut notes)
+            orient::orient(&mut mesh, fill, &mut notes)
         };
         match result {
             Ok(()) => {
