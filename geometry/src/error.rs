@@ -27,6 +27,14 @@ pub enum GeometryError {
     /// An STL file cannot be read.
     #[error("stl: {0}")]
     Stl(String),
+    /// A file of another format cannot be read, or is of one that is not read.
+    #[error("{format}: {reason}")]
+    File {
+        /// The format.
+        format: &'static str,
+        /// What is wrong, and what to do.
+        reason: String,
+    },
     /// Triangles do not enclose a solid.
     #[error("surface: {0}")]
     Surface(String),
@@ -52,6 +60,13 @@ pub enum GeometryError {
 }
 
 impl GeometryError {
+    pub(crate) fn file(format: &'static str, reason: impl Into<String>) -> Self {
+        Self::File {
+            format,
+            reason: reason.into(),
+        }
+    }
+
     pub(crate) fn dimension(body: &'static str, reason: impl Into<String>) -> Self {
         Self::Dimension {
             body,

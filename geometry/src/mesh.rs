@@ -26,6 +26,9 @@ mod wedges;
 mod weld;
 mod winding;
 
+pub(crate) use caps::triangulate;
+pub(crate) use weld::bounds;
+
 use edges::NONE;
 use exposed::Exposed;
 use smooth::{Smooth, normal};

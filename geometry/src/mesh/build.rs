@@ -10,14 +10,14 @@ use super::tree::Tree;
 use super::weld::{BackToBack, Indexed, drop_duplicates, weld};
 use super::{Mesh, orient, slivers, symmetry, weld as welding};
 use crate::error::{GeometryError, no_volume};
-use crate::stl::{self, Facet, Soup, Unit};
-use crate::{Bounds, Watch};
+use crate::stl::{Facet, Soup, Unit};
+use crate::{Bounds, Watch, files};
 
 /// A mesh encloses no solid whose volume is below this part of its bounding cube.
 const NO_VOLUME: f64 = 1e-9;
 
 impl Mesh {
-    /// The body in an STL file whose numbers are in `unit`.
+    /// The body in a file (STL, OBJ, PLY) whose numbers are in `unit`.
     ///
     /// # Errors
     /// A file that cannot be read or is damaged; triangles that do not enclose a solid.
@@ -31,10 +31,7 @@ impl Mesh {
     /// See [`Mesh::read`].
     pub fn read_watched(path: &Path, unit: Unit, watch: &Watch) -> Result<Self, GeometryError> {
         watch.begin("reading");
-        let mut soup = stl::read(path)?;
-        for corner in soup.facets.iter_mut().flatten() {
-            *corner *= unit.metres();
-        }
+        let soup = files::read(path, unit)?;
         Self::make(&soup, false, watch).map_err(|source| GeometryError::In {
             path: path.to_owned(),
             source: Box::new(source),
@@ -58,6 +55,14 @@ impl Mesh {
     /// See [`Mesh::from_facets`].
     pub fn new(soup: &Soup) -> Result<Self, GeometryError> {
         Self::make(soup, false, &Watch::default())
+    }
+
+    /// As [`Mesh::new`], with all holes closed by triangles that span their rims.
+    ///
+    /// # Errors
+    /// See [`Mesh::from_facets`]; a sheet, around which closing its rim makes no solid.
+    pub fn filled(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
+        Self::make(soup, true, watch)
     }
 
     pub(crate) fn make(soup: &Soup, fill: bool, watch: &Watch) -> Result<Self, GeometryError> {

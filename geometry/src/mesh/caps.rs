@@ -2,6 +2,7 @@
 
 use super::weld::Indexed;
 use crate::Vector;
+use crate::stl::Facet;
 
 /// Rims with more corners than this are spanned ear by ear: the least area costs the cube of their
 /// number.
@@ -14,6 +15,17 @@ pub(super) fn span(mesh: &Indexed, border: &[u32]) -> (f64, Vec<[u32; 3]>) {
     }
     let patch = by_ears(mesh, border);
     (patch.iter().map(|&f| mesh.area(f)).sum(), patch)
+}
+
+/// The triangles of a polygon, which need not be convex or quite plane.
+pub(crate) fn triangulate(polygon: Vec<Vector<3>>) -> Vec<Facet> {
+    let border: Vec<u32> = (0..polygon.len() as u32).collect();
+    let mesh = Indexed {
+        vertices: polygon,
+        ..Indexed::default()
+    };
+    let (_, patch) = span(&mesh, &border);
+    patch.into_iter().map(|facet| mesh.corners(facet)).collect()
 }
 
 /// The triangles of least area. [Barequet & Sharir 1995, "Filling gaps in the boundary of a
