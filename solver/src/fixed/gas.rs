@@ -25,6 +25,20 @@ pub struct IdealGas {
     pub gamma: f64,
 }
 
+impl IdealGas {
+    /// The gas of a problem.
+    pub fn of(gas: &crate::gas::Gas) -> Self {
+        match gas {
+            crate::gas::Gas::Ideal(gas) => Self { gamma: gas.gamma },
+        }
+    }
+
+    /// Ratio of the specific heats, less one: what makes pressure of energy.
+    pub fn heat(&self) -> f64 {
+        self.gamma - 1.0
+    }
+}
+
 impl Gas for IdealGas {
     #[inline(always)]
     fn internal_energy<R: Real>(&self, _: R, pressure: R) -> R {

@@ -304,7 +304,7 @@ impl<const D: usize> FixedSimulation<D> {
         }
         for found in found {
             self.min_density = self.min_density.min(found.min_density);
-            let energy = found.min_energy / (self.problem.gamma - 1.0);
+            let energy = found.min_energy / self.gas.heat();
             self.min_energy = self.min_energy.min(energy);
         }
         Ok(())

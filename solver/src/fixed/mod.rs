@@ -103,9 +103,7 @@ impl<const D: usize> FixedSimulation<D> {
                 .into());
         }
         let net = Self::net(&cells, &problem)?;
-        let gas = IdealGas {
-            gamma: problem.gamma,
-        };
+        let gas = IdealGas::of(&problem.gas);
         let held: Vec<_> = states.iter().map(|state| state.conserved(&gas)).collect();
         let mut simulation = Self {
             arch: Arch::of_processor(Precision::Double)?.instructions,

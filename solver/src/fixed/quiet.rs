@@ -77,7 +77,7 @@ impl<const D: usize> Quiet<D> {
         let gas = &problem.free_stream;
         let stream = (is_kept && problem.scheme.skip_undisturbed).then(|| Stream {
             state: Primitive::of(gas),
-            sound: (problem.gamma * gas.pressure / gas.density).sqrt(),
+            sound: problem.gas.sound_speed_at(gas.density, gas.pressure),
         });
         let rest = |block: &Block<D>| Rest {
             is_in_the_way: stream.is_none_or(|stream| stream.is_disturbed_in(block)),

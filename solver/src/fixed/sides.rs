@@ -1,7 +1,7 @@
 //! Faces on the sides of the domain: what is beyond them, and what flows through.
 
 use super::cells::SideFace;
-use super::gas::Gas;
+use super::gas::{Gas, IdealGas};
 use super::hll::Jump;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Image;
@@ -34,7 +34,7 @@ impl<const D: usize> Beyond<D> {
             SideKind::Outlet => Ok(Self::Same),
             SideKind::Symmetry | SideKind::Axis => Ok(Self::Mirror),
             SideKind::Reservoir => Reservoir::of(problem)
-                .map(|reservoir| Self::Reservoir(reservoir, problem.gamma))
+                .map(|reservoir| Self::Reservoir(reservoir, IdealGas::of(&problem.gas).gamma))
                 .ok_or_else(|| "a reservoir has no side".to_owned()),
             side @ (SideKind::Periodic | SideKind::Wall { .. } | SideKind::Body) => Err(format!(
                 "side {end} of axis {axis} is {side:?} and should have no open faces"

@@ -22,7 +22,7 @@ pub fn problem<const D: usize>(
     let max = Vector::from_fn(|k, _| counts[k] as f64 * spacing);
     Problem {
         spacing,
-        gamma: 1.4,
+        gas: crate::gas::Gas::ideal(1.4),
         method: Method::Fixed(FixedPoints::default()),
         scheme: Scheme::default(),
         domain: Domain {
