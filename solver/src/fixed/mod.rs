@@ -1,6 +1,7 @@
 //! Points that stay in place, and the cells that are derived from them.
 
 pub mod build;
+pub mod carry;
 pub mod cells;
 pub mod cloud;
 mod cut;
@@ -8,6 +9,7 @@ pub mod levels;
 mod merge;
 mod nearby;
 mod polytope;
+pub mod refine;
 mod section;
 pub mod solids;
 #[cfg(test)]

@@ -11,7 +11,10 @@ use super::levels::Levels;
 use super::solids::Solids;
 use crate::problem::{Domain, Side};
 
+mod jumps;
 mod plane;
+mod sides;
+mod space;
 
 /// A box with open sides.
 fn domain<const D: usize>(low: [f64; D], high: [f64; D]) -> Domain<D> {
