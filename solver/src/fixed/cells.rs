@@ -76,3 +76,25 @@ pub struct SideFace<const D: usize> {
     /// Middle of the face.
     pub centre: Vector<D>,
 }
+
+impl<const D: usize> Cells<D> {
+    /// What is left of the sum of area vectors of each cell: nothing but rounding where it is closed. About an axis the
+    /// radial part is the cell's area in the plane instead, and is left out.
+    pub fn open_areas(&self, about_axis: bool) -> Vec<Vector<D>> {
+        let mut sums = vec![Vector::<D>::zeros(); self.points.len()];
+        for face in &self.faces {
+            sums[face.i as usize] += face.area;
+            sums[face.j as usize] -= face.area;
+        }
+        for wall in &self.walls {
+            sums[wall.i as usize] += wall.area;
+        }
+        for side in &self.sides {
+            sums[side.i as usize] += side.area;
+        }
+        if about_axis && D == 2 {
+            sums.iter_mut().for_each(|sum| sum[1] = 0.0);
+        }
+        sums
+    }
+}

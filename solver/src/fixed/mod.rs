@@ -2,26 +2,38 @@
 //!
 //! [`FixedSimulation::step`] marches in time, [`FixedSimulation::settle`] goes to the steady state. Neither knows how cells are made.
 
-mod cells;
+pub mod build;
+pub mod carry;
+pub mod cells;
 mod checkpoint;
+pub mod cloud;
+mod cut;
 mod fluxes;
 mod gas;
 mod gradients;
 mod hll;
 mod hllc;
+pub mod levels;
 mod limiter;
 mod loads;
 mod march;
+mod merge;
+mod nearby;
 mod net;
+mod polytope;
 mod quiet;
 mod real;
 mod reconstruction;
+pub mod refine;
 mod refusal;
+mod section;
 mod sides;
 mod snapshot;
+pub mod solids;
 mod state;
 #[cfg(test)]
 pub(crate) mod tests;
+mod voronoi;
 mod walls;
 
 use std::f64::consts::TAU;
@@ -34,11 +46,15 @@ pub use checkpoint::FixedMemory;
 use crate::problem::{Precision, Problem};
 use crate::side_walls::wall_sides;
 use crate::vectors::Arch;
+use build::cells;
+use cloud::{Cloud, Plot};
 use gas::IdealGas;
 use gradients::Slopes;
+use levels::Levels;
 use net::Net;
 use quiet::Quiet;
 use sides::Beyond;
+use solids::Solids;
 use state::{Conserved, Primitive};
 
 /// Courant number of a marching step.
@@ -89,6 +105,22 @@ impl<const D: usize> FixedSimulation<D> {
             })
             .collect::<Result<Vec<_>, String>>()?;
         Self::from_states(cells, problem, states)
+    }
+
+    /// The flow of `problem` on the cells of its lattice, at its start.
+    ///
+    /// # Errors
+    /// As of [`Self::on`].
+    pub fn new(problem: Problem<D>) -> Result<Self, String> {
+        let solids = Solids::new(problem.bodies.iter().map(|body| body.shape.clone()));
+        let plot = Plot {
+            domain: &problem.domain,
+            solids: &solids,
+            spacing: problem.spacing,
+        };
+        let cloud = Cloud::lattice(&plot, &Levels::default(), problem.disorder);
+        let (cells, _) = cells(&plot, &cloud);
+        Self::on(cells, problem)
     }
 
     /// The same with a state in each cell.

@@ -32,7 +32,8 @@ impl<const D: usize> Image<D> {
         Self {
             normal: normal.into(),
             size,
-            distance: (foot - point).dot(&normal),
+            // At an edge a point may lie beyond the plane of a wall that its cell holds a part of: it has no image there.
+            distance: (foot - point).dot(&normal).max(0.0),
         }
     }
 
