@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 use aero_geometry::Vector;
 
-use super::particle::{Particle, Rates};
+use super::particles::{Particle, Rates};
 use crate::problem::Problem;
 
 /// A ring never counts as narrower than this many spacings, the radius of the innermost ring of the lattice: nearer

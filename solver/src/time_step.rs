@@ -2,8 +2,8 @@
 
 use rayon::prelude::*;
 
-use super::particle::{Particle, Rates};
-use crate::problem::Equations;
+use super::particles::{Particle, Rates};
+use crate::problem::{Equations, Problem};
 
 /// Factor of the force bound (Villodi & Ramachandran 2024, section 3.6).
 const C_FORCE: f64 = 0.5;
@@ -45,6 +45,22 @@ pub fn time_step<const D: usize>(
                 .step(cfl, gamma)
         }
     }
+}
+
+/// The same for the scheme of `problem`.
+pub fn of_rates<const D: usize>(
+    problem: &Problem<D>,
+    particles: &[Particle<D>],
+    rates: &[Rates<D>],
+) -> f64 {
+    let scheme = &problem.scheme;
+    time_step(
+        scheme.equations,
+        scheme.cfl,
+        problem.gamma,
+        particles,
+        rates,
+    )
 }
 
 /// What bounds the step of the conservative scheme, each over the Courant number.

@@ -7,7 +7,7 @@ use pulp::Simd;
 
 use super::rough::{BLOCK, Block, LOSS, Rough};
 use super::{Candidates, REACH, Seeker};
-use crate::calm::Calm;
+use crate::neighbourhood::calm::Calm;
 use crate::vectors::MAX_LANES;
 
 /// A cluster of seekers, and the box around it in space and in velocity.

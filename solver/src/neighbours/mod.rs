@@ -20,7 +20,7 @@ pub use candidates::Candidates;
 use hull::Hull;
 pub use rough::Rough;
 
-use super::calm::Calm;
+use super::neighbourhood::calm::Calm;
 use super::vectors::Arch;
 
 /// A smoothing length may grow by this factor in one step; the lists allow for it.

@@ -4,19 +4,29 @@ use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
+mod body;
+mod curvature;
+mod ghost;
+pub mod loads;
 mod mirror;
+mod plane;
+mod rigid;
 mod setup;
+mod turning;
+
+pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
+pub use curvature::tangents;
+pub use ghost::Ghost;
+pub use plane::wall_sides;
+pub use rigid::{Pose, pad};
 
 use super::faces::Faces;
 use super::lattice;
 use super::neighbours::{Candidates, Lists, Seeker};
 use super::pairs::extrapolation::Interpolated;
-use super::particle::Ghost;
 use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
-use super::rigid::Pose;
-use super::side_walls;
 use super::vectors::Arch;
-use crate::problem::{Equations, Extrapolation, Motion, Problem, WallKind};
+use crate::problem::{Equations, Extrapolation, Problem};
 
 /// All ghosts, and what their bodies do.
 #[derive(Clone, Debug)]
@@ -58,7 +68,7 @@ impl<const D: usize> Walls<D> {
             .iter()
             .map(|b| (b.motion.clone(), b.wall))
             .collect();
-        let sides = side_walls::side_walls(&problem.domain, problem.spacing);
+        let sides = plane::plane_walls(&problem.domain, problem.spacing);
         bodies.extend(sides.iter().map(|side| (side.motion.clone(), side.kind)));
         let (ghosts, faces) = setup::ghosts(problem, &sides);
         let mut walls = Self {

@@ -8,10 +8,11 @@
 use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 
-use super::neighbours::GROWTH;
-use super::particle::{Particle, Rates};
-use super::records::Near;
-use crate::problem::{Precision, Problem, Side};
+use crate::neighbours::GROWTH;
+use crate::particles::{Particle, Rates};
+use crate::problem::{Precision, Problem};
+use crate::records::Near;
+use crate::sides::Side;
 
 /// What counts as nothing: differences of density, energy and smoothing length over their values, of velocity
 /// over the speed of sound, and what the rates make of these in the time that sound takes for a
@@ -47,10 +48,10 @@ pub struct Calm<const D: usize> {
 impl<const D: usize> Calm<D> {
     /// The free stream of `problem`; none where it has no side that keeps one up, or is to be summed in full.
     pub fn new(problem: &Problem<D>) -> Option<Self> {
-        let sides = || problem.domain.sides.iter().flatten();
-        let has_stream = sides().any(|side| matches!(side, Side::Inlet | Side::FreeStream));
-        let has_reservoir = sides().any(|side| *side == Side::Reservoir);
-        if !problem.scheme.skip_undisturbed || !has_stream || has_reservoir {
+        let domain = &problem.domain;
+        let has_stream = domain.has(Side::keeps_free_stream);
+        let has_other_gas = domain.has(|side| side.lets_in() && !side.keeps_free_stream());
+        if !problem.scheme.skip_undisturbed || !has_stream || has_other_gas {
             return None;
         }
         let gas = &problem.free_stream;

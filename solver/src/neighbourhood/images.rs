@@ -3,8 +3,9 @@
 use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
-use super::records::{Near, Records, State};
-use crate::problem::{Domain, Side};
+use crate::records::{Near, Records, State};
+use crate::sides::Domain;
+use crate::sides::closed::Map;
 
 /// A copy of a record: `x' = sign * x + shift` component by component.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +21,15 @@ pub struct Images<const D: usize> {
     images: Vec<Image<D>>,
     /// Their order in space.
     pub pencils: Pencils<D>,
+}
+
+/// All copies.
+#[derive(Clone, Debug, Default)]
+pub struct Copies<const D: usize> {
+    /// Of fluid and buffers.
+    pub gas: Images<D>,
+    /// Of ghosts.
+    pub ghosts: Images<D>,
 }
 
 impl<const D: usize> Default for Images<D> {
@@ -122,33 +132,6 @@ impl<const D: usize> Images<D> {
                 (&sources[source], sign)
             }
         }
-    }
-}
-
-/// `x' = sign x + shift` along one axis.
-#[derive(Clone, Copy, Debug)]
-struct Map {
-    sign: f64,
-    shift: f64,
-}
-
-impl Map {
-    /// What the lower and the upper side of an axis do.
-    fn of_axis<const D: usize>(domain: &Domain<D>, axis: usize) -> [Option<Self>; 2] {
-        let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
-        let map = |side: Side, plane: f64, period: f64| match side {
-            Side::Symmetry | Side::Axis => Some(Self {
-                sign: -1.0,
-                shift: 2.0 * plane,
-            }),
-            Side::Periodic => Some(Self {
-                sign: 1.0,
-                shift: period,
-            }),
-            _ => None,
-        };
-        let [lower, upper] = domain.sides[axis];
-        [map(lower, low, high - low), map(upper, high, low - high)]
     }
 }
 
