@@ -13,7 +13,7 @@ use super::pairs::shield::shield;
 use super::pairs::summation::densities;
 use super::particles::{Columns, Particles};
 use super::problem::{Equations, Problem};
-use super::records::{FLOW_IMAGES, FLUID, GHOSTS, Records};
+use super::records::{GHOSTS, Records};
 use super::rings::Rings;
 use super::shifting::shift;
 use super::shock_sensor::find_shocks;
@@ -173,10 +173,7 @@ pub fn renormalise<const D: usize>(
         .for_each(|((state, near), r)| {
             state.renormalise(&r.matrix, &r.density_gradient, near.volume);
         });
-    around
-        .copies
-        .gas
-        .refresh(&mut around.records, FLUID, FLOW_IMAGES);
+    around.copies.gas.refresh(&mut around.records);
     if around.arch.is_mixed() {
         let Records { state, rounded, .. } = &mut around.records;
         rounded.round_state(state);

@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::neighbourhood::Neighbourhood;
 use super::particles::{Particle, Particles};
 use super::problem::Problem;
-use super::records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, State, Symmetric};
+use super::records::{Near, State, Symmetric};
 use super::rings::Rings;
 use super::sides::Buffers;
 use super::walls::Walls;
@@ -13,10 +13,7 @@ use super::walls::Walls;
 /// Writes the records of ghosts and their images.
 pub fn fill_ghosts<const D: usize>(walls: &Walls<D>, around: &mut Neighbourhood<D>) {
     walls.fill(&mut around.records);
-    around
-        .copies
-        .ghosts
-        .refresh(&mut around.records, GHOSTS, GHOST_IMAGES);
+    around.copies.ghosts.refresh(&mut around.records);
 }
 
 /// Writes the records of fluid, buffers and their images; buffers drift on by `ahead`.
@@ -39,10 +36,7 @@ pub fn fill_gas<const D: usize>(
         open_state.renormalise(&open.renormalisation, &open.gradient, near[slot].volume);
         state[slot] = open_state;
     }
-    around
-        .copies
-        .gas
-        .refresh(&mut around.records, FLUID, FLOW_IMAGES);
+    around.copies.gas.refresh(&mut around.records);
 }
 
 /// Writes where they are and how they move, all that lists and the sum for the density read.
@@ -64,10 +58,7 @@ pub fn fill_near<const D: usize>(
         *near = near_of(&open.particle, rings.plane_mass(&open.particle));
         near.position += open.particle.velocity * ahead;
     }
-    around
-        .copies
-        .gas
-        .refresh_near(&mut around.records, FLUID, FLOW_IMAGES);
+    around.copies.gas.refresh_near(&mut around.records);
 }
 
 /// Where a gas particle of plane mass `mass` is and how it moves.

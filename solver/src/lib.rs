@@ -74,7 +74,7 @@ impl<const D: usize> Simulation<D> {
                         use a smaller `spacing` or a larger domain"
                 .into());
         }
-        let mut walls = Walls::new(&problem, around.width());
+        let mut walls = Walls::new(&problem, around.grid());
         let clock = Clock::default();
         let now = (clock.time, 0.0);
         step::prepare(

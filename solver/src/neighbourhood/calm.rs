@@ -1,7 +1,7 @@
 //! The undisturbed free stream: gas that needs no pair sums, because they would be zero.
 //!
 //! A particle is *calm* while its state is that of the free stream, and its rates are zero, to a
-//! tolerance. Clusters that see nothing but calm particles are moved on as they are; whatever disturbs
+//! tolerance. Those in cells that see nothing but calm particles are moved on as they are; whatever disturbs
 //! a neighbour's neighbour wakes them, two reaches ahead of it. What is left out is below the tolerance, and so is
 //! what it could have become: no sound is lost that a sum of zeros would have carried.
 
@@ -125,18 +125,10 @@ impl<const D: usize> Calm<D> {
         }
     }
 
-    /// True where nothing within the box sees anything but calm particles.
-    pub fn covers(&self, min: &Vector<D>, max: &Vector<D>) -> bool {
-        let (from, to) = (self.place(min), self.place(max));
-        let mut cell = from;
-        loop {
-            if self.disturbed[self.number(&cell)] {
-                return false;
-            }
-            if !next(&mut cell, &from, &to) {
-                return true;
-            }
-        }
+    /// True where nothing in the cell around `position` sees anything but calm particles. Each particle is asked for by itself:
+    /// whom it shares a cluster with, which depends on the processor's vectors, decides nothing.
+    pub fn covers(&self, position: &Vector<D>) -> bool {
+        !self.disturbed[self.number(&self.place(position))]
     }
 
     fn for_each_cell(

@@ -1,26 +1,28 @@
 //! Who is near whom: before a step sorts all particles in space, copies those beyond sides that map the flow onto itself, and
 //! lists neighbours. What the pair sums read of a particle lies here too. Moves none.
 
-use aero_geometry::Pencils;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use rayon::prelude::*;
 
 pub mod calm;
 mod images;
+mod levels;
 mod reach;
 
 use super::faces::part_thin_sides;
 use super::lattice;
-use super::neighbours::{Candidates, GROWTH, Lists, Rough, Seeker};
-use super::particles::Particles;
+use super::neighbours::{Candidates, GROWTH, Kind, Lists, Rough, Seeker};
+use super::particles::{Particle, Particles};
 use super::problem::Problem;
-use super::records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, OPEN, Records, Rounded};
+use super::records::{FLOW_IMAGES, FLUID, GHOSTS, OPEN, Records, Rounded};
 use super::sides::{Buffers, Side};
 use super::vectors::Arch;
 use super::walls::{WallLists, Walls};
 use calm::Calm;
+use levels::Levels;
 
 pub use images::{Copies, Images};
+pub use levels::Grid;
 pub use reach::{LAYERS, open_side_distance, widest};
 
 /// Records of all particles in the order of space, and lists of their neighbours.
@@ -41,10 +43,9 @@ pub struct Neighbourhood<const D: usize> {
     /// Summation density of a perfect lattice of unit density.
     pub lattice_sum: f64,
     rough: Rough<D>,
-    /// Order of the fluid, and that of the buffers.
-    pencils: [Pencils<D>; 2],
-    /// Width of a pencil: a cluster is then about as wide as long.
-    width: f64,
+    /// Order of the fluid in space, and that of the buffers.
+    orders: [Levels<D>; 2],
+    grid: Grid<D>,
 }
 
 impl<const D: usize> Neighbourhood<D> {
@@ -54,7 +55,6 @@ impl<const D: usize> Neighbourhood<D> {
     /// Where the processor lacks the vectors that are asked for.
     pub fn new(problem: &Problem<D>) -> Result<Self, String> {
         let arch = Arch::of_processor(problem.scheme.precision)?;
-        let lanes = arch.lanes() as f64;
         Ok(Self {
             arch,
             records: Records {
@@ -67,14 +67,14 @@ impl<const D: usize> Neighbourhood<D> {
             copies: Copies::default(),
             lattice_sum: lattice::density_sum::<D>(SMOOTHING_RATIO),
             rough: Rough::default(),
-            pencils: std::array::from_fn(|_| Pencils::default()),
-            width: problem.spacing * lanes.powf(1.0 / D as f64),
+            orders: std::array::from_fn(|_| Levels::default()),
+            grid: Grid::new(problem),
         })
     }
 
-    /// Width of a pencil.
-    pub fn width(&self) -> f64 {
-        self.width
+    /// How particles are sorted.
+    pub fn grid(&self) -> &Grid<D> {
+        &self.grid
     }
 
     /// Sorts all particles in space, copies those near planes and lays the records out; `time` is now.
@@ -86,12 +86,15 @@ impl<const D: usize> Neighbourhood<D> {
         buffers: &mut Buffers<D>,
         walls: &mut Walls<D>,
     ) {
-        let [fluid_pencils, open_pencils] = &mut self.pencils;
-        fluid_pencils.rebuild_from(fluid.len(), |i| fluid[i].position, self.width);
-        fluid.permute(fluid_pencils.order());
+        let [own, beyond] = &mut self.orders;
+        let grid = &self.grid;
+        let place = |p: &Particle<D>| (p.position, p.smoothing_length);
+        own.rebuild(grid, fluid.len(), |i| place(&fluid[i]), |i| fluid[i].id);
+        fluid.permute(own.order());
         let open = buffers.particles();
-        open_pencils.rebuild_from(open.len(), |i| open[i].particle.position, self.width);
-        buffers.permute(open_pencils.order());
+        let buffered = |i: usize| &open[i].particle;
+        beyond.rebuild(grid, open.len(), |i| place(buffered(i)), |i| buffered(i).id);
+        buffers.permute(beyond.order());
         if walls.are_moving() {
             walls.move_to(time);
             walls.sort();
@@ -128,27 +131,28 @@ impl<const D: usize> Neighbourhood<D> {
             sign.component_mul(&ghost.wall_velocity)
         });
         let (rough, slots) = (&self.rough, |segment| records.segment(segment));
-        let sets = [
-            Candidates::gas(&self.pencils[0], rough, slots(FLUID)),
-            Candidates::gas(&self.pencils[1], rough, slots(OPEN)),
-            Candidates::gas(&self.copies.gas.pencils, rough, slots(FLOW_IMAGES)),
+        let [own, beyond] = &self.orders;
+        let gas = (own.candidates(rough, slots(FLUID).start))
+            .chain(beyond.candidates(rough, slots(OPEN).start))
+            .chain(self.copies.gas.candidates(rough, records));
+        let walled = [
             Candidates::ghosts(&walls.pencils, rough, ghosts.start..views),
             Candidates::ghosts(&walls.view_pencils, rough, views..ghosts.end),
-            Candidates::ghosts(&self.copies.ghosts.pencils, rough, slots(GHOST_IMAGES)),
         ];
+        let copied = self.copies.ghosts.candidates(rough, records);
+        let copied = copied.map(Candidates::of_ghosts);
+        let sets: Vec<_> = gas.chain(walled).chain(copied).collect();
+        let calm = self.calm.as_ref();
         let seeker = |i: usize| Seeker {
             position: records.near[i].position,
             half_h: records.near[i].half_h,
             velocity: records.near[i].velocity,
         };
-        self.lists.build(
-            self.arch,
-            fluid.len(),
-            seeker,
-            &sets,
-            half_step,
-            self.calm.as_ref(),
-        );
+        self.lists
+            .build(self.arch, fluid.len(), seeker, &sets, half_step, |i| Kind {
+                level: own.level(i),
+                is_calm: calm.is_some_and(|calm| calm.covers(&records.near[i].position)),
+            });
         walls.build_lists(self.arch, &sets, half_step, &mut self.wall_lists);
         if let Some(faces) = walls.faces() {
             let WallLists { near, mirror } = &mut self.wall_lists;
@@ -202,12 +206,17 @@ impl<const D: usize> Neighbourhood<D> {
             .map(|p| [p.smoothing_length, p.velocity.norm_squared()])
             .reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
         let h = ghosts.iter().map(|g| g.smoothing_length).fold(h, f64::max);
-        let reach = GROWTH * SUPPORT * h + 2.0 * half_step * fastest.sqrt();
-        let gas: Vec<_> = gas().map(|p| p.position).collect();
-        let ghosts: Vec<_> = ghosts.iter().map(|g| g.position).collect();
-        self.copies.gas.rebuild(domain, &gas, reach, self.width);
+        // A copy is seen by nobody further off than the widest sees it, in the gas or beyond the wall.
+        let reach =
+            |own: f64| 0.5 * GROWTH * SUPPORT * (own + h) + 2.0 * half_step * fastest.sqrt();
+        let gas: Vec<_> = gas().map(|p| (p.position, p.smoothing_length)).collect();
+        let ghosts: Vec<_> = ghosts
+            .iter()
+            .map(|g| (g.position, g.smoothing_length))
+            .collect();
+        self.copies.gas.rebuild(domain, &self.grid, &gas, reach);
         self.copies
             .ghosts
-            .rebuild(domain, &ghosts, reach, self.width);
+            .rebuild(domain, &self.grid, &ghosts, reach);
     }
 }

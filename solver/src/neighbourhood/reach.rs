@@ -5,7 +5,7 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use rayon::prelude::*;
 
-use crate::neighbours::Lists;
+use crate::neighbours::{GROWTH, Lists};
 use crate::problem::Problem;
 use crate::records::{FLUID, Records};
 use crate::sides::Domain;
@@ -44,9 +44,16 @@ pub fn widest<const D: usize>(
                     let own = &near[i].position;
                     let spacing = problem.spacing_at(own);
                     let lattice = SMOOTHING_RATIO * spacing;
+                    // Whatever else the cluster's list holds is nobody to this particle.
+                    let distance = |j: &u32| {
+                        let ghost = &near[*j as usize];
+                        let reach = GROWTH * SUPPORT * (near[i].half_h + ghost.half_h);
+                        let squared = (own - ghost.position).norm_squared();
+                        (squared < reach * reach).then_some(squared)
+                    };
                     let nearest = ghosts
                         .iter()
-                        .map(|&j| (own - near[j as usize].position).norm_squared())
+                        .filter_map(distance)
                         .fold(f64::INFINITY, f64::min)
                         .sqrt();
                     // The first layer lies half a spacing behind the wall.

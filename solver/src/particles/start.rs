@@ -88,13 +88,13 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
     let mut buffers = Buffers::new(problem);
     let drift = Vector::zeros();
     let (first, last) = buffers.sides.lattice_range(&drift);
-    for index in lattice::points(first, last) {
+    let id = buffers.set_aside(lattice::count(&first, &last));
+    for (id, index) in (id..).zip(lattice::points(first, last)) {
         let position = problem.lattice_position(&index, &drift);
         let zone = buffers.sides.zone(&position);
         if let (Zone::Beyond(side), Some(state)) = (zone, buffers.first_state(zone, &position)) {
             // Buffers go on as they are refilled, by the lattice.
             if problem.is_free(&position) {
-                let id = buffers.new_id();
                 let particle = problem.particle(position, &state, id);
                 buffers.add(OpenParticle::of_lattice(particle, side, Some(index)));
             }
@@ -103,7 +103,9 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
         }) {
             let disorder = problem.disorder * problem.spacing_at(&position);
             let shift = lattice::displacement(&index) * disorder;
-            place(problem, (position, shift), zone, &mut fluid, &mut buffers)?;
+            if let Some(particle) = born(problem, (position, shift), zone, id)? {
+                place(particle, zone, &mut fluid, &mut buffers);
+            }
         }
     }
     if problem.starts_calm() {
@@ -118,36 +120,43 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
         .iter()
         .filter_map(|b| b.packed_fluid.as_ref());
     for &position in packed.flat_map(|packed| &packed.position) {
+        let id = buffers.set_aside(1);
         let zone = buffers.sides.zone(&position);
         if buffers.sides.stream_at(zone).is_none() && problem.is_clear(&position, |_| 0.0) {
-            let here = (position, Vector::zeros());
-            place(problem, here, zone, &mut fluid, &mut buffers)?;
+            if let Some(particle) = born(problem, (position, Vector::zeros()), zone, id)? {
+                place(particle, zone, &mut fluid, &mut buffers);
+            }
         }
     }
     Ok((Particles::new(fluid), buffers))
 }
 
-/// Puts a particle at `position`, displaced by `shift` if it is fluid, in the state of the start; none past all buffers.
-fn place<const D: usize>(
+/// A particle at `position`, displaced by `shift` if it is fluid, in the state of the start; none in a vacuum or past all
+/// buffers.
+fn born<const D: usize>(
     problem: &Problem<D>,
     (position, shift): (Vector<D>, Vector<D>),
     zone: Zone,
+    id: u64,
+) -> Result<Option<Particle<D>>, String> {
+    let displaced = match zone {
+        Zone::Interior => position + shift,
+        Zone::Beyond(_) => position,
+        Zone::Outside => return Ok(None),
+    };
+    let state = problem.initial_state(&position)?;
+    Ok(state.map(|state| problem.particle(displaced, &state, id)))
+}
+
+/// Puts a particle where it belongs.
+fn place<const D: usize>(
+    particle: Particle<D>,
+    zone: Zone,
     fluid: &mut Vec<Particle<D>>,
     buffers: &mut Buffers<D>,
-) -> Result<(), String> {
-    if zone == Zone::Outside {
-        return Ok(());
-    }
-    let Some(state) = problem.initial_state(&position)? else {
-        return Ok(());
-    };
-    let id = buffers.new_id();
+) {
     match zone {
-        Zone::Beyond(side) => {
-            let particle = problem.particle(position, &state, id);
-            buffers.add(OpenParticle::of_lattice(particle, side, None));
-        }
-        _ => fluid.push(problem.particle(position + shift, &state, id)),
+        Zone::Beyond(side) => buffers.add(OpenParticle::of_lattice(particle, side, None)),
+        _ => fluid.push(particle),
     }
-    Ok(())
 }

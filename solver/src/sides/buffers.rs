@@ -28,7 +28,8 @@ pub struct Buffers<const D: usize> {
 pub struct Contents<const D: usize> {
     particles: Vec<OpenParticle<D>>,
     streams: Vec<Stream<D>>,
-    next_id: u64,
+    /// The first number that no particle can have yet.
+    ids: u64,
 }
 
 /// Gas that enters through one or more sides: a lattice that moves on.
@@ -48,7 +49,7 @@ impl<const D: usize> Buffers<D> {
         let contents = Contents {
             particles: Vec::new(),
             streams: streams.collect(),
-            next_id: 0,
+            ids: 0,
         };
         Self { sides, contents }
     }
@@ -240,11 +241,11 @@ impl<const D: usize> Buffers<D> {
             return;
         }
         let is_own = |zone| self.sides.stream_at(zone) == Some(number);
-        let Contents {
-            particles, next_id, ..
-        } = &mut self.contents;
+        let Contents { particles, ids, .. } = &mut self.contents;
         for (first, last) in self.sides.slabs(&drift) {
-            for index in lattice::points(first, last) {
+            let id = *ids;
+            *ids += lattice::count(&first, &last);
+            for (id, index) in (id..).zip(lattice::points(first, last)) {
                 let position = problem.lattice_position(&index, &drift);
                 let before = problem.lattice_position(&index, earlier);
                 let zone = self.sides.zone(&position);
@@ -254,17 +255,19 @@ impl<const D: usize> Buffers<D> {
                 {
                     let model = &self.sides.side(side).model;
                     let state = model.profile(&state, &position, now);
-                    let particle = problem.particle(position, &state, *next_id);
-                    *next_id += 1;
+                    let particle = problem.particle(position, &state, id);
                     particles.push(OpenParticle::of_lattice(particle, side, Some(index)));
                 }
             }
         }
     }
 
-    /// A number for a particle of the start.
-    pub fn new_id(&mut self) -> u64 {
-        self.contents.next_id += 1;
-        self.contents.next_id - 1
+    /// Sets aside numbers for `count` places that particles may be born at; returns the first. Every place looked at has a
+    /// number of its own, taken or not, so that a particle's number follows from its place in the lattice and from which
+    /// refill it is born in, and not from how many were born before.
+    pub fn set_aside(&mut self, count: u64) -> u64 {
+        let first = self.contents.ids;
+        self.contents.ids += count;
+        first
     }
 }

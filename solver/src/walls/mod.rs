@@ -22,7 +22,8 @@ pub use rigid::{Pose, pad};
 
 use super::faces::Faces;
 use super::lattice;
-use super::neighbours::{Candidates, Lists, Seeker};
+use super::neighbourhood::Grid;
+use super::neighbours::{Candidates, Kind, Lists, Seeker};
 use super::pairs::extrapolation::Interpolated;
 use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
 use super::vectors::Arch;
@@ -45,7 +46,7 @@ pub struct Walls<const D: usize> {
     equations: Equations,
     constant_volume: bool,
     gamma: f64,
-    width: f64,
+    grid: Grid<D>,
     faces: Option<Faces<D>>,
     found: Vec<Option<Interpolated<D>>>,
     mirrored: Vec<Option<Interpolated<D>>>,
@@ -61,8 +62,8 @@ pub struct WallLists {
 }
 
 impl<const D: usize> Walls<D> {
-    /// The ghosts of all bodies and wall sides of `problem`; `width` is that of a pencil.
-    pub fn new(problem: &Problem<D>, width: f64) -> Self {
+    /// The ghosts of all bodies and wall sides of `problem`, sorted on `grid`.
+    pub fn new(problem: &Problem<D>, grid: &Grid<D>) -> Self {
         let mut bodies: Vec<_> = problem
             .bodies
             .iter()
@@ -81,7 +82,7 @@ impl<const D: usize> Walls<D> {
             equations: problem.scheme.equations,
             constant_volume: problem.scheme.constant_ghost_volume,
             gamma: problem.gamma,
-            width,
+            grid: *grid,
             faces,
             found: Vec::new(),
             mirrored: Vec::new(),
@@ -129,8 +130,8 @@ impl<const D: usize> Walls<D> {
     /// Sorts the ghosts in space; needed after they have moved.
     pub fn sort(&mut self) {
         let (ghosts, views) = self.ghosts.split_at(self.own_count());
-        let mut all = sorted(ghosts, &mut self.pencils, self.width);
-        all.extend(sorted(views, &mut self.view_pencils, self.width));
+        let mut all = sorted(ghosts, &mut self.pencils, &self.grid);
+        all.extend(sorted(views, &mut self.view_pencils, &self.grid));
         self.ghosts = all;
     }
 
@@ -161,15 +162,21 @@ impl<const D: usize> Walls<D> {
         let arch = arch.double();
         let ghosts = &self.ghosts;
         let count = ghosts.len();
+        let everyone = |_| Kind::default();
         let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
-        lists
-            .near
-            .build(arch, count, |g| seeker(&ghosts[g]), &gas, half_step, None);
+        lists.near.build(
+            arch,
+            count,
+            |g| seeker(&ghosts[g]),
+            &gas,
+            half_step,
+            everyone,
+        );
         if self.extrapolation == Extrapolation::Wm {
             let seeker = |g: usize| mirror_seeker(&ghosts[g]);
             lists
                 .mirror
-                .build(arch, count, seeker, &gas, half_step, None);
+                .build(arch, count, seeker, &gas, half_step, everyone);
         }
     }
 
@@ -205,9 +212,10 @@ impl<const D: usize> Walls<D> {
 fn sorted<const D: usize>(
     ghosts: &[Ghost<D>],
     pencils: &mut Pencils<D>,
-    width: f64,
+    grid: &Grid<D>,
 ) -> Vec<Ghost<D>> {
-    pencils.rebuild_from(ghosts.len(), |g| ghosts[g].position, width);
+    let (place, rank) = (|g: usize| ghosts[g].position, |g| g as u64);
+    pencils.rebuild_on_grid(&grid.corner, grid.width, ghosts.len(), place, rank);
     let order = pencils.order().iter();
     order.map(|&g| ghosts[g as usize]).collect()
 }
