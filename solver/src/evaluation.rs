@@ -111,7 +111,7 @@ pub fn evaluate<const D: usize>(
     let Columns { state, rates, .. } = fluid.columns();
     let rings = Rings::new(problem);
     find_shocks(problem, rings, rates, state);
-    rings.stretch(state, problem.gamma, rates);
+    rings.stretch(state, &problem.gas, rates);
     fluid.mark_evaluated();
 }
 

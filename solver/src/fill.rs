@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::gas::Gas;
 use super::neighbourhood::Neighbourhood;
 use super::particles::{Particle, Particles};
 use super::problem::Problem;
@@ -25,14 +26,14 @@ pub fn fill_gas<const D: usize>(
     around: &mut Neighbourhood<D>,
 ) {
     fill_near(problem, ahead, fluid, buffers, around);
-    let (gamma, count) = (problem.gamma, fluid.len());
+    let (gas, count) = (&problem.gas, fluid.len());
     let (near, state) = (&around.records.near, &mut around.records.state);
     state[..count]
         .par_iter_mut()
         .zip(&fluid[..])
-        .for_each(|(state, particle)| *state = state_of(particle, gamma));
+        .for_each(|(state, particle)| *state = state_of(particle, gas));
     for (slot, open) in (count..).zip(buffers.particles()) {
-        let mut open_state = state_of(&open.particle, gamma);
+        let mut open_state = state_of(&open.particle, gas);
         open_state.renormalise(&open.renormalisation, &open.gradient, near[slot].volume);
         state[slot] = open_state;
     }
@@ -74,9 +75,9 @@ fn near_of<const D: usize>(particle: &Particle<D>, mass: f64) -> Near<D> {
 }
 
 /// The state of a gas particle.
-fn state_of<const D: usize>(particle: &Particle<D>, gamma: f64) -> State<D> {
-    let pressure = (gamma - 1.0) * particle.density * particle.energy;
-    let mut state = State::new(pressure, particle.density, particle.energy, gamma);
+fn state_of<const D: usize>(particle: &Particle<D>, gas: &Gas) -> State<D> {
+    let pressure = gas.pressure(particle.density, particle.energy);
+    let mut state = State::new(pressure, particle.density, particle.energy, gas);
     state.strain = Symmetric::new(&particle.strain);
     state.energy_slope = particle.energy_slope;
     state

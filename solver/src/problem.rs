@@ -7,14 +7,19 @@ use aero_geometry::Vector;
 pub use super::sides::{Domain, Side};
 pub use super::walls::{Body, Motion, PackedFluid, Turning, WallKind};
 
+use crate::gas::Gas;
+use crate::method::Method;
+
 /// A flow problem ready to run, in `D` dimensions.
 #[derive(Clone, Debug)]
 pub struct Problem<const D: usize> {
     /// Particle spacing `dx` of the undisturbed lattice.
     pub spacing: f64,
-    /// Ratio of specific heats.
-    pub gamma: f64,
-    /// Equations and boundary treatment.
+    /// Equation of state.
+    pub gas: Gas,
+    /// What carries the gas.
+    pub method: Method,
+    /// Equations and boundary treatment of particles.
     pub scheme: Scheme,
     /// Box of the flow and what bounds it.
     pub domain: Domain<D>,

@@ -6,8 +6,8 @@ use aero_geometry::{Bounds, Vector};
 use crate::Simulation;
 use crate::books::add;
 use crate::frame::{Frame, Kind, Load, SurfaceFrame, Totals};
+use crate::gas::Gas;
 use crate::particles::{ByPressure, Particle};
-use crate::records::State;
 use crate::walls::{Ghost, loads, pad};
 
 /// Counts and extremes since the start.
@@ -48,10 +48,10 @@ impl<const D: usize> Simulation<D> {
             step: self.clock.steps,
             ..Frame::default()
         };
-        let gamma = self.problem.gamma;
+        let gas = self.problem.gas;
         let mut push = |particle: &Particle<D>, kind| {
             if is_shown(&particle.position) {
-                push(&mut frame, particle, gamma, kind);
+                push(&mut frame, particle, &gas, kind);
             }
         };
         for particle in &self.fluid {
@@ -211,10 +211,9 @@ impl<const D: usize> Simulation<D> {
     }
 }
 
-fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gamma: f64, kind: Kind) {
-    let pressure = (gamma - 1.0) * particle.density * particle.energy;
-    let state = State::<D>::new(pressure, particle.density, particle.energy, gamma);
-    let sound = 2.0 * state.half_sound;
+fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gas: &Gas, kind: Kind) {
+    let pressure = gas.pressure(particle.density, particle.energy);
+    let sound = gas.sound_speed_at(particle.density, pressure);
     frame.position.push(pad(&particle.position).into());
     frame.velocity.push(pad(&particle.velocity).into());
     frame.density.push(particle.density);

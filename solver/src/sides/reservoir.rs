@@ -5,6 +5,7 @@
 use aero_geometry::Vector;
 
 use super::{OpenModel, Place};
+use crate::gas::{Gas, IdealGas};
 use crate::particles::Particle;
 use crate::problem::{Problem, State};
 
@@ -24,13 +25,14 @@ impl Reservoir {
     /// The reservoir beyond `place`, at the stagnation state of the free stream of `problem`.
     pub fn new<const D: usize>(problem: &Problem<D>, place: Place) -> Self {
         let gas = &problem.free_stream;
-        let heat = problem.gamma - 1.0;
-        let sound_square = problem.gamma * gas.pressure / gas.density;
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        let heat = gamma - 1.0;
+        let sound_square = gamma * gas.pressure / gas.density;
         // NACA Report 1135 (1953), eqs 43 and 44.
         let rise = 1.0 + 0.5 * heat * gas.velocity.norm_squared() / sound_square;
         Self {
             place,
-            pressure: gas.pressure * rise.powf(problem.gamma / heat),
+            pressure: gas.pressure * rise.powf(gamma / heat),
             sound_square: sound_square * rise,
         }
     }
@@ -42,13 +44,14 @@ impl Reservoir {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
     ) -> Option<f64> {
-        let heat = problem.gamma - 1.0;
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        let heat = gamma - 1.0;
         let (axis, face, inward) = (self.place.axis, self.place.face, self.place.inward());
         let (mut sum, mut mass) = (0.0, 0.0);
         for particle in fluid {
             let depth = inward * (particle.position[axis] - face);
             if depth < LAYER * problem.spacing {
-                let sound = (problem.gamma * heat * particle.energy).sqrt();
+                let sound = (gamma * heat * particle.energy).sqrt();
                 let wave = inward * particle.velocity[axis] - 2.0 * sound / heat;
                 sum += particle.mass * wave;
                 mass += particle.mass;
@@ -66,14 +69,15 @@ impl<const D: usize> OpenModel<D> for Reservoir {
     /// State in which gas enters a flow whose particles are `fluid`, straight into the domain; none where no gas is near the
     /// side.
     fn answer(&self, problem: &Problem<D>, fluid: &[Particle<D>]) -> Option<State<D>> {
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
         let wave = self.outgoing_wave(problem, fluid)?;
-        let (speed, sound) = entering(wave, self.sound_square, problem.gamma);
+        let (speed, sound) = entering(wave, self.sound_square, gamma);
         let share = sound * sound / self.sound_square;
-        let pressure = self.pressure * share.powf(problem.gamma / (problem.gamma - 1.0));
+        let pressure = self.pressure * share.powf(gamma / (gamma - 1.0));
         let mut velocity = Vector::zeros();
         velocity[self.place.axis] = self.place.inward() * speed;
         Some(State {
-            density: problem.gamma * pressure / (sound * sound),
+            density: gamma * pressure / (sound * sound),
             velocity,
             pressure,
         })

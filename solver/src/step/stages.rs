@@ -69,7 +69,7 @@ pub fn correct<const D: usize>(
         }
         bounds
     })?;
-    Ok(is_leapfrog.then(|| bounds.step(problem.scheme.cfl, problem.gamma)))
+    Ok(is_leapfrog.then(|| bounds.step(problem.scheme.cfl, &problem.gas)))
 }
 
 /// Moves each particle of the fluid by its state at the start of the step and its rates; returns the tightest of

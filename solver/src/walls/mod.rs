@@ -27,6 +27,7 @@ use super::neighbours::{Candidates, Kind, Lists, Seeker};
 use super::pairs::extrapolation::Interpolated;
 use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
 use super::vectors::Arch;
+use crate::gas::Gas;
 use crate::problem::{Equations, Extrapolation, Problem};
 
 /// All ghosts, and what their bodies do.
@@ -45,7 +46,7 @@ pub struct Walls<const D: usize> {
     extrapolation: Extrapolation,
     equations: Equations,
     constant_volume: bool,
-    gamma: f64,
+    gas: Gas,
     grid: Grid<D>,
     faces: Option<Faces<D>>,
     found: Vec<Option<Interpolated<D>>>,
@@ -81,7 +82,7 @@ impl<const D: usize> Walls<D> {
             extrapolation: problem.scheme.extrapolation,
             equations: problem.scheme.equations,
             constant_volume: problem.scheme.constant_ghost_volume,
-            gamma: problem.gamma,
+            gas: problem.gas,
             grid: *grid,
             faces,
             found: Vec::new(),
@@ -201,7 +202,7 @@ impl<const D: usize> Walls<D> {
                     half_density: 0.5 * ghost.density,
                     velocity: ghost.velocity,
                 };
-                *state = State::new(ghost.pressure, ghost.density, ghost.energy, self.gamma);
+                *state = State::new(ghost.pressure, ghost.density, ghost.energy, &self.gas);
                 state.strain = Symmetric::new(&ghost.strain);
                 state.renormalise(&even, &Vector::zeros(), ghost.volume);
             });
