@@ -10,7 +10,7 @@ use super::particle::{Ghost, Rates};
 use super::records::GHOSTS;
 use super::rigid::pad;
 use crate::frame::{Load, Totals};
-use crate::problem::Side;
+use crate::problem::{Problem, Side};
 
 /// Particles that are summed up at once.
 const BLOCK: usize = 4096;
@@ -27,7 +27,7 @@ impl<const D: usize> Simulation<D> {
         let mut loads = vec![Load::default(); self.walls.body_count()];
         let bodies = &self.problem.bodies;
         let reflections: Vec<_> = (0..loads.len())
-            .map(|body| self.reflections(body))
+            .map(|body| self.problem.reflections(body))
             .collect();
         let centres: Vec<Vector3<f64>> = (0..loads.len())
             .map(|body| match bodies.get(body) {
@@ -178,15 +178,17 @@ impl<const D: usize> Simulation<D> {
         }
         foot
     }
+}
 
+impl<const D: usize> Problem<D> {
     /// Maps `x' = sign x + shift` that make the whole body of the modelled part.
-    fn reflections(&self, body: usize) -> Vec<(Vector<D>, Vector<D>)> {
+    pub(crate) fn reflections(&self, body: usize) -> Vec<(Vector<D>, Vector<D>)> {
         let mut maps = vec![(Vector::repeat(1.0), Vector::zeros())];
-        let Some(body) = self.problem.bodies.get(body) else {
+        let Some(body) = self.bodies.get(body) else {
             return maps;
         };
         let extent = body.shape.bounds();
-        let domain = &self.problem.domain;
+        let domain = &self.domain;
         for axis in 0..D {
             let planes = [domain.bounds.min[axis], domain.bounds.max[axis]];
             for (side, plane) in domain.sides[axis].into_iter().zip(planes) {

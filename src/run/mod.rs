@@ -160,6 +160,11 @@ impl<const D: usize> UnderWay<D> {
         stopwatch: Stopwatch,
     ) -> Result<Self, RunError> {
         let Case { problem, plan } = case;
+        if problem.method.fixed().is_some() {
+            return Err(RunError::SetUp(
+                "scheme.motion = \"fixed\" cannot be run yet; leave it out".into(),
+            ));
+        }
         let monitor = (plan.stop == Stop::Steady).then(|| Monitor::new(&problem));
         let simulation = Simulation::new(problem).map_err(RunError::SetUp)?;
         recorder.frame(&simulation)?;

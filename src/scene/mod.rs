@@ -48,12 +48,14 @@ pub mod file;
 mod flow;
 pub mod formula;
 mod lines;
+mod method;
 mod motion;
 pub mod number;
 mod output;
 mod overrides;
 mod packed;
 mod reference;
+mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
@@ -65,6 +67,7 @@ pub use error::SceneError;
 use std::path::{Path, PathBuf};
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
+use aero_solver::gas::Gas;
 use aero_solver::problem::{Problem, Scheme};
 use file::{SceneFile, SchemeEntry};
 use number::{Courant, Disorder};
@@ -174,9 +177,12 @@ impl Scene {
             .map(|plan| plan.body(&domain, &free_stream))
             .collect::<Result<Vec<_>, _>>()?;
         packed::check(&bodies, &domain, spacing)?;
+        let stop = file.stop.map_or(Stop::EndTime, Into::into);
+        let method = method::method(&file.scheme, stop)?;
         let problem = Problem {
             spacing,
-            gamma: flow::gamma(file),
+            gas: Gas::ideal(flow::gamma(file)),
+            method,
             scheme: scheme(file.scheme),
             domain,
             free_stream,
@@ -189,7 +195,7 @@ impl Scene {
             plan: RunPlan {
                 name: self.name.clone(),
                 end_time: file.end_time.get(),
-                stop: file.stop.map_or(Stop::EndTime, Into::into),
+                stop,
                 output,
             },
         })

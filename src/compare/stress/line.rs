@@ -9,7 +9,7 @@ use aero_validation::table::{Check, Subject};
 
 use super::schemes;
 use super::trial::Trial;
-use super::tubes::{NOH, Profile, SOD, TORO_3, TUBES, Tube};
+use super::tubes::{NOH, Profile, SOD, TORO_3, TUBES, Tube, gamma};
 use crate::compare::profiles::Profiles;
 use crate::compare::row::Row;
 use crate::compare::{CompareError, Context, Level, Scheme};
@@ -104,7 +104,7 @@ impl Tube {
     /// The answer to a trial, and the gas's ratio of specific heats.
     fn answer(&self, trial: &Trial) -> Result<(Profile, f64), CompareError> {
         match self.scene.scene(&trial.all_settings())?.build_any()? {
-            AnyCase::One(case) => Ok(((self.exact)(&case)?, case.problem.gamma)),
+            AnyCase::One(case) => Ok(((self.exact)(&case)?, gamma(&case))),
             AnyCase::Two(_) | AnyCase::Three(_) => {
                 Err(CompareError::Exact(ExactError::OutOfRange {
                     what: "the dimension of a tube",

@@ -8,6 +8,7 @@ use aero_validation::exact::{ExactError, State};
 use aero_validation::reference;
 
 use aero::case::Case;
+use aero_solver::gas::Gas;
 use aero_solver::problem;
 use aero_solver::problem::{Initial, Side};
 
@@ -143,8 +144,14 @@ fn riemann(case: &Case<1>) -> Result<Profile, ExactError> {
         return nothing("the start of a tube without two states");
     };
     let (position, time) = (*position, case.plan.end_time);
-    let riemann = Riemann::new(gas(left), gas(right), case.problem.gamma)?;
+    let riemann = Riemann::new(gas(left), gas(right), gamma(case))?;
     Ok(Box::new(move |x| riemann.sample((x - position) / time)))
+}
+
+/// Ratio of specific heats of the scene's gas.
+pub(super) fn gamma(case: &Case<1>) -> f64 {
+    let Gas::Ideal(gas) = case.problem.gas;
+    gas.gamma
 }
 
 /// The scene's gas on the left of 0.5, nothing on the right.
@@ -153,13 +160,13 @@ fn vacuum(case: &Case<1>) -> Result<Profile, ExactError> {
     let riemann = Riemann::new(
         State::new(1.0, 0.0, 1.0),
         State::new(0.0, 0.0, 0.0),
-        case.problem.gamma,
+        gamma(case),
     )?;
     Ok(Box::new(move |x| riemann.sample((x - 0.5) / time)))
 }
 
 fn noh(case: &Case<1>) -> Result<Profile, ExactError> {
-    let (noh, time) = (Noh::new(1, case.problem.gamma)?, case.plan.end_time);
+    let (noh, time) = (Noh::new(1, gamma(case))?, case.plan.end_time);
     Ok(Box::new(move |x| noh.at(x, time)))
 }
 
@@ -167,7 +174,7 @@ fn noh(case: &Case<1>) -> Result<Profile, ExactError> {
 fn reflection(case: &Case<1>) -> Result<Profile, ExactError> {
     let stream = &case.problem.free_stream;
     let (speed, time) = (-stream.velocity[0], case.plan.end_time);
-    let piston = Piston::new(speed, stream.density, stream.pressure, case.problem.gamma)?;
+    let piston = Piston::new(speed, stream.density, stream.pressure, gamma(case))?;
     Ok(Box::new(move |x| {
         let state = piston.at(x + speed * time, time);
         State::new(state.density, state.velocity - speed, state.pressure)
@@ -179,7 +186,7 @@ fn piston(case: &Case<1>) -> Result<Profile, ExactError> {
         return nothing("the speed of a piston that is no wall");
     };
     let (gas, time) = (&case.problem.free_stream, case.plan.end_time);
-    let piston = Piston::new(velocity, gas.density, gas.pressure, case.problem.gamma)?;
+    let piston = Piston::new(velocity, gas.density, gas.pressure, gamma(case))?;
     Ok(Box::new(move |x| piston.at(x, time)))
 }
 
@@ -188,8 +195,7 @@ fn accelerating_piston(case: &Case<1>) -> Result<Profile, ExactError> {
         return nothing("the acceleration of a piston that is no wall");
     };
     let (gas, time) = (&case.problem.free_stream, case.plan.end_time);
-    let piston =
-        AcceleratingPiston::new(acceleration, gas.density, gas.pressure, case.problem.gamma)?;
+    let piston = AcceleratingPiston::new(acceleration, gas.density, gas.pressure, gamma(case))?;
     piston.at(1.0, time)?;
     let nowhere = State::new(f64::NAN, f64::NAN, f64::NAN);
     Ok(Box::new(move |x| piston.at(x, time).unwrap_or(nowhere)))
