@@ -11,7 +11,8 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use super::neighbours::GROWTH;
 use super::particle::{Particle, Rates};
 use super::records::Near;
-use crate::problem::{Precision, Problem, Side};
+use crate::problem::{Problem, Side};
+use crate::scheme::Precision;
 
 /// What counts as nothing: differences of density, energy and smoothing length over their values, of velocity
 /// over the speed of sound, and what the rates make of these in the time that sound takes for a

@@ -6,13 +6,12 @@ use rayon::prelude::*;
 
 use super::Simulation;
 use super::neighbours::GROWTH;
-use super::pairs::rates::{Sought, Transport, rates};
-use super::pairs::renormalisation::{Gradients, Renormalisation, renormalise};
+use super::pairs::rates::rates;
+use super::pairs::renormalisation::{Renormalisation, renormalise};
 use super::pairs::shield::shield;
 use super::pairs::summation::densities;
 use super::records::{FLOW_IMAGES, FLUID, GHOSTS, Records};
 use super::shock_sensor::find_shocks;
-use crate::problem::Equations;
 
 impl<const D: usize> Simulation<D> {
     /// Replaces each density by the sum over the particles, and the smoothing length with it
@@ -24,7 +23,7 @@ impl<const D: usize> Simulation<D> {
         self.round_near();
         self.densities.resize(self.fluid.len(), 0.0);
         densities(
-            self.arch,
+            &self.arch,
             &self.lists,
             &self.records,
             self.lattice_sum,
@@ -63,7 +62,7 @@ impl<const D: usize> Simulation<D> {
         self.fill_gas(ahead);
         self.move_walls(ahead);
         self.walls
-            .extrapolate(self.arch, &self.wall_lists, &self.records);
+            .extrapolate(&self.arch, &self.wall_lists, &self.records);
         self.fill_ghosts();
         self.renormalise();
         if self.problem.scheme.shield {
@@ -81,28 +80,13 @@ impl<const D: usize> Simulation<D> {
     /// Sums the rates of the fluid.
     pub(super) fn sum_rates(&mut self) {
         rates(
-            self.arch,
+            &self.arch,
             &self.lists,
             &self.records,
             &self.renormalisations,
-            self.sought(),
+            &self.problem.scheme,
             &mut self.rates,
         );
-    }
-
-    /// The sums that the scheme asks for.
-    pub(super) fn sought(&self) -> Sought {
-        let scheme = &self.problem.scheme;
-        Sought {
-            equations: scheme.equations,
-            transport: match (scheme.equations, scheme.shifting, scheme.shield) {
-                (_, false, false) => Transport::None,
-                (Equations::Conservative, true, _) => Transport::Exchange,
-                _ => Transport::Advection,
-            },
-            limits_viscosity: scheme.limited_viscosity,
-            limits_conduction: scheme.limited_conduction,
-        }
     }
 
     /// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
@@ -111,13 +95,10 @@ impl<const D: usize> Simulation<D> {
             .resize(self.fluid.len(), Renormalisation::default());
         self.round_near();
         renormalise(
-            self.arch,
+            &self.arch,
             &self.lists,
             &self.records,
-            Gradients {
-                of_density: self.problem.scheme.equations == Equations::Paper,
-                of_concentration: self.problem.scheme.shifting,
-            },
+            &self.problem.scheme,
             &mut self.renormalisations,
         );
         let Records { near, state, .. } = &mut self.records;

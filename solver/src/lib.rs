@@ -8,8 +8,10 @@ use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
 use frame::Totals;
-use problem::{Equations, Problem};
+use problem::Problem;
+use scheme::{Density, Integrator};
 
+mod backend;
 mod calm;
 mod checkpoint;
 mod curvature;
@@ -23,6 +25,7 @@ mod images;
 mod initial;
 mod lanes;
 mod lattice;
+pub mod layers;
 mod loads;
 pub mod method;
 mod neighbours;
@@ -37,6 +40,7 @@ mod reservoir;
 mod rigid;
 mod rings;
 mod rounding;
+pub mod scheme;
 mod shifting;
 mod shock_sensor;
 mod side_walls;
@@ -183,22 +187,19 @@ impl<const D: usize> Simulation<D> {
 
     /// Advances by one time step, no further than `limit`; returns the step taken.
     ///
-    /// The published scheme evaluates, predicts, evaluates and corrects [Villodi & Ramachandran 2024, section 3.6].
-    /// The conservative one is a leapfrog that drifts, kicks and drifts, and evaluates once: its prediction of velocity and
-    /// energy goes by what pressure did in the step before, so that viscosity and conduction bear steps twice as long. Both are
-    /// second order in time but for the dissipation.
+    /// How is up to the scheme's [`Integrator`].
     ///
     /// # Errors
     /// A [`Failure`] when a particle's state stops making sense; the simulation then stands at
     /// its last good state.
     pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
-        let is_leapfrog = self.problem.scheme.equations == Equations::Conservative;
+        let scheme = self.problem.scheme;
         let bound = self.step_bound();
         self.prepare(bound);
-        if self.steps == 0 && is_leapfrog {
-            self.read_densities();
-        }
-        if self.steps == 0 || !is_leapfrog {
+        if self.steps == 0 || scheme.integrator == Integrator::PredictorCorrector {
+            if scheme.density == Density::Summation {
+                self.read_densities();
+            }
             self.evaluate(0.0);
             self.remember_rates();
         }
@@ -227,9 +228,11 @@ impl<const D: usize> Simulation<D> {
     /// Predicts, evaluates and corrects; returns the step taken. The leapfrog takes a step that would leave a particle
     /// in a state that makes no sense again, at half the length.
     fn advance_by(&mut self, mut step: f64) -> Result<f64, Failure> {
-        let is_leapfrog = self.problem.scheme.equations == Equations::Conservative;
         let received = self.received;
-        let mut halvings = if is_leapfrog { HALVINGS } else { 0 };
+        let mut halvings = match self.problem.scheme.integrator {
+            Integrator::Leapfrog => HALVINGS,
+            Integrator::PredictorCorrector => 0,
+        };
         loop {
             match self.try_step(step) {
                 Err(_) if halvings > 0 => {
@@ -245,7 +248,7 @@ impl<const D: usize> Simulation<D> {
 
     fn try_step(&mut self, step: f64) -> Result<(), Failure> {
         self.predict(0.5 * step)?;
-        if self.problem.scheme.equations == Equations::Conservative {
+        if self.problem.scheme.density == Density::Summation {
             self.sum_densities(0.5 * step);
         }
         self.evaluate(0.5 * step);
@@ -292,12 +295,8 @@ impl<const D: usize> Simulation<D> {
 
     /// The stable step, at the rates of its start.
     fn time_step(&self) -> f64 {
-        time_step::time_step(
-            self.problem.scheme.equations,
-            self.problem.scheme.cfl,
-            &self.problem.gas,
-            &self.fluid,
-            &self.rates,
-        )
+        let Problem { scheme, gas, .. } = &self.problem;
+        let rule = scheme.step;
+        rule.time_step(scheme.cfl, gas, &self.fluid, &self.rates)
     }
 }

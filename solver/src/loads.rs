@@ -144,10 +144,10 @@ impl<const D: usize> Simulation<D> {
     fn ghost_forces(&self) -> Vec<Vector<D>> {
         let mut rates = vec![Rates::default(); self.walls.ghosts.len()];
         reactions(
-            self.arch.double(),
+            &self.arch,
             &self.wall_lists.near,
             &self.records,
-            self.sought(),
+            &self.problem.scheme,
             &mut rates,
         );
         let masses = &self.records.near[self.records.segment(GHOSTS)];

@@ -11,15 +11,13 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::lattice;
+use super::layers::BUFFER;
 use super::particle::{ByPressure, OpenParticle, Particle};
 use super::records::Matrix;
 use super::reservoir::Reservoir;
 use super::rings::Rings;
 use crate::frame::Totals;
 use crate::problem::{Body, Initial, Problem, Side, State};
-
-/// Depth of a buffer in spacings: the support at `h = 1.5 dx` and what a step moves, rounded up.
-pub const BUFFER: usize = 6;
 
 /// Where a point is in relation to the domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -52,8 +52,9 @@ impl<const D: usize> Simulation<D> {
 
     /// Neighbours listed and pairs in those lists, lanes of a cluster counted one by one.
     pub fn listed_pairs(&self) -> usize {
-        let clusters = self.lists.chunks.iter().flat_map(|chunk| &chunk.clusters);
+        let clusters = self.lists.all().clusters;
         clusters
+            .iter()
             .map(|c| (c.gas.len() + c.wall.len()) * c.targets.len())
             .sum()
     }

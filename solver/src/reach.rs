@@ -6,6 +6,7 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use rayon::prelude::*;
 
 use super::Simulation;
+use super::layers::GHOSTS;
 use super::open::is_open;
 use crate::problem::Side;
 
@@ -15,7 +16,7 @@ use crate::problem::Side;
 const AT_WALLS: f64 = 1.5;
 
 /// Layers of ghosts behind a wall, and what a buffer of an open side holds at least, in spacings.
-pub const LAYERS: f64 = 5.0;
+pub const LAYERS: f64 = GHOSTS as f64;
 
 /// Largest smoothing length anywhere, relative to that of the starting lattice, by dimension: every
 /// search for neighbours reaches as far as the widest kernel.
@@ -31,13 +32,12 @@ impl<const D: usize> Simulation<D> {
         let near = &self.records.near;
         let mut widest = vec![ANYWHERE[D - 1] * lattice; self.fluid.len()];
         self.lists
-            .chunks
-            .par_iter()
-            .zip(widest.par_chunks_mut(self.lists.chunk_targets()))
-            .for_each(|(chunk, widest)| {
-                let first = chunk.clusters.first().map_or(0, |c| c.targets.start);
-                for cluster in &chunk.clusters {
-                    let ghosts = &chunk.entries[cluster.wall.clone()];
+            .par_runs()
+            .zip(widest.par_chunks_mut(self.lists.run_targets()))
+            .for_each(|(run, widest)| {
+                let first = run.clusters.first().map_or(0, |c| c.targets.start);
+                for cluster in run.clusters {
+                    let ghosts = &run.entries[cluster.wall.clone()];
                     for i in cluster.targets.clone() {
                         let own = &near[i].position;
                         let nearest = ghosts

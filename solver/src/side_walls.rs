@@ -2,11 +2,8 @@
 
 use aero_geometry::Vector;
 
-use super::open::BUFFER;
+use super::layers::{BUFFER, GHOSTS};
 use crate::problem::{Domain, Motion, Side, WallKind};
-
-/// Layers behind a wall side: the support at `h = 1.5 dx`, rounded up.
-const LAYERS: usize = 5;
 
 /// One wall side with its ghosts.
 #[derive(Clone, Debug)]
@@ -138,12 +135,12 @@ fn slab<const D: usize>(
         let cells = (domain.bounds.size()[k] / spacing).round() as i64;
         let margin = |side: Side| match side {
             Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir => BUFFER as i64,
-            Side::Wall { .. } | Side::Body => LAYERS as i64,
+            Side::Wall { .. } | Side::Body => GHOSTS as i64,
             Side::Symmetry | Side::Axis | Side::Periodic => 0,
         };
         (first[k], last[k]) = match (k == axis, end) {
-            (true, 0) => (-(LAYERS as i64), 0),
-            (true, _) => (cells, cells + LAYERS as i64),
+            (true, 0) => (-(GHOSTS as i64), 0),
+            (true, _) => (cells, cells + GHOSTS as i64),
             _ => (
                 -margin(domain.sides[k][0]),
                 cells + margin(domain.sides[k][1]),

@@ -1,5 +1,6 @@
 //! Moves the fluid by its rates, and lets it cross sides.
 
+use aero_geometry::Vector;
 use rayon::prelude::*;
 
 use super::Simulation;
@@ -8,28 +9,45 @@ use super::neighbours::GROWTH;
 use super::particle::{Particle, Rates};
 use super::snapshot::Extremes;
 use super::time_step::Bounds;
-use crate::problem::{Equations, Side};
+use crate::problem::Side;
+use crate::scheme::{Density, Energy, Integrator, Scheme};
 
 /// Particles that a task moves at once.
 const BLOCK: usize = 1024;
 
 impl<const D: usize> Simulation<D> {
-    /// Predicts the state half a step ahead, keeps the fluid as it was. The published scheme takes its rates now; the
+    /// Predicts the state half a step ahead, keeps the fluid as it was. The predictor takes its rates now; the
     /// leapfrog drifts at the velocity now, and takes the rates of the last evaluation for all else.
     pub(super) fn predict(&mut self, ahead: f64) -> Result<(), Failure> {
         std::mem::swap(&mut self.fluid, &mut self.saved);
         self.fluid.truncate(self.saved.len());
         let missing = &self.saved[self.fluid.len()..];
         self.fluid.extend_from_slice(missing);
-        let is_leapfrog = self.problem.scheme.equations == Equations::Conservative;
+        let Scheme {
+            integrator,
+            density,
+            ..
+        } = self.problem.scheme;
+        let gas = self.problem.gas;
         self.advance(|particle, saved, rates| {
             *particle = *saved;
-            if is_leapfrog {
-                particle.position += saved.velocity * ahead;
-                particle.velocity += saved.by_pressure.acceleration * ahead;
-                particle.energy += saved.by_pressure.heating * ahead;
-            } else {
-                midpoint(particle, saved, rates, ahead);
+            match integrator {
+                Integrator::Leapfrog => {
+                    particle.position += saved.velocity * ahead;
+                    particle.velocity += saved.by_pressure.acceleration * ahead;
+                    particle.energy += saved.by_pressure.heating * ahead;
+                    if density == Density::Continuity {
+                        // Compression heats by p / rho^2 per density.
+                        let heat = gas.pressure_over_density(saved.density, saved.energy);
+                        particle.density +=
+                            saved.by_pressure.heating * saved.density / heat * ahead;
+                    }
+                }
+                Integrator::PredictorCorrector => {
+                    move_on(particle, saved, rates, ahead);
+                    particle.energy = saved.energy + rates.energy * ahead;
+                    continue_density(particle, saved, rates, ahead);
+                }
             }
             Bounds::default()
         })?;
@@ -39,16 +57,36 @@ impl<const D: usize> Simulation<D> {
     /// Corrects the state: the fluid at the start of the step plus `step` times the rates of its middle. The leapfrog
     /// keeps of these what its next step goes by.
     pub(super) fn correct(&mut self, step: f64) -> Result<(), Failure> {
-        let is_leapfrog = self.problem.scheme.equations == Equations::Conservative;
+        let Scheme {
+            integrator,
+            step: rule,
+            density,
+            energy,
+            cfl,
+            ..
+        } = self.problem.scheme;
+        let gas = self.problem.gas;
         let calm = self.calm.take();
         let result = self.advance(|particle, saved, rates| {
+            let evaluated = particle.velocity;
+            match integrator {
+                Integrator::Leapfrog => kick_and_drift(particle, saved, rates, step),
+                Integrator::PredictorCorrector => move_on(particle, saved, rates, step),
+            }
+            particle.energy = saved.energy
+                + match energy {
+                    Energy::ByRate => rates.energy,
+                    Energy::Settled => settled(particle, saved, rates, &evaluated),
+                } * step;
+            match density {
+                Density::Continuity => continue_density(particle, saved, rates, step),
+                // That of the middle was read off the particles there.
+                Density::Summation => particle.density += rates.density * (0.5 * step),
+            }
             let mut bounds = Bounds::default();
-            if is_leapfrog {
-                kick_and_drift(particle, saved, rates, step);
+            if integrator == Integrator::Leapfrog {
                 particle.by_pressure = rates.by_pressure;
-                bounds = Bounds::of(particle, rates);
-            } else {
-                midpoint(particle, saved, rates, step);
+                bounds = rule.bounds(&gas, particle, rates);
             }
             if let Some(calm) = &calm {
                 particle.is_calm = calm.holds(particle, rates);
@@ -57,8 +95,8 @@ impl<const D: usize> Simulation<D> {
         });
         self.calm = calm;
         let bounds = result?;
-        if is_leapfrog {
-            self.stable_step = bounds.step(self.problem.scheme.cfl, &self.problem.gas);
+        if integrator == Integrator::Leapfrog {
+            self.stable_step = rule.step(bounds, cfl, &gas);
         }
         Ok(())
     }
@@ -145,8 +183,8 @@ impl<const D: usize> Simulation<D> {
     }
 }
 
-/// Sets `particle` to its state at the start of the step plus `ahead` times its rates.
-fn midpoint<const D: usize>(
+/// Moves `particle` from where it was at the start of the step by `ahead` times its rates.
+fn move_on<const D: usize>(
     particle: &mut Particle<D>,
     saved: &Particle<D>,
     rates: &Rates<D>,
@@ -156,32 +194,48 @@ fn midpoint<const D: usize>(
     particle.position = saved.position + (particle.velocity + rates.shift) * ahead;
     let acceleration = rates.acceleration + rates.wall_acceleration;
     particle.velocity = saved.velocity + acceleration * ahead;
-    // Eq. 17, at the stage whose density gave the rate.
-    let growth = -rates.density / (D as f64 * particle.density);
-    particle.smoothing_length = saved.smoothing_length
-        + (particle.smoothing_length * growth * ahead).min((GROWTH - 1.0) * saved.smoothing_length);
-    particle.density = saved.density + rates.density * ahead;
-    particle.energy = saved.energy + rates.energy * ahead;
 }
 
 /// The leapfrog's kick at the middle of the step, and its drift to the end.
-///
-/// Forces are paid for at the velocity `v` that they were evaluated at; the kinetic energy
-/// changes by their work at the mean of the velocities before and after. The difference
-/// is heat: `-dt a.((u0 + u1) / 2 - v)`, the same in every frame
-/// of reference, which settles the total energy to round-off.
 fn kick_and_drift<const D: usize>(
     particle: &mut Particle<D>,
     saved: &Particle<D>,
     rates: &Rates<D>,
     step: f64,
 ) {
-    let evaluated = particle.velocity;
     let acceleration = rates.acceleration + rates.wall_acceleration;
     particle.velocity = saved.velocity + acceleration * step;
     let mean = (saved.velocity + particle.velocity) * 0.5;
     particle.position = saved.position + (mean + rates.shift) * step;
-    particle.energy = saved.energy + (rates.energy - acceleration.dot(&(mean - evaluated))) * step;
-    // That of the middle was read off the particles there.
-    particle.density += rates.density * (0.5 * step);
+}
+
+/// Rate of energy that settles the total.
+///
+/// Forces are paid for at the velocity `v` that they were `evaluated` at; the kinetic energy
+/// changes by their work at the mean of the velocities before and after. The difference
+/// is heat: `-dt a.((u0 + u1) / 2 - v)`, the same in every frame
+/// of reference, which settles the total energy to round-off.
+fn settled<const D: usize>(
+    particle: &Particle<D>,
+    saved: &Particle<D>,
+    rates: &Rates<D>,
+    evaluated: &Vector<D>,
+) -> f64 {
+    let acceleration = rates.acceleration + rates.wall_acceleration;
+    let mean = (saved.velocity + particle.velocity) * 0.5;
+    rates.energy - acceleration.dot(&(mean - evaluated))
+}
+
+/// Density and smoothing length by the equation of continuity [Villodi & Ramachandran 2024, eqs 10 and 17], at the stage whose
+/// density gave the rate.
+fn continue_density<const D: usize>(
+    particle: &mut Particle<D>,
+    saved: &Particle<D>,
+    rates: &Rates<D>,
+    ahead: f64,
+) {
+    let growth = -rates.density / (D as f64 * particle.density);
+    particle.smoothing_length = saved.smoothing_length
+        + (particle.smoothing_length * growth * ahead).min((GROWTH - 1.0) * saved.smoothing_length);
+    particle.density = saved.density + rates.density * ahead;
 }

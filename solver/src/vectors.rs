@@ -5,7 +5,7 @@ use std::any::Any;
 use pulp::{NullaryFnOnce, Simd, WithSimd};
 
 use super::records::{Number, Split};
-use crate::problem::Precision;
+use crate::scheme::Precision;
 
 /// Most lanes of any instruction set and precision: eight `f64` with AVX-512, eight `f32` with AVX2.
 pub const MAX_LANES: usize = 8;
@@ -74,10 +74,15 @@ impl Arch {
         self.dispatch(Lanes)
     }
 
+    /// Runs `pass` in these instructions' vectors of `f64`.
+    pub fn dispatch_double<P: Pass>(self, pass: P) -> P::Output {
+        self.instructions.dispatch(InDouble(pass))
+    }
+
     /// Runs `pass` in these vectors.
     pub fn dispatch<P: Pass>(self, pass: P) -> P::Output {
         if self.precision == Precision::Double {
-            return self.instructions.dispatch(InDouble(pass));
+            return self.dispatch_double(pass);
         }
         match self.instructions {
             // Half a vector of AVX-512, with all its instructions and registers.
@@ -165,8 +170,10 @@ pub trait Vectors: Copy + 'static {
 
     /// The same number in every lane.
     fn splat(self, value: f64) -> Self::Vector;
-    /// Lane `l` gets `values(l)`.
-    fn gather(self, values: impl Fn(usize) -> f64) -> Self::Vector;
+    /// The same of a neighbour's number.
+    fn broadcast(self, number: Self::Number) -> Self::Vector;
+    /// Lane `l` gets `numbers(l)`.
+    fn gather(self, numbers: impl Fn(usize) -> Self::Number) -> Self::Vector;
     /// The lanes as numbers, the rest zero.
     fn store(self, vector: Self::Vector) -> [f64; MAX_LANES];
     /// Lane `l` gets `place(l)`.
@@ -241,10 +248,15 @@ impl<S: Simd> Vectors for Double<S> {
     }
 
     #[inline(always)]
-    fn gather(self, values: impl Fn(usize) -> f64) -> S::f64s {
+    fn broadcast(self, number: f64) -> S::f64s {
+        self.0.splat_f64s(number)
+    }
+
+    #[inline(always)]
+    fn gather(self, numbers: impl Fn(usize) -> f64) -> S::f64s {
         let mut buffer = [0.0; MAX_LANES];
         for (l, slot) in buffer.iter_mut().enumerate().take(Self::LANES) {
-            *slot = values(l);
+            *slot = numbers(l);
         }
         let (vectors, _) = S::as_simd_f64s(&buffer);
         vectors[0]
@@ -310,10 +322,15 @@ impl<S: Simd> Vectors for Single<S> {
     }
 
     #[inline(always)]
-    fn gather(self, values: impl Fn(usize) -> f64) -> S::f32s {
+    fn broadcast(self, number: f32) -> S::f32s {
+        self.0.splat_f32s(number)
+    }
+
+    #[inline(always)]
+    fn gather(self, numbers: impl Fn(usize) -> f32) -> S::f32s {
         let mut buffer = [0.0_f32; MAX_LANES];
         for (l, slot) in buffer.iter_mut().enumerate().take(Self::LANES) {
-            *slot = values(l) as f32;
+            *slot = numbers(l);
         }
         let (vectors, _) = S::as_simd_f32s(&buffer);
         vectors[0]
@@ -330,8 +347,8 @@ impl<S: Simd> Vectors for Single<S> {
     #[inline(always)]
     fn places(self, place: impl Fn(usize) -> Split) -> [S::f32s; 2] {
         [
-            self.gather(|l| f64::from(place(l).whole)),
-            self.gather(|l| f64::from(place(l).rest)),
+            self.gather(|l| place(l).whole),
+            self.gather(|l| place(l).rest),
         ]
     }
 

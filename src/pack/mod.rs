@@ -13,7 +13,8 @@ use aero_packer::{Ghosts, PackOptions, Packing};
 
 use crate::output::{self, OutputError};
 use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
-use crate::scene::{LAYERS, PackWishes, Scene, SceneError};
+use crate::scene::{PackWishes, Scene, SceneError};
+use aero_solver::layers;
 
 /// A body longer than this, in metres, whose unit nobody has named is rather one in millimetres.
 const LARGE: f64 = 10.0;
@@ -49,7 +50,7 @@ pub fn pack_mesh(
         .make::<3>(None, Path::new(""), false, &wishes.watch)
         .map_err(fail)?;
     let bounds = made.shape.bounds();
-    let layers = wishes.layers.unwrap_or(LAYERS);
+    let layers = wishes.layers.unwrap_or(layers::GHOSTS);
     let (spacing, spacing_reason) = match wishes.spacing {
         Some(spacing) => (spacing, "as asked for".to_owned()),
         None => spacing::pick(&bounds, layers),

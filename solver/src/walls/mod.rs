@@ -17,7 +17,8 @@ use super::rigid::Pose;
 use super::side_walls;
 use super::vectors::Arch;
 use crate::gas::Gas;
-use crate::problem::{Equations, Extrapolation, Motion, Problem, WallKind};
+use crate::problem::{Motion, Problem, WallKind};
+use crate::scheme::{Extrapolation, WallTreatment};
 
 /// All ghosts, and what their bodies do.
 #[derive(Clone, Debug)]
@@ -32,9 +33,7 @@ pub struct Walls<const D: usize> {
     pub mirror_fallbacks: usize,
     /// Bodies in scene order, then wall sides.
     bodies: Vec<(Motion<D>, WallKind)>,
-    extrapolation: Extrapolation,
-    equations: Equations,
-    constant_volume: bool,
+    treatment: WallTreatment,
     gas: Gas,
     width: f64,
     faces: Option<Faces<D>>,
@@ -68,9 +67,7 @@ impl<const D: usize> Walls<D> {
             view_pencils: Pencils::default(),
             mirror_fallbacks: 0,
             bodies,
-            extrapolation: problem.scheme.extrapolation,
-            equations: problem.scheme.equations,
-            constant_volume: problem.scheme.constant_ghost_volume,
+            treatment: problem.scheme.wall,
             gas: problem.gas,
             width,
             faces,
@@ -156,7 +153,7 @@ impl<const D: usize> Walls<D> {
         lists
             .near
             .build(arch, count, |g| seeker(&ghosts[g]), &gas, half_step, None);
-        if self.extrapolation == Extrapolation::Wm {
+        if self.treatment.extrapolation == Extrapolation::Wm {
             let seeker = |g: usize| mirror_seeker(&ghosts[g]);
             lists
                 .mirror
