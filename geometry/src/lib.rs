@@ -6,6 +6,7 @@
 pub mod bodies;
 mod bounds;
 mod error;
+pub mod files;
 pub mod kernel;
 mod mesh;
 pub mod outline;

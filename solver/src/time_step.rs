@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::gas::Gas;
-use super::particle::{Particle, Rates};
+use super::particles::{Particle, Rates};
 use crate::scheme::StepRule;
 
 /// Factor of the force bound (Villodi & Ramachandran 2024, section 3.6).

@@ -65,7 +65,7 @@ pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, RunPlan, Stop};
+use crate::case::{AnyCase, Case, RunPlan, Stop};
 use aero_solver::gas::Gas;
 use aero_solver::problem::Problem;
 use aero_solver::scheme::Scheme;
@@ -79,38 +79,6 @@ pub struct Scene {
     folder: PathBuf,
     text: String,
     file: SceneFile,
-}
-
-/// A case of any dimension.
-#[derive(Clone, Debug)]
-pub enum AnyCase {
-    /// A line.
-    One(Box<Case<1>>),
-    /// A plane.
-    Two(Box<Case<2>>),
-    /// Space.
-    Three(Box<Case<3>>),
-}
-
-impl AnyCase {
-    /// What was repaired in the bodies' meshes, and what the user should know about their packing,
-    /// one line each.
-    pub fn remarks(&self) -> Vec<String> {
-        match self {
-            Self::One(case) => remarks(case),
-            Self::Two(case) => remarks(case),
-            Self::Three(case) => remarks(case),
-        }
-    }
-}
-
-fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let of_body = |body: &aero_solver::problem::Body<D>| {
-        let lines = body.report.repairs.iter().chain(&body.report.warnings);
-        let remark = |line: &String| format!("body `{}`: {line}", body.name);
-        lines.map(remark).collect::<Vec<_>>()
-    };
-    case.problem.bodies.iter().flat_map(of_body).collect()
 }
 
 impl Scene {

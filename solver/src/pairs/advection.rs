@@ -2,7 +2,7 @@
 
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
-use crate::particle::Rates;
+use crate::particles::Rates;
 use crate::records::Read;
 use crate::vectors::Vectors;
 

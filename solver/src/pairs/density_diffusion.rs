@@ -4,7 +4,7 @@ use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, dot_add};
 use crate::lanes::Lane;
-use crate::particle::Rates;
+use crate::particles::Rates;
 use crate::records::Read;
 use crate::vectors::Vectors;
 

@@ -6,7 +6,7 @@ use super::law::Basis;
 use super::pair::{LaneVector, Pair, Target, dot};
 use super::renormalisation::Renormalisation;
 use crate::lanes::Lane;
-use crate::particle::Rates;
+use crate::particles::Rates;
 use crate::records::{GHOSTS, Matrix, Near, Read, Records, State};
 use crate::vectors::Vectors;
 use crate::walls::even_renormalisation;

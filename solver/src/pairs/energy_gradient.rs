@@ -5,7 +5,7 @@ use aero_geometry::Vector;
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, accumulate};
-use crate::particle::Rates;
+use crate::particles::Rates;
 use crate::records::Read;
 use crate::vectors::Vectors;
 

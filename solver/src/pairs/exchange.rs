@@ -6,7 +6,7 @@ use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, accumulate, dot};
 use crate::lanes::Lane;
-use crate::particle::Rates;
+use crate::particles::Rates;
 use crate::records::Read;
 use crate::vectors::Vectors;
 

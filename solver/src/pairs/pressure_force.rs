@@ -6,7 +6,7 @@ use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, accumulate, dot};
 use crate::lanes::Lane;
-use crate::particle::{ByPressure, Rates};
+use crate::particles::{ByPressure, Rates};
 use crate::records::Read;
 use crate::vectors::Vectors;
 

@@ -12,7 +12,7 @@ use super::renormalisation::Renormalisation;
 use super::velocity_gradient::VelocityGradient;
 use crate::backend::Backend;
 use crate::neighbours::Lists;
-use crate::particle::Rates;
+use crate::particles::Rates;
 use crate::records::Records;
 use crate::scheme::{Conduction, Density, ReturnOfShift, Scheme};
 

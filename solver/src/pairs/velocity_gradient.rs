@@ -3,7 +3,7 @@
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, accumulate};
-use crate::particle::Rates;
+use crate::particles::Rates;
 use crate::records::{Matrix, Read};
 use crate::vectors::Vectors;
 
