@@ -1,6 +1,7 @@
 //! Golden physics: what must hold whatever the speed.
 
 mod calm;
+mod combinations;
 mod conduction;
 mod conservation;
 mod invariance;
