@@ -5,6 +5,7 @@ use aero_geometry::{Bounds, Vector};
 use super::error::SceneError;
 use super::file::{SceneFile, SidesEntry};
 use super::flow::vector;
+use aero_solver::layers;
 use aero_solver::problem::{Domain, Side};
 
 /// Letters of the axes.
@@ -14,8 +15,8 @@ pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 /// (Villodi & Ramachandran, section 4).
 pub(super) const SUPPORT: f64 = 4.5;
 
-/// Depth of open boundaries' buffers in spacings: the support rounded up, and one to drift in.
-pub(super) const BUFFER: f64 = 6.0;
+/// Depth of open boundaries' buffers in spacings.
+pub(super) const BUFFER: f64 = layers::BUFFER as f64;
 
 /// How far an edge may be from a whole number of spacings, in spacings: round-off of decimal
 /// fractions, not more.

@@ -1,6 +1,7 @@
 //! Golden physics: what must hold whatever the speed.
 
 mod calm;
+mod combinations;
 mod conduction;
 mod conservation;
 mod invariance;
@@ -18,9 +19,8 @@ use aero_geometry::{Bounds, Vector};
 
 use super::Simulation;
 use crate::gas::Gas;
-use crate::problem::{
-    Domain, Equations, Extrapolation, Field, Initial, Problem, Scheme, Side, State, WallKind,
-};
+use crate::problem::{Domain, Field, Initial, Problem, Side, State, WallKind};
+use crate::scheme::{Extrapolation, Scheme};
 
 const WALL: Side = Side::Wall {
     kind: WallKind::Slip,
