@@ -1,14 +1,21 @@
 //! Golden physics: what must hold whatever the speed.
 
+mod bends;
 mod calm;
 mod conduction;
 mod conservation;
 mod invariance;
+mod lanes;
 mod leapfrog;
 mod mixed;
+mod rarefied;
+mod reference;
 mod rest;
 mod rings;
+mod seam;
 mod shifting;
+mod steps;
+mod surfaces;
 mod thin;
 mod walls;
 

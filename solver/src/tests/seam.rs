@@ -1,0 +1,376 @@
+//! The one place where the comparisons with the scalar reference touch the solver: problems, states in and
+//! out, passes. Everything else in [`super::reference`] and its tests is written in its plain [`Point`]s.
+
+use std::sync::Arc;
+
+use aero_geometry::{Shape, Vector};
+use aero_packer::{Ghosts, PackReport};
+use nalgebra::Vector3;
+
+use super::reference::{Laws, Map, Point, Rate, Transport, Wall};
+use crate::lattice;
+use crate::pairs::renormalisation::Renormalisation;
+use crate::particle::{Ghost, Particle};
+use crate::problem::{
+    Body, Equations, Extrapolation, Motion, Precision, Problem, Side, Turning, WallKind,
+};
+use crate::side_walls::side_walls;
+use crate::vectors::{Arch, avx2};
+use crate::walls::even_renormalisation;
+use crate::{Simulation, StepBound};
+
+/// What a scheme is made of, as far as the tests choose it.
+#[derive(Clone, Copy, Debug)]
+#[allow(clippy::struct_excessive_bools)] // switches that do not depend on each other
+pub struct Setup {
+    pub published: bool,
+    pub mirrors: bool,
+    pub shield: bool,
+    pub shifting: bool,
+    pub limits_viscosity: bool,
+    pub limits_conduction: bool,
+}
+
+/// The default scheme.
+pub const DEFAULT: Setup = Setup {
+    published: false,
+    mirrors: false,
+    shield: false,
+    shifting: false,
+    limits_viscosity: true,
+    limits_conduction: true,
+};
+
+/// The published scheme.
+pub const PUBLISHED: Setup = Setup {
+    published: true,
+    ..DEFAULT
+};
+
+impl Setup {
+    /// `problem` with this scheme; all sums in full.
+    pub fn of<const D: usize>(self, mut problem: Problem<D>) -> Problem<D> {
+        let scheme = &mut problem.scheme;
+        scheme.equations = if self.published {
+            Equations::Paper
+        } else {
+            Equations::Conservative
+        };
+        scheme.extrapolation = if self.mirrors {
+            Extrapolation::Wm
+        } else {
+            Extrapolation::Wom
+        };
+        scheme.shield = self.shield;
+        scheme.shifting = self.shifting;
+        scheme.limited_viscosity = self.limits_viscosity;
+        scheme.limited_conduction = self.limits_conduction;
+        scheme.skip_undisturbed = false;
+        problem
+    }
+
+    /// The laws that the reference is to sum.
+    pub fn laws(self) -> Laws {
+        Laws {
+            published: self.published,
+            limits_viscosity: self.limits_viscosity,
+            limits_conduction: self.limits_conduction,
+            transport: match (self.published, self.shifting, self.shield) {
+                (_, false, false) => Transport::None,
+                (false, true, _) => Transport::Exchange,
+                _ => Transport::Advection,
+            },
+        }
+    }
+}
+
+/// What symmetry planes and periodic sides do to the places on each axis.
+pub fn maps<const D: usize>(problem: &Problem<D>) -> [Vec<Map>; D] {
+    let domain = &problem.domain;
+    std::array::from_fn(|axis| {
+        let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
+        let map = |side: Side, plane: f64, period: f64| match side {
+            Side::Symmetry | Side::Axis => Some((-1.0, 2.0 * plane)),
+            Side::Periodic => Some((1.0, period)),
+            _ => None,
+        };
+        let [lower, upper] = domain.sides[axis];
+        let both = [map(lower, low, high - low), map(upper, high, low - high)];
+        both.into_iter().flatten().collect()
+    })
+}
+
+/// Distance to the nearest open side.
+pub fn room<const D: usize>(problem: &Problem<D>, position: &Vector<D>) -> f64 {
+    let bounds = &problem.domain.bounds;
+    let open = |side| matches!(side, Side::Inlet | Side::Outlet | Side::FreeStream);
+    let mut room = f64::INFINITY;
+    for (axis, [low, high]) in problem.domain.sides.iter().enumerate() {
+        if open(*low) {
+            room = room.min(position[axis] - bounds.min[axis]);
+        }
+        if open(*high) {
+            room = room.min(bounds.max[axis] - position[axis]);
+        }
+    }
+    room
+}
+
+/// Instruction sets of this processor, the narrowest first.
+pub fn instructions() -> Vec<pulp::Arch> {
+    let widest = Some(pulp::Arch::new());
+    [Some(pulp::Arch::Scalar), avx2(), widest]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// A simulation whose passes are called one by one.
+pub struct Solver<const D: usize>(pub Simulation<D>);
+
+impl<const D: usize> Solver<D> {
+    /// Sets up `problem`, to be computed in `f64` with these instructions.
+    pub fn new(problem: Problem<D>, instructions: pulp::Arch) -> Self {
+        let mut simulation = Simulation::new(problem).expect("the problem is sound");
+        simulation.arch = Arch::new(instructions, Precision::Double);
+        Self(simulation)
+    }
+
+    /// The gas in the order of the solver's results.
+    pub fn gas(&self) -> Vec<Point<D>> {
+        let simulation = &self.0;
+        let point = |particle| point_of(simulation, particle);
+        simulation.fluid.iter().map(point).collect()
+    }
+
+    /// The gas in the buffers of open sides.
+    pub fn buffers(&self) -> Vec<Point<D>> {
+        let simulation = &self.0;
+        let open = simulation.open.particles.iter();
+        open.map(|open| Point {
+            renormalisation: open.renormalisation,
+            density_gradient: open.gradient,
+            ..point_of(simulation, &open.particle)
+        })
+        .collect()
+    }
+
+    /// The ghosts in the order of the solver's, views left out.
+    pub fn ghosts(&self) -> Vec<Wall<D>> {
+        let simulation = &self.0;
+        let bodies = &simulation.problem.bodies;
+        let slips = self.slips();
+        let wall = |ghost: &Ghost<D>| {
+            let body = bodies.get(ghost.body as usize);
+            Wall {
+                point: Point {
+                    position: ghost.position,
+                    velocity: ghost.velocity,
+                    density: ghost.density,
+                    energy: ghost.energy,
+                    pressure: ghost.pressure,
+                    h: ghost.smoothing_length,
+                    mass: ghost.density * ghost.volume,
+                    volume: ghost.volume,
+                    strain: ghost.strain,
+                    energy_slope: Vector::zeros(),
+                    smoothness: 1.0,
+                    renormalisation: even_renormalisation(),
+                    density_gradient: Vector::zeros(),
+                    shift: Vector::zeros(),
+                },
+                normal: ghost.normal,
+                depth: ghost.depth,
+                surface_velocity: ghost.wall_velocity,
+                surface_acceleration: ghost.wall_acceleration,
+                surface_pressure: ghost.wall_pressure,
+                spin: body.map_or(Vector3::zeros(), |body| {
+                    body.motion.turning.rate(simulation.time)
+                }),
+                curvature: ghost.curvature,
+                slips: slips[ghost.body as usize],
+                has_mirror: ghost.has_mirror,
+                body: ghost.body as usize,
+            }
+        };
+        simulation.walls.own().iter().map(wall).collect()
+    }
+
+    /// Whether gas slides along each body and wall side.
+    fn slips(&self) -> Vec<bool> {
+        let problem = &self.0.problem;
+        let bodies = problem.bodies.iter().map(|body| body.wall);
+        let sides = side_walls(&problem.domain, problem.spacing);
+        let kinds = bodies.chain(sides.iter().map(|side| side.kind));
+        kinds.map(|kind| kind == WallKind::Slip).collect()
+    }
+
+    /// Gives the gas new states: number by number what `change` makes of the old one. Rings remember the plane mass that they
+    /// began with.
+    pub fn set_gas(&mut self, mut change: impl FnMut(usize, &mut Point<D>)) {
+        for (number, mut point) in self.gas().into_iter().enumerate() {
+            change(number, &mut point);
+            let rings = self.0.rings;
+            let circumference = rings.circumference(&point.position);
+            let particle = &mut self.0.fluid[number];
+            particle.position = point.position;
+            particle.velocity = point.velocity;
+            particle.density = point.density;
+            particle.energy = point.energy;
+            particle.smoothing_length = point.h;
+            particle.mass = point.mass * circumference;
+            if !rings.are_real() {
+                particle.first_plane_mass = point.mass;
+            }
+            particle.strain = point.strain;
+            particle.energy_slope = point.energy_slope;
+            particle.smoothness = point.smoothness;
+        }
+    }
+
+    /// Sorts all particles and lists their neighbours.
+    pub fn list(&mut self) {
+        self.0.prepare(StepBound { step: 0.0 });
+    }
+
+    /// Reads the density off the particles.
+    pub fn read_densities(&mut self) {
+        self.0.read_densities();
+    }
+
+    /// Extrapolates, renormalises, shifts and sums the rates.
+    pub fn evaluate(&mut self) {
+        self.0.evaluate(0.0);
+    }
+
+    /// The renormalisation matrices, density gradients, and gradients of concentration by all and by walls.
+    pub fn renormalisations(&self) -> Vec<Renormalisation<D>> {
+        self.0.renormalisations.clone()
+    }
+
+    /// The rates of the last evaluation.
+    pub fn rates(&self) -> Vec<Rate<D>> {
+        let rates = self.0.rates.iter();
+        rates
+            .map(|rates| Rate {
+                acceleration: rates.acceleration + rates.wall_acceleration,
+                wall_acceleration: rates.wall_acceleration,
+                density: rates.density,
+                energy: rates.energy,
+                acceleration_by_pressure: rates.by_pressure.acceleration,
+                heating_by_pressure: rates.by_pressure.heating,
+                velocity_gradient: rates.velocity_gradient,
+                energy_gradient: rates.energy_gradient,
+                shift: rates.shift,
+            })
+            .collect()
+    }
+
+    /// Force and moment on each body and wall side.
+    pub fn loads(&self) -> Vec<[f64; 6]> {
+        let loads = self.0.loads();
+        let both = |k: usize, load: &crate::frame::Load| {
+            load.force
+                .iter()
+                .chain(&load.moment)
+                .copied()
+                .nth(k)
+                .unwrap_or(0.0)
+        };
+        loads
+            .iter()
+            .map(|load| std::array::from_fn(|k| both(k, load)))
+            .collect()
+    }
+
+    /// The stable step at the rates of the last evaluation.
+    pub fn stable_step(&self) -> f64 {
+        self.0.time_step()
+    }
+
+    /// Takes one step; returns its length.
+    pub fn step(&mut self) -> f64 {
+        self.0.step(f64::INFINITY).expect("the flow is tame")
+    }
+
+    /// The number that a particle keeps for life, in the order of [`Self::gas`].
+    pub fn ids(&self) -> Vec<u64> {
+        self.0.fluid.iter().map(|particle| particle.id).collect()
+    }
+}
+
+fn point_of<const D: usize>(simulation: &Simulation<D>, particle: &Particle<D>) -> Point<D> {
+    let mass = simulation.rings.plane_mass(particle);
+    let gamma = simulation.problem.gamma;
+    Point {
+        position: particle.position,
+        velocity: particle.velocity,
+        density: particle.density,
+        energy: particle.energy,
+        pressure: (gamma - 1.0) * particle.density * particle.energy,
+        h: particle.smoothing_length,
+        mass,
+        volume: mass / particle.density,
+        strain: particle.strain,
+        energy_slope: particle.energy_slope,
+        smoothness: particle.smoothness,
+        renormalisation: nalgebra::SMatrix::identity(),
+        density_gradient: Vector::zeros(),
+        shift: Vector::zeros(),
+    }
+}
+
+/// Lets `body` turn at `rate` about `pivot`, which moves as told.
+pub fn turn<const D: usize>(
+    body: &mut Body<D>,
+    rate: Vector3<f64>,
+    pivot: Vector<D>,
+    [velocity, acceleration]: [Vector<D>; 2],
+) {
+    body.motion = Motion {
+        velocity,
+        acceleration,
+        turning: Turning::Steady(rate),
+        pivot,
+    };
+}
+
+/// A slippery body at rest whose ghosts lie on the lattice of `problem`, five layers deep, as far as the domain holds
+/// them.
+pub fn body_on_the_lattice<const D: usize>(
+    problem: &Problem<D>,
+    shape: Arc<dyn Shape<D>>,
+) -> Body<D> {
+    let (spacing, bounds) = (problem.spacing, &problem.domain.bounds);
+    let mut ghosts = Ghosts::default();
+    let cells = bounds.size().map(|size| (size / spacing).round() as i64);
+    for index in lattice::points([0; D], cells.into()) {
+        let position = lattice::position(&bounds.min, spacing, &index);
+        let surface = shape.closest(&position);
+        if surface.distance > 0.0 || surface.distance < -5.0 * spacing {
+            continue;
+        }
+        ghosts.position.push(position);
+        ghosts.normal.push(surface.normal);
+        ghosts.distance.push(surface.distance);
+        ghosts.volume.push(spacing.powi(D as i32));
+        let layer = (-surface.distance / spacing).floor();
+        ghosts.layer.push(layer as u32);
+        ghosts.face.push(surface.face);
+    }
+    Body {
+        name: "body".into(),
+        shape,
+        wall: WallKind::Slip,
+        motion: Motion::none(),
+        ghosts,
+        packed_fluid: None,
+        report: PackReport {
+            spacing,
+            ..PackReport::default()
+        },
+        reference_area: 1.0,
+        reference_length: 1.0,
+        moment_centre: Vector::zeros(),
+    }
+}
