@@ -3,7 +3,7 @@
 use aero_geometry::{Placed, Placement, bodies};
 use nalgebra::Vector3;
 
-use super::lanes::compare;
+use super::agreement::compare;
 use super::reference::Matrix;
 use super::seam::{DEFAULT, PUBLISHED, Setup, Solver, body_on_the_lattice, instructions, turn};
 use super::*;

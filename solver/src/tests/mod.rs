@@ -1,5 +1,6 @@
 //! Golden physics: what must hold whatever the speed.
 
+mod agreement;
 mod bends;
 mod calm;
 mod conduction;

@@ -1,6 +1,6 @@
 //! How wide kernels grow in thin gas, how far walls may fill them, and rings that have grown.
 
-use super::lanes::{agree, randomise, world};
+use super::agreement::{agree, randomise, world};
 use super::reference::gas::widest;
 use super::seam::{self, DEFAULT, Solver, instructions};
 use super::*;

@@ -1,6 +1,6 @@
 //! One whole step, put together from evaluations by the formulas of the integrators.
 
-use super::lanes::{Random, agree};
+use super::agreement::{Random, agree};
 use super::reference::{Point, Rate};
 use super::seam::{DEFAULT, PUBLISHED, Setup, Solver, instructions};
 use super::*;
