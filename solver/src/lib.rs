@@ -18,11 +18,13 @@ mod faces;
 mod failure;
 mod fill;
 pub mod frame;
+pub mod gas;
 mod images;
 mod initial;
 mod lanes;
 mod lattice;
 mod loads;
+pub mod method;
 mod neighbours;
 mod open;
 mod pairs;
@@ -255,7 +257,7 @@ impl<const D: usize> Simulation<D> {
     fn step_bound(&self) -> StepBound {
         const GROWTH_OF_STEP: f64 = 1.1;
         let acoustic =
-            time_step::acoustic_step(self.problem.scheme.cfl, self.problem.gamma, &self.fluid);
+            time_step::acoustic_step(self.problem.scheme.cfl, &self.problem.gas, &self.fluid);
         let mut step = acoustic.min(GROWTH_OF_STEP * self.last_step);
         if self.last_step.is_infinite() {
             step = step.min(self.crossing_time());
@@ -293,7 +295,7 @@ impl<const D: usize> Simulation<D> {
         time_step::time_step(
             self.problem.scheme.equations,
             self.problem.scheme.cfl,
-            self.problem.gamma,
+            &self.problem.gas,
             &self.fluid,
             &self.rates,
         )

@@ -6,7 +6,7 @@ mod problems;
 use aero_geometry::Vector;
 use nalgebra::Vector3;
 
-use super::reference::{Point, Rate, Wall};
+use super::reference::{GAMMA, Point, Rate, Wall};
 use crate::pairs::renormalisation::Renormalisation;
 use crate::particle::{Ghost, Particle};
 use crate::problem::{Precision, Problem, WallKind};
@@ -202,13 +202,12 @@ impl<const D: usize> Solver<D> {
 
 fn point_of<const D: usize>(simulation: &Simulation<D>, particle: &Particle<D>) -> Point<D> {
     let mass = simulation.rings.plane_mass(particle);
-    let gamma = simulation.problem.gamma;
     Point {
         position: particle.position,
         velocity: particle.velocity,
         density: particle.density,
         energy: particle.energy,
-        pressure: (gamma - 1.0) * particle.density * particle.energy,
+        pressure: (GAMMA - 1.0) * particle.density * particle.energy,
         h: particle.smoothing_length,
         mass,
         volume: mass / particle.density,
