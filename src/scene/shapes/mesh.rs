@@ -48,7 +48,7 @@ impl StlEntry {
     }
 }
 
-/// Number of facets around an axis.
+/// A number of facets around an axis, 3 to 2000.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(try_from = "i64")]
 struct Around(usize);
@@ -71,7 +71,9 @@ impl TryFrom<i64> for Around {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Tessellated {
+    /// A body of revolution.
     body: Round,
+    /// Facets around its axis, 3 to 2000.
     around: Around,
 }
 
