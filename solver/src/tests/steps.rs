@@ -50,10 +50,15 @@ fn evaluated(setup: Setup, solver: &mut Solver<2>) -> Gas {
     gas
 }
 
-/// Sets the gas, by particle.
+/// Sets the gas; `gas` is in the order of the particles' numbers.
 fn set(solver: &mut Solver<2>, gas: &[Point<2>]) {
-    let order = solver.ids();
-    solver.set_gas(|number, point| *point = gas[order[number] as usize]);
+    let ids = solver.ids();
+    let mut sorted = ids.clone();
+    sorted.sort_unstable();
+    solver.set_gas(|number, point| {
+        let place = sorted.binary_search(&ids[number]);
+        *point = gas[place.expect("its own number")];
+    });
 }
 
 /// Compares the gas after one step of `setup` with `expected`.

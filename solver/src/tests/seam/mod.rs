@@ -7,13 +7,16 @@ use aero_geometry::Vector;
 use nalgebra::Vector3;
 
 use super::reference::{GAMMA, Point, Rate, Wall};
+use crate::Simulation;
+use crate::evaluation::{Moment, evaluate, read_densities};
 use crate::pairs::renormalisation::Renormalisation;
-use crate::particle::{Ghost, Particle};
-use crate::problem::{Precision, Problem, WallKind};
-use crate::side_walls::side_walls;
+use crate::particles::Particle;
+use crate::problem::{Precision, Problem, Side, WallKind};
+use crate::rings::Rings;
+use crate::step::prepare;
+use crate::time_step::of_rates;
 use crate::vectors::{Arch, avx2};
-use crate::walls::even_renormalisation;
-use crate::{Simulation, StepBound};
+use crate::walls::{Ghost, even_renormalisation, wall_sides};
 
 pub use problems::{DEFAULT, PUBLISHED, Setup, body_on_the_lattice, maps, room, turn};
 
@@ -33,7 +36,7 @@ impl<const D: usize> Solver<D> {
     /// Sets up `problem`, to be computed in `f64` with these instructions.
     pub fn new(problem: Problem<D>, instructions: pulp::Arch) -> Self {
         let mut simulation = Simulation::new(problem).expect("the problem is sound");
-        simulation.arch = Arch::new(instructions, Precision::Double);
+        simulation.around.arch = Arch::new(instructions, Precision::Double);
         Self(simulation)
     }
 
@@ -47,7 +50,7 @@ impl<const D: usize> Solver<D> {
     /// The gas in the buffers of open sides.
     pub fn buffers(&self) -> Vec<Point<D>> {
         let simulation = &self.0;
-        let open = simulation.open.particles.iter();
+        let open = simulation.buffers.particles().iter();
         open.map(|open| Point {
             renormalisation: open.renormalisation,
             density_gradient: open.gradient,
@@ -86,7 +89,7 @@ impl<const D: usize> Solver<D> {
                 surface_acceleration: ghost.wall_acceleration,
                 surface_pressure: ghost.wall_pressure,
                 spin: body.map_or(Vector3::zeros(), |body| {
-                    body.motion.turning.rate(simulation.time)
+                    body.motion.turning.rate(simulation.time())
                 }),
                 curvature: ghost.curvature,
                 slips: slips[ghost.body as usize],
@@ -101,8 +104,12 @@ impl<const D: usize> Solver<D> {
     fn slips(&self) -> Vec<bool> {
         let problem = &self.0.problem;
         let bodies = problem.bodies.iter().map(|body| body.wall);
-        let sides = side_walls(&problem.domain, problem.spacing);
-        let kinds = bodies.chain(sides.iter().map(|side| side.kind));
+        let sides = wall_sides(&problem.domain).into_iter();
+        let sides = sides.map(|(axis, end)| match problem.domain.sides[axis][end] {
+            Side::Wall { kind, .. } => kind,
+            _ => unreachable!("only wall sides are listed"),
+        });
+        let kinds = bodies.chain(sides);
         kinds.map(|kind| kind == WallKind::Slip).collect()
     }
 
@@ -111,7 +118,7 @@ impl<const D: usize> Solver<D> {
     pub fn set_gas(&mut self, mut change: impl FnMut(usize, &mut Point<D>)) {
         for (number, mut point) in self.gas().into_iter().enumerate() {
             change(number, &mut point);
-            let rings = self.0.rings;
+            let rings = Rings::new(&self.0.problem);
             let circumference = rings.circumference(&point.position);
             let particle = &mut self.0.fluid[number];
             particle.position = point.position;
@@ -131,27 +138,55 @@ impl<const D: usize> Solver<D> {
 
     /// Sorts all particles and lists their neighbours.
     pub fn list(&mut self) {
-        self.0.prepare(StepBound { step: 0.0 });
+        let Simulation {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = &mut self.0;
+        prepare(problem, (clock.time, 0.0), fluid, buffers, walls, around);
     }
 
     /// Reads the density off the particles.
     pub fn read_densities(&mut self) {
-        self.0.read_densities();
+        let Simulation {
+            problem,
+            fluid,
+            around,
+            ..
+        } = &mut self.0;
+        read_densities(problem, fluid, around);
     }
 
     /// Extrapolates, renormalises, shifts and sums the rates.
     pub fn evaluate(&mut self) {
-        self.0.evaluate(0.0);
+        let Simulation {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = &mut self.0;
+        let moment = Moment {
+            start: clock.time,
+            ahead: 0.0,
+        };
+        evaluate(problem, moment, fluid, buffers, walls, around);
     }
 
     /// The renormalisation matrices, density gradients, and gradients of concentration by all and by walls.
     pub fn renormalisations(&self) -> Vec<Renormalisation<D>> {
-        self.0.renormalisations.clone()
+        self.0.fluid.renormalisations().to_vec()
     }
 
     /// The rates of the last evaluation.
     pub fn rates(&self) -> Vec<Rate<D>> {
-        let rates = self.0.rates.iter();
+        let rates = self.0.fluid.rates().iter();
         rates
             .map(|rates| Rate {
                 acceleration: rates.acceleration + rates.wall_acceleration,
@@ -186,7 +221,7 @@ impl<const D: usize> Solver<D> {
 
     /// The stable step at the rates of the last evaluation.
     pub fn stable_step(&self) -> f64 {
-        self.0.time_step()
+        of_rates(&self.0.problem, &self.0.fluid, self.0.fluid.rates())
     }
 
     /// Takes one step; returns its length.
@@ -201,7 +236,7 @@ impl<const D: usize> Solver<D> {
 }
 
 fn point_of<const D: usize>(simulation: &Simulation<D>, particle: &Particle<D>) -> Point<D> {
-    let mass = simulation.rings.plane_mass(particle);
+    let mass = Rings::new(&simulation.problem).plane_mass(particle);
     Point {
         position: particle.position,
         velocity: particle.velocity,
