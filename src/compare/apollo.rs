@@ -25,7 +25,7 @@ const ALLOWED: f64 = 40.0;
 /// The same at the quick level: in space, and by rings.
 const QUICK: [f64; 2] = [17.0, 35.0];
 /// What mirror images leave of lift and moment.
-const ROUND_OFF: f64 = 1e-9;
+const ROUND_OFF: [f64; 2] = [1e-9; 2];
 
 /// What is run of the flow.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

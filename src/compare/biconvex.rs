@@ -20,9 +20,9 @@ const GAMMA: f64 = 1.4;
 /// Chordwise stations that are judged: the tips, thinner than the kernel, are left out.
 const JUDGED: [f64; 2] = [0.1, 0.98];
 
-/// What a mirror image leaves of lift and moment; and what two halves may leave, over the drag.
-const ROUND_OFF: f64 = 1e-9;
-const UNBALANCED: f64 = 0.03;
+/// What a mirror image leaves of lift and moment, over the drag; and what two halves may leave.
+const ROUND_OFF: [f64; 2] = [1e-9; 2];
+const UNBALANCED: [f64; 2] = [0.03, 0.005];
 
 /// How much of the aerofoil is in the box.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

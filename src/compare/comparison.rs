@@ -148,14 +148,16 @@ impl<'a, P> Flow<'a, P> {
 
     /// The rows of a body in a flow that is symmetric about its axis: its lift over its drag, and its moment over drag and
     /// reference length.
-    pub fn no_lift(&self, body: &str, most: f64) -> [Row; 2] {
+    pub fn no_lift(&self, body: &str, most: [f64; 2]) -> [Row; 2] {
         let loads = &self.outcome.summary.bodies[body];
         let [drag, across @ ..] = loads.force_mean;
         let lift = across[0].hypot(across[1]) / drag;
         let moment = loads.moment.iter().map(|m| m * m).sum::<f64>().sqrt();
         let moment = moment / (loads.force[0] * loads.reference_length);
-        [("lift / drag", lift), ("moment / (drag x length)", moment)]
-            .map(|(quantity, measured)| Row::error(quantity, "symmetry", measured, most))
+        [
+            Row::error("lift / drag", "symmetry", lift, most[0]),
+            Row::error("moment / (drag x length)", "symmetry", moment, most[1]),
+        ]
     }
 
     /// Number of particles in the wall.

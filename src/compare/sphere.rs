@@ -17,7 +17,7 @@ const MACH: f64 = 3.0;
 const GAMMA: f64 = 1.4;
 
 /// What mirror images leave of lift and moment.
-const ROUND_OFF: f64 = 1e-9;
+const ROUND_OFF: [f64; 2] = [1e-9; 2];
 
 /// Largest error of the stand-off, per cent; none where it only informs.
 type Allowed = Option<f64>;
