@@ -1,6 +1,6 @@
 //! Gas dynamics on points that stay where they are: cells derived from them, and what flows through their faces.
 //!
-//! [`FixedSimulation::step`] marches in time, [`FixedSimulation::settle`] goes to the steady state. Neither knows how cells are made.
+//! [`FixedSimulation::step`] marches in time, `settle` goes to the steady state. Neither knows how cells are made.
 
 pub mod build;
 pub mod carry;

@@ -1,15 +1,23 @@
 //! Golden physics: what must hold whatever the speed.
 
+mod agreement;
+mod bends;
 mod calm;
 mod combinations;
 mod conduction;
 mod conservation;
 mod invariance;
+mod lanes;
 mod leapfrog;
 mod mixed;
+mod rarefied;
+mod reference;
 mod rest;
 mod rings;
+mod seam;
 mod shifting;
+mod steps;
+mod surfaces;
 mod thin;
 mod walls;
 

@@ -32,7 +32,7 @@ pub struct SideGhost<const D: usize> {
 }
 
 /// Axis and number (0 lower, 1 upper) of each wall side of the domain, in the order of
-/// [`plane_walls`].
+/// `plane_walls`.
 pub fn wall_sides<const D: usize>(domain: &Domain<D>) -> Vec<(usize, usize)> {
     let walls = domain.each_side().filter(|(_, _, side, _)| side.is_wall());
     walls.map(|(axis, end, ..)| (axis, end)).collect()
