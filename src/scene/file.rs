@@ -10,9 +10,9 @@ use super::number::{
     Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
 };
 use super::refine::RefineEntry;
-use super::shapes::ShapeEntry;
+use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::{SideEntry, WallWord};
-use super::spin::{Rotation, Spin};
+use super::spin::Spin;
 use crate::case::Stop;
 use aero_solver::method::Time;
 use aero_solver::problem::{Equations, Extrapolation, Precision};
@@ -330,18 +330,6 @@ pub struct BodyEntry {
     pub reference_length: Option<Positive>,
     /// Point of the moments.
     pub moment_centre: Option<Vec<Finite>>,
-}
-
-/// `place`: scaled about the origin, then turned about it, then shifted.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PlaceEntry {
-    /// Factor on all lengths.
-    pub scale: Option<Positive>,
-    /// Turn: degrees in 2D, axis and degrees in 3D.
-    pub rotate: Option<Rotation>,
-    /// Shift.
-    pub translate: Option<Vec<Finite>>,
 }
 
 /// `motion`

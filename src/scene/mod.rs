@@ -59,6 +59,7 @@ mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
+mod vector;
 
 pub(crate) use bodies::LAYERS;
 pub use bodies::{BodyPlan, PackWishes};

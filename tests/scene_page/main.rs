@@ -37,7 +37,10 @@ fn made(page: &str, types: &Types) -> (String, Vec<String>) {
         let (name, after) = after.split_once(" -->").unwrap();
         let (_, after) = after.split_once(END).unwrap();
         text.push_str(before);
-        text.push_str(&format!("{BEGIN}{name} -->\n\n{}\n{END}", table(name, types)));
+        text.push_str(&format!(
+            "{BEGIN}{name} -->\n\n{}\n{END}",
+            table(name, types)
+        ));
         names.push(name.to_owned());
         rest = after;
     }
@@ -86,7 +89,9 @@ fn every_key_is_explained() {
 /// The examples of the page: whole scenes, and lines of a `[[body]]`.
 fn examples(page: &str) -> Vec<&str> {
     let parts = page.split("```toml\n").skip(1);
-    parts.map(|part| part.split_once("```").unwrap().0).collect()
+    parts
+        .map(|part| part.split_once("```").unwrap().0)
+        .collect()
 }
 
 #[test]

@@ -11,7 +11,11 @@ pub fn table(name: &str, types: &Types) -> String {
     let mut text = String::from("| key | takes | |\n|---|---|---|\n");
     for key in keys {
         let takes = key.value.as_ref().map_or("", Value::name);
-        assert!(!takes.contains('?'), "`{name}.{}` has a type of no name", key.name);
+        assert!(
+            !takes.contains('?'),
+            "`{name}.{}` has a type of no name",
+            key.name
+        );
         let _ = writeln!(
             text,
             "| `{}` | {} | {} |",
@@ -54,7 +58,10 @@ fn words(value: &Value, types: &Types) -> String {
             "PathBuf" => "a path".into(),
             "Formula" => "a number or a formula".into(),
             _ if types.is_words(name) => {
-                let spelled = types.keys(name).iter().map(|key| format!("`\"{}\"`", key.name));
+                let spelled = types
+                    .keys(name)
+                    .iter()
+                    .map(|key| format!("`\"{}\"`", key.name));
                 spelled.collect::<Vec<_>>().join(" or ")
             }
             _ if !types.keys(name).is_empty() => {
@@ -69,6 +76,8 @@ fn first_sentence(text: &str) -> String {
     let end = text.find(". ").unwrap_or(text.len());
     let text = text[..end].trim_end_matches('.');
     let mut letters = text.chars();
-    let first = letters.next().map(|letter| letter.to_lowercase().to_string());
+    let first = letters
+        .next()
+        .map(|letter| letter.to_lowercase().to_string());
     format!("{}{}", first.unwrap_or_default(), letters.as_str())
 }

@@ -97,16 +97,31 @@ impl Types {
                 });
                 let keys: Vec<Key> = keys.collect();
                 // Only choices that are read as they stand name what a scene spells.
-                let keys = if derives_reading(&item.attrs) { keys } else { Vec::new() };
+                let keys = if derives_reading(&item.attrs) {
+                    keys
+                } else {
+                    Vec::new()
+                };
                 (item.ident, comment(&item.attrs), keys)
             }
             // Numbers within a range: `/// comment` and a name.
             Item::Macro(item) if item.mac.path.is_ident("ranged") => {
                 let tokens = item.mac.tokens.to_string();
-                let text = tokens.split('"').nth(1).unwrap_or_default().trim().to_owned();
+                let text = tokens
+                    .split('"')
+                    .nth(1)
+                    .unwrap_or_default()
+                    .trim()
+                    .to_owned();
                 let (_, rest) = tokens.split_once(']').unwrap();
                 let name = rest.split(',').next().unwrap().trim().to_owned();
-                self.0.insert(name, Entry { text, keys: Vec::new() });
+                self.0.insert(
+                    name,
+                    Entry {
+                        text,
+                        keys: Vec::new(),
+                    },
+                );
                 return;
             }
             _ => return,
@@ -115,7 +130,9 @@ impl Types {
     }
 
     fn insert(&mut self, name: &syn::Ident, text: String, keys: Vec<Key>) {
-        self.0.entry(name.to_string()).or_insert(Entry { text, keys });
+        self.0
+            .entry(name.to_string())
+            .or_insert(Entry { text, keys });
     }
 
     /// The comment of a type.
@@ -153,16 +170,18 @@ impl Types {
 }
 
 fn comment(attributes: &[Attribute]) -> String {
-    let lines = attributes.iter().filter_map(|attribute| match &attribute.meta {
-        Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
-            Expr::Lit(literal) => match &literal.lit {
-                Lit::Str(text) => Some(text.value().trim().to_owned()),
+    let lines = attributes
+        .iter()
+        .filter_map(|attribute| match &attribute.meta {
+            Meta::NameValue(pair) if pair.path.is_ident("doc") => match &pair.value {
+                Expr::Lit(literal) => match &literal.lit {
+                    Lit::Str(text) => Some(text.value().trim().to_owned()),
+                    _ => None,
+                },
                 _ => None,
             },
             _ => None,
-        },
-        _ => None,
-    });
+        });
     lines.collect::<Vec<_>>().join(" ")
 }
 

@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use aero_geometry::{GeometryError, Mesh, Placed, Watch, stl};
 use serde::Deserialize;
 
-use super::super::file::PlaceEntry;
+use super::made::Made;
+use super::place::{PlaceEntry, place_in_space};
 use super::space::Round;
-use super::{Made, place_in_space};
 
 /// Length unit of an STL file.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
