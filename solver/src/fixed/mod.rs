@@ -44,8 +44,8 @@ pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
 pub use checkpoint::FixedMemory;
 
 use crate::problem::{Precision, Problem};
-use crate::side_walls::wall_sides;
 use crate::vectors::Arch;
+use crate::walls::wall_sides;
 use build::cells;
 use cloud::{Cloud, Plot};
 use gas::IdealGas;

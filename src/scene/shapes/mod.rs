@@ -14,6 +14,7 @@ use serde::Deserialize;
 use place::{place_in_plane, place_in_space};
 
 pub(crate) use made::Made;
+pub(crate) use mesh::made;
 pub use mesh::{StlEntry, Tessellated, Unit};
 pub use place::PlaceEntry;
 pub use plane::{
@@ -66,24 +67,35 @@ pub enum ShapeEntry {
     Tessellated(Tessellated),
 }
 
+/// What a surface depends on beside its own entry.
+pub(crate) struct Making<'a> {
+    /// Where relative paths start.
+    pub folder: &'a Path,
+    /// In an axisymmetric flow a body of revolution is its section.
+    pub axisymmetric: bool,
+    /// Spacing at which it is packed, in the scene's unit.
+    pub spacing: f64,
+    /// Is told how far the reading of a mesh is.
+    pub watch: &'a Watch,
+}
+
 impl ShapeEntry {
-    /// The surface in dimension `D`, in place; relative paths start at `folder`. In an `axisymmetric`
-    /// flow a body of revolution is its section. `watch` is told how far the reading of a mesh is.
+    /// The surface in dimension `D`, in place.
     pub(crate) fn make<const D: usize>(
         &self,
         place: Option<&PlaceEntry>,
-        folder: &Path,
-        axisymmetric: bool,
-        watch: &Watch,
+        making: &Making<'_>,
     ) -> Result<Made<D>, String> {
-        let made = if axisymmetric && let Some(round) = self.round() {
+        let made = if making.axisymmetric
+            && let Some(round) = self.round()
+        {
             let section = round.and_then(|body| body.section());
             let section = section.map_err(|error| error.to_string())?;
             Made::exact(section.placed(&place_in_plane(place)?)).cast()
         } else if D == 2 {
-            self.in_plane(place, folder)?.and_then(Made::cast)
+            self.in_plane(place, making.folder)?.and_then(Made::cast)
         } else {
-            self.in_space(place, folder, watch)?.and_then(Made::cast)
+            self.in_space(place, making)?.and_then(Made::cast)
         };
         made.ok_or_else(|| {
             let other = if D == 2 { 3 } else { 2 };
@@ -135,8 +147,7 @@ impl ShapeEntry {
     fn in_space(
         &self,
         place: Option<&PlaceEntry>,
-        folder: &Path,
-        watch: &Watch,
+        making: &Making<'_>,
     ) -> Result<Option<Made<3>>, String> {
         let round = match self {
             Self::Cuboid(entry) => {
@@ -146,8 +157,17 @@ impl ShapeEntry {
                     place_in_space(place)?,
                 ))));
             }
-            Self::Stl(entry) => return mesh::made(entry.mesh(folder, watch), place).map(Some),
-            Self::Tessellated(entry) => return mesh::made(entry.mesh(), place).map(Some),
+            Self::Stl(entry) => {
+                let soup = entry.read(making.folder, making.watch);
+                let soup = soup.map_err(|error| error.to_string())?;
+                let scale = place_in_space(place)?.scale();
+                let solid = entry.solid(&soup, making.spacing / scale, making.watch)?;
+                return mesh::made(solid, place).map(Some);
+            }
+            Self::Tessellated(entry) => {
+                let solid = entry.solid().map_err(|error| error.to_string())?;
+                return mesh::made(solid, place).map(Some);
+            }
             _ => match self.round() {
                 Some(round) => round,
                 None => return Ok(None),

@@ -259,6 +259,7 @@ impl Drawing for Page<'_, '_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::pictures::particles::{Overlay, Slab};
 
     fn sheet() -> (Vec<[f64; 3]>, Vec<f64>, Vec<f64>) {
         let position: Vec<[f64; 3]> = (0..200)
