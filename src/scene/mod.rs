@@ -32,7 +32,7 @@
 //! let mut scene = Scene::parse(text, "ramp", ".".as_ref())?;
 //! scene.set("body.ramp.shape.compression_corner.angle=15")?;
 //! let case = scene.build::<2>()?;
-//! assert_eq!(case.bodies[0].name, "ramp");
+//! assert_eq!(case.problem.bodies[0].name, "ramp");
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
