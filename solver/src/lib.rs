@@ -5,6 +5,7 @@
 
 use problem::Problem;
 
+mod backend;
 mod books;
 mod evaluation;
 mod faces;
@@ -15,6 +16,7 @@ pub mod gas;
 mod initial;
 mod lanes;
 mod lattice;
+pub mod layers;
 pub mod method;
 mod neighbourhood;
 mod neighbours;
@@ -25,6 +27,7 @@ pub mod problem;
 mod records;
 mod rings;
 mod rounding;
+pub mod scheme;
 mod shifting;
 mod shock_sensor;
 mod show;

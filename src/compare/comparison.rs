@@ -7,10 +7,10 @@ use aero::run::{History, Keep, Outcome};
 use aero_validation::pictures::curves::Curves;
 use aero_validation::table::{Check, Subject};
 
-use super::context::{CompareError, Context};
-use super::row::{Heading, Row};
+use super::context::{CompareError, Context, Level};
+use super::row::{Allowed, Heading, Row};
 use super::scenes::Source;
-use super::variant::{Levels, Variant};
+use super::variant::Variant;
 use super::view::View;
 
 /// What is run, and what is read off it. `P` is what the case varies beside spacing and scheme.
@@ -110,7 +110,7 @@ impl<P> Comparison<P> {
             case: self.case,
             label,
             only_informs: !variant.is_judged,
-            is_quick: variant.levels == Levels::Quick,
+            is_quick: context.level == Level::Quick,
         };
         let rows = (self.rows)(&flow)?;
         (self.pictures)(&flow)?;
@@ -131,24 +131,33 @@ fn failed(case: &str, label: &str, error: CompareError) -> Result<Check, Compare
 }
 
 impl<'a, P> Flow<'a, P> {
-    /// The row of particles in the wall, which has no verdict of its own.
-    pub fn leaks(&self) -> Row {
-        Row::informs(
-            "particles in the wall",
-            "no penetration",
-            self.leaked(),
-            0.0,
-        )
+    /// The row of particles in the wall, where none may be.
+    pub fn no_leaks(&self) -> Row {
+        self.leaks(0.0)
     }
 
-    /// The row of particles in the wall where none may be there.
-    pub fn no_leaks(&self) -> Row {
+    /// The row of particles in the wall, where so many pass at most.
+    pub fn leaks(&self, most: impl Into<Allowed>) -> Row {
         Row::at_most(
             "particles in the wall",
             "no penetration",
             self.leaked(),
-            0.0,
+            most,
         )
+    }
+
+    /// The rows of a body in a flow that is symmetric about its axis: its lift over its drag, and its moment over drag and
+    /// reference length.
+    pub fn no_lift(&self, body: &str, most: [f64; 2]) -> [Row; 2] {
+        let loads = &self.outcome.summary.bodies[body];
+        let [drag, across @ ..] = loads.force_mean;
+        let lift = across[0].hypot(across[1]) / drag;
+        let moment = loads.moment.iter().map(|m| m * m).sum::<f64>().sqrt();
+        let moment = moment / (loads.force[0] * loads.reference_length);
+        [
+            Row::error("lift / drag", "symmetry", lift, most[0]),
+            Row::error("moment / (drag x length)", "symmetry", moment, most[1]),
+        ]
     }
 
     /// Number of particles in the wall.

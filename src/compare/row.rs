@@ -11,6 +11,8 @@ pub struct Row {
     measured: f64,
     reference: f64,
     rule: Rule,
+    /// Judged even where the scheme is shown for comparison alone.
+    is_judged_always: bool,
 }
 
 /// How a row is judged.
@@ -22,8 +24,8 @@ enum Rule {
     Absolute(Allowed),
     /// In size not above the reference; without a verdict beside zero.
     Error,
-    /// Not above the reference.
-    AtMost,
+    /// Not above a bound.
+    AtMost(Allowed),
     /// Not at all.
     Informs,
     /// It fails, by whatever scheme.
@@ -111,9 +113,19 @@ impl Row {
         quantity: impl Into<String>,
         source: &'static str,
         measured: f64,
-        bound: f64,
+        bound: impl Into<Allowed>,
     ) -> Self {
-        Self::new(quantity, source, [measured, bound], Rule::AtMost)
+        let rule = Rule::AtMost(bound.into());
+        Self::new(quantity, source, [measured, 0.0], rule)
+    }
+
+    /// The same, judged even where the scheme is shown for comparison alone: it says whether that is still the scheme that is
+    /// shown.
+    pub fn always(self) -> Self {
+        Self {
+            is_judged_always: true,
+            ..self
+        }
     }
 
     /// A row for the reader, without a verdict.
@@ -143,6 +155,7 @@ impl Row {
             measured,
             reference,
             rule,
+            is_judged_always: false,
         }
     }
 
@@ -151,10 +164,11 @@ impl Row {
         let quantity = format!("{}: {}", heading.label, self.quantity);
         let subject = Subject::new(heading.case, &quantity, self.source);
         let (measured, reference) = (self.measured, self.reference);
+        let only_informs = heading.only_informs && !self.is_judged_always;
         match self.rule {
             Rule::Unmeasured => subject.unmeasured(reference),
-            Rule::Error if heading.only_informs => subject.informs(measured, 0.0),
-            _ if heading.only_informs => subject.informs(measured, reference),
+            Rule::Error if only_informs => subject.informs(measured, 0.0),
+            _ if only_informs => subject.informs(measured, reference),
             Rule::Relative(allowed) => {
                 subject.relative(measured, reference, allowed.at(heading.is_quick))
             }
@@ -162,7 +176,7 @@ impl Row {
                 subject.absolute(measured, reference, allowed.at(heading.is_quick))
             }
             Rule::Error => subject.at_most(measured.abs(), reference),
-            Rule::AtMost => subject.at_most(measured, reference),
+            Rule::AtMost(bound) => subject.at_most(measured, bound.at(heading.is_quick)),
             Rule::Informs => subject.informs(measured, reference),
         }
     }
@@ -200,5 +214,12 @@ mod tests {
         };
         let row = Row::at_most("leaks", "book", 7.0, 0.0).check(shown);
         assert!(row.pass && row.allowed_percent.is_none());
+        let kept = Row::at_most("leaks", "book", 7.0, [8.0, 0.0]).always();
+        assert!(kept.clone().check(shown).pass);
+        let full = Heading {
+            is_quick: false,
+            ..shown
+        };
+        assert!(!kept.check(full).pass);
     }
 }

@@ -2,6 +2,7 @@
 
 mod corner;
 mod flow;
+mod published;
 
 use aero::run::Keep;
 use aero_validation::pictures::particles::Overlay;
@@ -44,17 +45,6 @@ const fn row(mach: f64, angle: f64, gamma: f64, end_time: f64) -> Variant {
         ..row.own
     })
 }
-
-/// Mach number, ramp angle, gamma, and the shock angles that table 1 of Villodi & Ramachandran 2024
-/// lists with `wom` and `wm`, all in degrees.
-const PUBLISHED: [[f64; 5]; 6] = [
-    [5.0, 10.0, 1.4, 19.20, 19.24],
-    [5.0, 15.0, 1.4, 24.10, 24.12],
-    [5.0, 20.0, 1.4, 29.54, 29.55],
-    [5.0, 25.0, 1.4, 35.48, 35.49],
-    [2.0, 10.0, 1.4, 39.16, 39.19],
-    [5.0, 20.0, 1.3, 28.55, 28.54],
-];
 
 pub const WEDGE: Comparison<Corner> = Comparison {
     case: "wedge",
@@ -138,21 +128,6 @@ fn label(variant: &Variant) -> String {
     format!("M {mach}, {gas}{angle} deg, dx 1/{cells}, {scheme}")
 }
 
-/// The angle that the publication lists for this corner, degrees.
-fn published_angle(variant: &Variant) -> Option<f64> {
-    let Corner {
-        mach, angle, gamma, ..
-    } = variant.own;
-    let [.., wom, wm] = PUBLISHED
-        .into_iter()
-        .find(|row| row[..3] == [mach, angle, gamma])?;
-    Some(if variant.scheme.extrapolation == "wm" {
-        wm
-    } else {
-        wom
-    })
-}
-
 fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
     let corner = &flow.variant.own;
     if !corner.is_tight {
@@ -165,7 +140,8 @@ fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
     let plateau = corner.plateau;
     let degrees = shock.angle.to_degrees();
     let pressure = shock.pressure_ratio / corner.gamma;
-    let near = |quantity: &str, measured, reference, allowed: f64| {
+    // At the quick level about twice what is measured.
+    let near = |quantity: &str, measured, reference, allowed: [f64; 2]| {
         Row::relative(quantity, THEORY, measured, reference, allowed)
     };
     let mut rows = vec![
@@ -173,34 +149,34 @@ fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
             "plateau density",
             found.plateau.density,
             shock.density_ratio,
-            plateau,
+            [0.35, plateau],
         ),
         near(
             "plateau pressure",
             found.plateau.pressure,
             pressure,
-            plateau,
+            [0.15, plateau],
         ),
         near(
             "plateau Mach number",
             found.plateau.mach,
             shock.mach,
-            plateau,
+            [0.15, plateau],
         ),
         near(
             "half-jump shock angle, deg",
             found.line.angle.to_degrees(),
             degrees,
-            0.5,
+            [0.07, 0.5],
         ),
         near(
             "shock angle by eq. (36), deg",
             found.steepest.to_degrees(),
             degrees,
-            1.2,
+            [0.4, 1.2],
         ),
     ];
-    if let Some(angle) = published_angle(flow.variant) {
+    if let Some(angle) = published::angle(flow.variant) {
         let quantity = "shock angle by eq. (36) as published, deg";
         let source = "Villodi & Ramachandran 2024, table 1, against theory";
         rows.push(Row::informs(quantity, source, angle, degrees));
@@ -212,13 +188,14 @@ fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
             "density at the wall",
             density,
             shock.density_ratio,
-            WALL,
+            [0.9, WALL],
         ));
-        rows.push(near("energy at the wall", energy, expected, WALL));
+        rows.push(near("energy at the wall", energy, expected, [1.5, WALL]));
     }
-    if flow.variant.is_judged {
-        rows.push(flow.no_leaks());
+    if !flow.variant.scheme.is_conservative() {
+        rows.extend(published::rows(flow.variant, &found, &shock));
     }
+    rows.push(flow.no_leaks().always());
     Ok(rows)
 }
 

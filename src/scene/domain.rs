@@ -5,14 +5,15 @@ use aero_geometry::{Bounds, Vector};
 use super::error::SceneError;
 use super::file::{SceneFile, SidesEntry};
 use super::vector::{AXES, vector};
+use aero_solver::layers;
 use aero_solver::problem::{Domain, Side};
 
 /// Support radius of the kernel in spacings: three smoothing lengths of one and a half spacings
 /// (Villodi & Ramachandran, section 4).
 pub(super) const SUPPORT: f64 = 4.5;
 
-/// Depth of open boundaries' buffers in spacings: the support rounded up, and one to drift in.
-pub(super) const BUFFER: f64 = 6.0;
+/// Depth of open boundaries' buffers in spacings.
+pub(super) const BUFFER: f64 = layers::BUFFER as f64;
 
 /// How far an edge may be from a whole number of spacings, in spacings: round-off of decimal
 /// fractions, not more.

@@ -15,7 +15,7 @@ use super::side::{SideEntry, WallWord};
 use super::spin::Spin;
 use crate::case::Stop;
 use aero_solver::method::Time;
-use aero_solver::problem::{Equations, Extrapolation, Precision};
+use aero_solver::scheme::{Extrapolation, Precision, Scheme};
 
 /// A whole scene.
 #[derive(Clone, Debug, Deserialize)]
@@ -65,7 +65,7 @@ pub struct GasEntry {
 #[serde(deny_unknown_fields)]
 pub struct SchemeEntry {
     /// Set of equations: the project's own, or the published one; `conservative` unless given.
-    pub equations: Option<EquationsWord>,
+    pub equations: Option<SchemeName>,
     /// How ghosts get their state: by a sum where they are, or by a first-order one at their mirror points; `wom` unless given.
     pub extrapolation: Option<ExtrapolationWord>,
     /// Bends the path of what heads for a ghost nearer than its own spacing; off unless given.
@@ -161,22 +161,30 @@ impl From<PrecisionWord> for Precision {
     }
 }
 
-/// Set of equations, as a scene spells it.
+/// The name of a scheme, as a scene spells it.
 #[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum EquationsWord {
-    /// The conservative successor.
-    Conservative,
-    /// The published scheme.
-    Paper,
+#[serde(try_from = "String")]
+pub struct SchemeName(Scheme);
+
+impl SchemeName {
+    /// The scheme of that name.
+    pub fn scheme(self) -> Scheme {
+        self.0
+    }
 }
 
-impl From<EquationsWord> for Equations {
-    fn from(word: EquationsWord) -> Self {
-        match word {
-            EquationsWord::Conservative => Self::Conservative,
-            EquationsWord::Paper => Self::Paper,
-        }
+impl TryFrom<String> for SchemeName {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        let named = Scheme::named(&name);
+        named.map(Self).ok_or_else(|| {
+            let names = Scheme::NAMED.map(|scheme| format!("`{}`", scheme.name));
+            format!(
+                "`{name}` is no set of equations; there are {}",
+                names.join(" and ")
+            )
+        })
     }
 }
 

@@ -1,6 +1,6 @@
 //! Gas dynamics on points that stay where they are: cells derived from them, and what flows through their faces.
 //!
-//! [`FixedSimulation::step`] marches in time, [`FixedSimulation::settle`] goes to the steady state. Neither knows how cells are made.
+//! [`FixedSimulation::step`] marches in time, `settle` goes to the steady state. Neither knows how cells are made.
 
 pub mod build;
 pub mod carry;
@@ -43,7 +43,8 @@ use aero_geometry::Vector;
 pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
 pub use checkpoint::FixedMemory;
 
-use crate::problem::{Precision, Problem};
+use crate::problem::Problem;
+use crate::scheme::Precision;
 use crate::vectors::Arch;
 use crate::walls::wall_sides;
 use build::cells;

@@ -74,7 +74,7 @@ impl<const D: usize> Solids<D> {
             .map_or(f64::INFINITY, |(_, closest)| closest.distance)
     }
 
-    /// The distance less the [`SKIN`]: above zero in the gas.
+    /// The distance less the skin: above zero in the gas.
     pub fn height(&self, point: &Vector<D>, unit: f64) -> f64 {
         self.distance(point) - SKIN * unit
     }

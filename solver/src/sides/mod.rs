@@ -19,7 +19,7 @@ pub use buffers::{Buffers, Contents};
 pub use domain::{Domain, Side};
 pub use particle::OpenParticle;
 pub use reservoir::Reservoir;
-pub use zone::{BUFFER, Zone};
+pub use zone::Zone;
 
 use super::particles::Particle;
 use super::problem::{Problem, State};

@@ -1,14 +1,23 @@
 //! Golden physics: what must hold whatever the speed.
 
+mod agreement;
+mod bends;
 mod calm;
+mod combinations;
 mod conduction;
 mod conservation;
 mod invariance;
+mod lanes;
 mod leapfrog;
 mod mixed;
+mod rarefied;
+mod reference;
 mod rest;
 mod rings;
+mod seam;
 mod shifting;
+mod steps;
+mod surfaces;
 mod thin;
 mod walls;
 
@@ -18,9 +27,8 @@ use aero_geometry::{Bounds, Vector};
 
 use super::Simulation;
 use crate::gas::Gas;
-use crate::problem::{
-    Domain, Equations, Extrapolation, Field, Initial, Problem, Scheme, Side, State, WallKind,
-};
+use crate::problem::{Domain, Field, Initial, Problem, Side, State, WallKind};
+use crate::scheme::{Extrapolation, Scheme};
 
 const WALL: Side = Side::Wall {
     kind: WallKind::Slip,
