@@ -3,8 +3,8 @@
 use aero_geometry::Vector;
 use serde::{Deserialize, Serialize};
 
-use super::Stopwatch;
 use super::steady::Window;
+use super::stopwatch::Stopwatch;
 use crate::case::RunPlan;
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_solver::Simulation;

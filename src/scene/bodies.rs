@@ -9,16 +9,16 @@ use aero_packer::{PackOptions, Packing};
 use super::axis;
 use super::budget;
 use super::cover::check_covered_sides;
-use super::domain::{AXES, BUFFER, ghost_region, number};
+use super::domain::{BUFFER, ghost_region, number};
 use super::error::SceneError;
 use super::file::{BodyEntry, SceneFile};
-use super::flow::vector;
 use super::motion::motion;
 use super::number::Positive;
 use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::{Made, Making};
 use super::side::WallWord;
+use super::vector::{AXES, vector};
 use aero_solver::layers::GHOSTS;
 use aero_solver::problem::{Body, Domain, State};
 
@@ -47,7 +47,7 @@ pub struct PackWishes {
 pub struct BodyPlan<const D: usize> {
     /// Its entry in the scene.
     entry: BodyEntry,
-    pub(super) made: Made<D>,
+    made: Made<D>,
     options: PackOptions<D>,
 }
 
@@ -100,7 +100,8 @@ pub(super) fn plans<const D: usize>(
             })
         })
         .collect::<Result<Vec<_>, _>>()?;
-    check_covered_sides(domain, &plans, file.spacing.get())?;
+    let surfaces: Vec<_> = plans.iter().map(|plan| plan.made.shape.as_ref()).collect();
+    check_covered_sides(domain, &surfaces, file.spacing.get())?;
     Ok(plans)
 }
 

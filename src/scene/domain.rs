@@ -4,12 +4,9 @@ use aero_geometry::{Bounds, Vector};
 
 use super::error::SceneError;
 use super::file::{SceneFile, SidesEntry};
-use super::flow::vector;
+use super::vector::{AXES, vector};
 use aero_solver::layers;
 use aero_solver::problem::{Domain, Side};
-
-/// Letters of the axes.
-pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// Support radius of the kernel in spacings: three smoothing lengths of one and a half spacings
 /// (Villodi & Ramachandran, section 4).

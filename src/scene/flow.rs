@@ -4,10 +4,10 @@ use std::path::Path;
 
 use aero_geometry::Vector;
 
-use super::domain::AXES;
 use super::error::SceneError;
 use super::file::{FreeStreamEntry, SceneFile, StateEntry};
-use super::number::{Finite, Gamma, Positive};
+use super::number::{Gamma, Positive};
+use super::vector::{AXES, vector, vector_or_zero};
 use super::{earlier, field};
 use aero_solver::problem::{Domain, Initial, Side, State};
 
@@ -150,29 +150,6 @@ pub(super) fn initial<const D: usize>(
         position,
         smooth: riemann.smooth.unwrap_or(false),
     })
-}
-
-/// A vector of the scene's dimension.
-pub(super) fn vector<const D: usize>(
-    place: &str,
-    numbers: &[Finite],
-) -> Result<Vector<D>, SceneError> {
-    if numbers.len() == D {
-        return Ok(Vector::<D>::from_fn(|k, _| numbers[k].get()));
-    }
-    let given = numbers.len();
-    Err(SceneError::value(
-        place,
-        format!("holds {given} numbers, but the scene has dimension {D}; give {D}"),
-    ))
-}
-
-/// As [`vector`], zero where the key is absent.
-pub(super) fn vector_or_zero<const D: usize>(
-    place: &str,
-    numbers: Option<&Vec<Finite>>,
-) -> Result<Vector<D>, SceneError> {
-    numbers.map_or(Ok(Vector::zeros()), |numbers| vector(place, numbers))
 }
 
 fn state<const D: usize>(place: &str, entry: &StateEntry) -> Result<State<D>, SceneError> {

@@ -32,7 +32,7 @@
 //! let mut scene = Scene::parse(text, "ramp", ".".as_ref())?;
 //! scene.set("body.ramp.shape.compression_corner.angle=15")?;
 //! let case = scene.build::<2>()?;
-//! assert_eq!(case.bodies[0].name, "ramp");
+//! assert_eq!(case.problem.bodies[0].name, "ramp");
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
@@ -59,6 +59,7 @@ mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
+mod vector;
 
 pub use bodies::{BodyPlan, PackWishes};
 pub use error::SceneError;
