@@ -5,6 +5,7 @@ mod conduction;
 mod conservation;
 mod invariance;
 mod leapfrog;
+mod life;
 mod mixed;
 mod rest;
 mod rings;
