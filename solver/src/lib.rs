@@ -36,6 +36,7 @@ mod books;
 mod evaluation;
 mod faces;
 mod fill;
+pub mod fixed;
 pub mod frame;
 pub mod gas;
 mod initial;

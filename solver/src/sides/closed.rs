@@ -1,7 +1,7 @@
 //! Sides that map the flow onto itself: a symmetry plane and an axis mirror it, a periodic side shifts it. What lies beyond
 //! such a side is a copy of gas within ([`crate::neighbourhood::segments`]), and gas that crosses comes back as its own copy.
 
-use aero_geometry::Vector;
+use aero_geometry::{Bounds, Vector};
 use rayon::prelude::*;
 
 use super::{Domain, Side};
@@ -69,12 +69,15 @@ pub fn bring_back<const D: usize>(domain: &Domain<D>, fluid: &mut [Particle<D>])
     }
 }
 
-/// Maps `x' = sign x + shift` that make the whole of what `domain` holds the modelled part of, where it is mirrored across the
-/// symmetry planes that `is_cut` says cut it.
+/// Maps `x' = sign x + shift` that make the whole of a body of the part that `domain` holds: mirrored across the symmetry planes
+/// that cut its `extent`. What has none is mirrored nowhere.
 pub fn reflections<const D: usize>(
     domain: &Domain<D>,
-    is_cut: impl Fn(usize, f64) -> bool,
+    extent: Option<&Bounds<D>>,
 ) -> Vec<(Vector<D>, Vector<D>)> {
+    let is_cut = |axis: usize, plane: f64| {
+        extent.is_some_and(|extent| extent.min[axis] < plane && plane < extent.max[axis])
+    };
     let mut maps = vec![(Vector::repeat(1.0), Vector::zeros())];
     for (axis, _, side, plane) in domain.each_side() {
         if side != Side::Symmetry || !is_cut(axis, plane) {

@@ -18,6 +18,7 @@ mod zone;
 pub use buffers::{Buffers, Contents};
 pub use domain::Domain;
 pub use particle::OpenParticle;
+pub use reservoir::Reservoir;
 pub use zone::{BUFFER, Zone};
 
 use super::particles::Particle;

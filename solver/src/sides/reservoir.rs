@@ -37,6 +37,14 @@ impl Reservoir {
         }
     }
 
+    /// Speed, density and pressure at which gas enters against the outgoing invariant `wave`, see [`entering`].
+    pub fn entering(&self, wave: f64, gamma: f64) -> (f64, f64, f64) {
+        let (speed, sound) = entering(wave, self.sound_square, gamma);
+        let share = sound * sound / self.sound_square;
+        let pressure = self.pressure * share.powf(gamma / (gamma - 1.0));
+        (speed, gamma * pressure / (sound * sound), pressure)
+    }
+
     /// Mean over the mass of gas next to the side of the invariant `u - 2 c / (gamma - 1)` that sound carries
     /// out against the flow, with `u` into the domain.
     fn outgoing_wave<const D: usize>(
@@ -71,13 +79,11 @@ impl<const D: usize> OpenModel<D> for Reservoir {
     fn answer(&self, problem: &Problem<D>, fluid: &[Particle<D>]) -> Option<State<D>> {
         let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
         let wave = self.outgoing_wave(problem, fluid)?;
-        let (speed, sound) = entering(wave, self.sound_square, gamma);
-        let share = sound * sound / self.sound_square;
-        let pressure = self.pressure * share.powf(gamma / (gamma - 1.0));
+        let (speed, density, pressure) = self.entering(wave, gamma);
         let mut velocity = Vector::zeros();
         velocity[self.place.axis] = self.place.inward() * speed;
         Some(State {
-            density: gamma * pressure / (sound * sound),
+            density,
             velocity,
             pressure,
         })

@@ -38,9 +38,7 @@ pub fn loads<const D: usize>(
     let reflections: Vec<_> = (0..loads.len())
         .map(|body| {
             let extent = bodies.get(body).map(|body| body.shape.bounds());
-            reflections(domain, |axis, plane| {
-                extent.is_some_and(|e| e.min[axis] < plane && plane < e.max[axis])
-            })
+            reflections(domain, extent.as_ref())
         })
         .collect();
     let centres: Vec<Vector3<f64>> = (0..loads.len())

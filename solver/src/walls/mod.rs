@@ -15,7 +15,7 @@ mod setup;
 mod turning;
 
 pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
-pub use curvature::tangents;
+pub use curvature::{shape_operator, tangents};
 pub use ghost::Ghost;
 pub use plane::wall_sides;
 pub use rigid::{Pose, pad};
