@@ -34,18 +34,24 @@ pub(super) fn domain<const D: usize>(file: &SceneFile) -> Result<Domain<D>, Scen
 
 /// The box that particles of the gas may lie in: the domain with its open boundaries' buffers.
 pub(super) fn region<const D: usize>(domain: &Domain<D>, spacing: f64) -> Bounds<D> {
-    grown(domain, |side| match side {
-        Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir => BUFFER * spacing,
-        Side::Body | Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } => 0.0,
+    grown(domain, |side| {
+        if side.is_open() {
+            BUFFER * spacing
+        } else {
+            0.0
+        }
     })
 }
 
 /// The box that ghosts may lie in: grown by `margin` past sides that are open or closed by a
 /// body; not grown where a mirror, an image or a wall's own ghosts take over.
 pub(super) fn ghost_region<const D: usize>(domain: &Domain<D>, margin: f64) -> Bounds<D> {
-    grown(domain, |side| match side {
-        Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir | Side::Body => margin,
-        Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } => 0.0,
+    grown(domain, |side| {
+        if side.is_open() || side == Side::Body {
+            margin
+        } else {
+            0.0
+        }
     })
 }
 

@@ -32,11 +32,7 @@ pub(super) fn free_stream<const D: usize>(
     if let Some(entry) = &file.free_stream {
         return stream_state(entry, gamma(file));
     }
-    let needs_one = domain
-        .sides
-        .iter()
-        .flatten()
-        .any(|side| matches!(side, Side::Inlet | Side::FreeStream | Side::Reservoir));
+    let needs_one = domain.has(Side::lets_in);
     match (&file.initial.riemann, &file.initial.field) {
         (Some(riemann), _) if !needs_one => state("initial.riemann.left", &riemann.left),
         (None, Some(entry)) if !needs_one => field::reference(entry, domain, file.spacing.get()),
@@ -80,8 +76,7 @@ pub(super) fn check_reservoir<const D: usize>(
     free_stream: &State<D>,
     gamma: f64,
 ) -> Result<(), SceneError> {
-    let enters = |side: Side| matches!(side, Side::Inlet | Side::FreeStream | Side::Reservoir);
-    let entrances = domain.sides.iter().flatten().filter(|side| enters(**side));
+    let entrances = domain.sides.iter().flatten().filter(|side| side.lets_in());
     let entrances = entrances.count();
     for k in 0..D {
         for (end, inward) in [(0, 1.0), (1, -1.0)] {

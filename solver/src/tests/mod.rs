@@ -9,6 +9,7 @@ mod conservation;
 mod invariance;
 mod lanes;
 mod leapfrog;
+mod life;
 mod mixed;
 mod rarefied;
 mod reference;
