@@ -47,6 +47,13 @@ impl Lists {
         self.entries.truncate(end);
     }
 
+    /// Entries that there was room for before they were laid out: what was looked at.
+    #[cfg(test)]
+    pub fn room(&self) -> usize {
+        let rooms = self.wave.iter().map(|chunk| chunk.entries.capacity());
+        rooms.sum()
+    }
+
     /// Appends the wave to what ends at `start`; returns where it ends now.
     fn lay_out(&mut self, start: usize) -> usize {
         let mut end = start;

@@ -6,10 +6,10 @@ use super::*;
 use crate::vectors::Arch;
 
 /// A stream that enters on the left and leaves on the right past a wall.
-fn stream(equations: Equations) -> Problem<2> {
+fn stream(scheme: Scheme) -> Problem<2> {
     let mut problem = cube::<2>(24, Side::Symmetry);
     problem.domain.sides = [[Side::Inlet, Side::Outlet], [WALL, Side::FreeStream]];
-    problem.scheme.equations = equations;
+    problem.scheme = scheme;
     problem.free_stream.velocity = Vector::<2>::new(1.5, 0.0);
     let stream = problem.free_stream;
     problem.initial = Initial::Field(Field(Arc::new(move |position: &Vector<2>| State {
@@ -48,7 +48,7 @@ fn rates_stay_with_their_particles() {
 
 #[test]
 fn no_two_particles_ever_share_a_number() {
-    let mut simulation = start(stream(Equations::Conservative));
+    let mut simulation = start(stream(Scheme::CONSERVATIVE));
     let mut seen: HashSet<u64> = HashSet::new();
     let mut before: HashSet<u64> = HashSet::new();
     for _ in 0..80 {
@@ -66,8 +66,8 @@ fn no_two_particles_ever_share_a_number() {
 
 #[test]
 fn whom_a_particle_shares_a_cluster_with_changes_no_bit() {
-    for equations in [Equations::Conservative, Equations::Paper] {
-        let problem = stream(equations);
+    for scheme in [Scheme::CONSERVATIVE, Scheme::PAPER] {
+        let problem = stream(scheme);
         let mut wide = start(problem.clone());
         advance(&mut wide, 12);
         let mut alone = Simulation::resume(problem, wide.memory()).expect("the same problem");
@@ -102,9 +102,7 @@ fn the_widest_particle_of_all_leaves_the_search_of_others_alone() {
             particle.smoothing_length *= 8.0;
         }
         simulation.prepare();
-        let chunks = &simulation.around.lists.chunks;
-        let capacity: usize = chunks.iter().map(|chunk| chunk.entries.capacity()).sum();
-        capacity as f64
+        simulation.around.lists.room() as f64
     };
     // Room for what is looked at before it is known to be too far.
     let (none, one) = (listed(0), listed(1));
