@@ -13,7 +13,8 @@ use aero_geometry::{Bounds, Vector};
 use aero_packer::{PackOptions, pack};
 use aero_solver::gas::Gas;
 use aero_solver::method::Method;
-use aero_solver::problem::{Domain, Field, Initial, Problem, Scheme, Side, State};
+use aero_solver::problem::{Domain, Field, Initial, Problem, Side, State};
+use aero_solver::scheme::Scheme;
 use aero_solver::{Pass, Simulation};
 use criterion::{BenchmarkId, Criterion, Throughput};
 

@@ -25,6 +25,7 @@ mod sheets;
 mod sources;
 mod target;
 mod thin;
+mod wide;
 
 pub use error::PackError;
 pub use ghosts::{Ghosts, Packing};

@@ -7,12 +7,12 @@ use rayon::prelude::*;
 use super::fill::{fill_gas, fill_ghosts, fill_near};
 use super::neighbourhood::{Neighbourhood, widest};
 use super::neighbours::GROWTH;
-use super::pairs::rates::{Sought, Transport, rates};
-use super::pairs::renormalisation::{Gradients, renormalise as sum_moments};
+use super::pairs::rates::rates;
+use super::pairs::renormalisation::renormalise as sum_moments;
 use super::pairs::shield::shield;
 use super::pairs::summation::densities;
 use super::particles::{Columns, Particles};
-use super::problem::{Equations, Problem};
+use super::problem::Problem;
 use super::records::{GHOSTS, Records};
 use super::rings::Rings;
 use super::shifting::shift;
@@ -46,7 +46,7 @@ pub fn read_densities<const D: usize>(
         ..
     } = fluid.columns();
     densities(
-        around.arch,
+        &around.arch,
         &around.lists,
         &around.records,
         around.lattice_sum,
@@ -98,7 +98,7 @@ pub fn evaluate<const D: usize>(
 ) {
     fill_gas(problem, moment.ahead, fluid, buffers, around);
     move_walls(walls, moment);
-    walls.extrapolate(around.arch, &around.wall_lists, &around.records);
+    walls.extrapolate(&around.arch, &around.wall_lists, &around.records);
     fill_ghosts(walls, around);
     renormalise(problem, fluid, around);
     if problem.scheme.shield {
@@ -123,28 +123,13 @@ pub fn sum_rates<const D: usize>(
 ) {
     let columns = fluid.columns();
     rates(
-        around.arch,
+        &around.arch,
         &around.lists,
         &around.records,
         columns.renormalisations,
-        sought(problem),
+        &problem.scheme,
         columns.rates,
     );
-}
-
-/// The sums that the scheme asks for.
-pub fn sought<const D: usize>(problem: &Problem<D>) -> Sought {
-    let scheme = &problem.scheme;
-    Sought {
-        equations: scheme.equations,
-        transport: match (scheme.equations, scheme.shifting, scheme.shield) {
-            (_, false, false) => Transport::None,
-            (Equations::Conservative, true, _) => Transport::Exchange,
-            _ => Transport::Advection,
-        },
-        limits_viscosity: scheme.limited_viscosity,
-        limits_conduction: scheme.limited_conduction,
-    }
 }
 
 /// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
@@ -156,13 +141,10 @@ pub fn renormalise<const D: usize>(
     round_near(around);
     let renormalisations = fluid.columns().renormalisations;
     sum_moments(
-        around.arch,
+        &around.arch,
         &around.lists,
         &around.records,
-        Gradients {
-            of_density: problem.scheme.equations == Equations::Paper,
-            of_concentration: problem.scheme.shifting,
-        },
+        &problem.scheme,
         renormalisations,
     );
     let Records { near, state, .. } = &mut around.records;

@@ -25,19 +25,28 @@ impl<V: Vectors> Lane<V> {
 
     /// The same number in every lane.
     #[inline(always)]
-    pub fn splat(vectors: V, value: impl Into<f64>) -> Self {
+    pub fn splat(vectors: V, value: f64) -> Self {
         Self {
             vectors,
-            value: vectors.splat(value.into()),
+            value: vectors.splat(value),
         }
     }
 
-    /// Lane `l` gets `values(l)`; lanes that the instruction set lacks are not asked for.
+    /// A neighbour's number in every lane.
     #[inline(always)]
-    pub fn gather<N: Into<f64>>(vectors: V, values: impl Fn(usize) -> N) -> Self {
+    pub fn broadcast(vectors: V, number: V::Number) -> Self {
         Self {
             vectors,
-            value: vectors.gather(|l| values(l).into()),
+            value: vectors.broadcast(number),
+        }
+    }
+
+    /// Lane `l` gets `numbers(l)`; lanes that the instruction set lacks are not asked for.
+    #[inline(always)]
+    pub fn gather(vectors: V, numbers: impl Fn(usize) -> V::Number) -> Self {
+        Self {
+            vectors,
+            value: vectors.gather(numbers),
         }
     }
 

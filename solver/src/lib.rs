@@ -2,9 +2,37 @@
 //!
 //! [`Simulation::step`] is the contents page: sort and list the neighbours, predict, read the density off the particles,
 //! evaluate, correct, cross the sides.
+//!
+//! Gas under pressure is let loose in a tube:
+//!
+//! ```
+//! use aero_geometry::{Bounds, Vector};
+//! use aero_solver::problem::{Domain, Initial, Problem, Scheme, Side, State};
+//! use aero_solver::{Simulation, gas::Gas, method::Method};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let at_rest = |density, pressure| State { density, pressure, velocity: Vector::<1>::zeros() };
+//! let (left, right) = (at_rest(1.0, 1.0), at_rest(0.125, 0.1));
+//! let bounds = Bounds::new(Vector::<1>::new(-0.5), Vector::<1>::new(0.5));
+//! let mut tube = Simulation::new(Problem {
+//!     domain: Domain { bounds, sides: [[Side::Symmetry; 2]] },
+//!     initial: Initial::Riemann { left, right, position: 0.0, smooth: false },
+//!     gas: Gas::ideal(1.4), free_stream: left, spacing: 0.005, disorder: 0.0, bodies: Vec::new(),
+//!     scheme: Scheme::default(), method: Method::default(),
+//! })?;
+//! while tube.time() < 0.1 { tube.step(0.1)?; }
+//! let frame = tube.frame();
+//! let behind = frame.position.iter().position(|x| (x[0] - 0.04).abs() < 0.01).expect("gas everywhere");
+//! assert!((frame.density[behind] - 0.426).abs() < 0.02); // exact: between rarefaction and contact
+//! # Ok(()) }
+//! ```
+//!
+//! Where things are: `particles` their life and start, `sides` what bounds the domain, `walls` bodies and ghosts, `faces` thin
+//! parts, `neighbourhood` order and copies, `neighbours` lists, `pairs` the laws, `step` time, `show` what is handed out.
 
 use problem::Problem;
 
+mod backend;
 mod books;
 mod evaluation;
 mod faces;
@@ -15,6 +43,7 @@ pub mod gas;
 mod initial;
 mod lanes;
 mod lattice;
+pub mod layers;
 pub mod method;
 mod neighbourhood;
 mod neighbours;
@@ -25,6 +54,7 @@ pub mod problem;
 mod records;
 mod rings;
 mod rounding;
+pub mod scheme;
 mod shifting;
 mod shock_sensor;
 mod show;

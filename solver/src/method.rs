@@ -3,7 +3,7 @@
 /// What carries the gas.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Method {
-    /// Particles that move with it, by the equations of a [`Scheme`](crate::problem::Scheme).
+    /// Particles that move with it, by the equations of a [`Scheme`](crate::scheme::Scheme).
     #[default]
     WithTheGas,
     /// Points that stay where they are, with cells derived from them.

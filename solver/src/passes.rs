@@ -3,7 +3,6 @@
 use super::Simulation;
 use super::evaluation::{read_densities, renormalise, sum_rates};
 use super::fill::fill_gas;
-use super::time_step::of_rates;
 
 /// One pass of a step. Each may follow any other; none moves a particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -58,20 +57,20 @@ impl<const D: usize> Simulation<D> {
             Pass::Rates => sum_rates(problem, fluid, around),
             Pass::TimeStep => {
                 let columns = fluid.columns();
-                of_rates(problem, columns.state, columns.rates);
+                let scheme = &problem.scheme;
+                let (state, rates) = (columns.state, columns.rates);
+                scheme
+                    .step
+                    .time_step(scheme.cfl, &problem.gas, state, rates);
             }
         }
     }
 
     /// Neighbours listed and pairs in those lists, lanes of a cluster counted one by one.
     pub fn listed_pairs(&self) -> usize {
-        let clusters = self
-            .around
-            .lists
-            .chunks
-            .iter()
-            .flat_map(|chunk| &chunk.clusters);
+        let clusters = self.around.lists.all().clusters;
         clusters
+            .iter()
             .map(|c| (c.gas.len() + c.wall.len()) * c.targets.len())
             .sum()
     }

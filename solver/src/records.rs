@@ -12,9 +12,15 @@ pub use super::rounding::{Rounded, Split};
 pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
 
 /// What records are made of: `f64`, or `f32` for what is done pair by pair.
-pub trait Number: Scalar + Copy + Into<f64> {
+pub trait Number: Scalar + Copy {
     /// A coordinate.
     type Place: Scalar + Copy;
+
+    /// The nearest of these numbers.
+    fn rounded(value: f64) -> Self;
+
+    /// The nearest of these coordinates.
+    fn place(value: f64) -> Self::Place;
 
     /// The records in these numbers.
     fn of<const D: usize>(records: &Records<D>) -> Read<'_, D, Self>;
@@ -31,10 +37,30 @@ pub struct Read<'a, const D: usize, N: Number> {
     pub shift: &'a [SVector<N, D>],
     /// The inverse of what lengths are measured in.
     pub per_length: f64,
+    /// From where places are measured.
+    pub origin: Vector<D>,
+}
+
+impl<const D: usize, N: Number> Read<'_, D, N> {
+    /// The coordinate `value` along `axis` as the records have it.
+    #[inline(always)]
+    pub fn place(&self, value: f64, axis: usize) -> N::Place {
+        N::place((value - self.origin[axis]) * self.per_length)
+    }
 }
 
 impl Number for f64 {
     type Place = Self;
+
+    #[inline(always)]
+    fn rounded(value: f64) -> Self {
+        value
+    }
+
+    #[inline(always)]
+    fn place(value: f64) -> Self {
+        value
+    }
 
     #[inline(always)]
     fn of<const D: usize>(records: &Records<D>) -> Read<'_, D, Self> {
@@ -43,6 +69,7 @@ impl Number for f64 {
             state: &records.state,
             shift: &records.shift,
             per_length: 1.0,
+            origin: Vector::zeros(),
         }
     }
 }

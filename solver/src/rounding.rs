@@ -63,12 +63,23 @@ impl Number for f32 {
     type Place = Split;
 
     #[inline(always)]
+    fn rounded(value: f64) -> Self {
+        value as Self
+    }
+
+    #[inline(always)]
+    fn place(value: f64) -> Split {
+        Split::new(value)
+    }
+
+    #[inline(always)]
     fn of<const D: usize>(records: &Records<D>) -> Read<'_, D, Self> {
         let Rounded {
             near,
             state,
             shift,
             length,
+            origin,
             ..
         } = &records.rounded;
         Read {
@@ -76,6 +87,7 @@ impl Number for f32 {
             state,
             shift,
             per_length: 1.0 / length,
+            origin: *origin,
         }
     }
 }

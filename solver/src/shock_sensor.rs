@@ -5,7 +5,8 @@ use rayon::prelude::*;
 
 use super::particles::{Particle, Rates};
 use super::rings::Rings;
-use crate::problem::{Equations, Problem};
+use crate::problem::Problem;
+use crate::scheme::{Conduction, Viscosity};
 
 /// Compression, over the speed of sound per smoothing length, at which flow is half-way to a shock. A captured
 /// shock is some four spacings wide and so has at least 0.1, whatever is finer has next to nothing.
@@ -21,9 +22,8 @@ pub fn find_shocks<const D: usize>(
     particles: &mut [Particle<D>],
 ) {
     let scheme = &problem.scheme;
-    let is_conservative = scheme.equations == Equations::Conservative;
-    let limits_viscosity = is_conservative && scheme.limited_viscosity;
-    let limits_conduction = is_conservative && scheme.limited_conduction;
+    let limits_viscosity = scheme.viscosity == Viscosity::Limited;
+    let limits_conduction = scheme.conduction == Conduction::Limited;
     if !(limits_viscosity || limits_conduction || scheme.shifting) {
         return;
     }

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::gas::Gas;
 use super::particles::{Particle, Rates};
-use crate::problem::{Equations, Problem};
+use crate::scheme::StepRule;
 
 /// Factor of the force bound (Villodi & Ramachandran 2024, section 3.6).
 const C_FORCE: f64 = 0.5;
@@ -14,99 +14,81 @@ const C_FORCE: f64 = 0.5;
 /// the gas thins.
 const C_CHANGE: f64 = 1.0;
 
-/// Bounds from the speed of sound and from the acceleration [Villodi & Ramachandran 2024, eqs
-/// 33-35]. The paper takes the smallest `h`, the largest `c` and the largest acceleration of all
-/// particles, wherever they are; the conservative scheme takes the smallest bound of any particle, and
-/// lets no density change and no energy fall by more than [`C_CHANGE`] allows.
-pub fn time_step<const D: usize>(
-    equations: Equations,
-    cfl: f64,
-    gas: &Gas,
-    particles: &[Particle<D>],
-    rates: &[Rates<D>],
-) -> f64 {
-    match equations {
-        Equations::Paper => {
-            let extremes = particles.par_iter().zip(rates).map(|(particle, rates)| {
-                let acceleration = rates.acceleration + rates.wall_acceleration;
-                [
-                    particle.smoothing_length,
-                    -gas.sound_speed(particle.density, particle.energy),
-                    -acceleration.norm_squared(),
-                ]
-            });
-            let [h, sound, acceleration] = extremes.reduce(|| [f64::INFINITY; 3], smaller);
-            let acoustic = h / -sound;
-            cfl * acoustic.min(C_FORCE * (h / (-acceleration).sqrt()).sqrt())
-        }
-        Equations::Conservative => {
-            let each = particles.par_iter().zip(rates);
-            each.map(|(particle, rates)| Bounds::of(particle, rates))
-                .reduce(Bounds::default, Bounds::tighter)
-                .step(cfl, gas)
-        }
-    }
-}
-
-/// The same for the scheme of `problem`.
-pub fn of_rates<const D: usize>(
-    problem: &Problem<D>,
-    particles: &[Particle<D>],
-    rates: &[Rates<D>],
-) -> f64 {
-    let scheme = &problem.scheme;
-    time_step(scheme.equations, scheme.cfl, &problem.gas, particles, rates)
-}
-
-/// What bounds the step of the conservative scheme, each over the Courant number.
+/// What bounds the step, each the smaller the tighter; what they are is up to the [`StepRule`].
 #[derive(Clone, Copy, Debug)]
-pub struct Bounds {
-    /// `h^2 / e`, the square of what the speed of sound allows but for the gas' constants.
-    courant: f64,
-    /// `(h / a)^2`.
-    force: f64,
-    /// Time in which density or energy would change by all that there is.
-    change: f64,
-}
+pub struct Bounds([f64; 3]);
 
 impl Default for Bounds {
     fn default() -> Self {
-        Self {
-            courant: f64::INFINITY,
-            force: f64::INFINITY,
-            change: f64::INFINITY,
-        }
+        Self([f64::INFINITY; 3])
     }
 }
 
 impl Bounds {
-    /// Those of one particle.
-    pub fn of<const D: usize>(particle: &Particle<D>, rates: &Rates<D>) -> Self {
-        let h = particle.smoothing_length;
-        let acceleration = rates.acceleration + rates.wall_acceleration;
-        let thins = particle.density / rates.density.abs();
-        let cools = particle.energy / (-rates.energy).max(0.0);
-        Self {
-            courant: h * h / particle.energy,
-            force: h * h / acceleration.norm_squared(),
-            change: thins.min(cools),
-        }
-    }
-
     /// The smaller ones. Unlike a sum they do not depend on the order, and so not on the threads.
     pub fn tighter(self, other: Self) -> Self {
-        Self {
-            courant: self.courant.min(other.courant),
-            force: self.force.min(other.force),
-            change: self.change.min(other.change),
-        }
+        Self(std::array::from_fn(|k| self.0[k].min(other.0[k])))
+    }
+}
+
+impl StepRule {
+    /// The longest stable step of all `particles`.
+    pub fn time_step<const D: usize>(
+        self,
+        cfl: f64,
+        gas: &Gas,
+        particles: &[Particle<D>],
+        rates: &[Rates<D>],
+    ) -> f64 {
+        let each = particles.par_iter().zip(rates);
+        let bounds = each
+            .map(|(particle, rates)| self.bounds(gas, particle, rates))
+            .reduce(Bounds::default, Bounds::tighter);
+        self.step(bounds, cfl, gas)
     }
 
-    /// The longest step within all of them.
-    pub fn step(self, cfl: f64, gas: &Gas) -> f64 {
-        let acoustic = self.courant.sqrt() / gas.sound_speed(1.0, 1.0);
-        let force = C_FORCE * self.force.sqrt().sqrt();
-        cfl * acoustic.min(force).min(C_CHANGE * self.change)
+    /// The bounds of one particle.
+    pub fn bounds<const D: usize>(
+        self,
+        gas: &Gas,
+        particle: &Particle<D>,
+        rates: &Rates<D>,
+    ) -> Bounds {
+        let h = particle.smoothing_length;
+        let acceleration = rates.acceleration + rates.wall_acceleration;
+        Bounds(match self {
+            Self::Extremes => [
+                h,
+                -gas.sound_speed(particle.density, particle.energy),
+                -acceleration.norm_squared(),
+            ],
+            Self::EachParticle => {
+                let thins = particle.density / rates.density.abs();
+                let cools = particle.energy / (-rates.energy).max(0.0);
+                [
+                    h * h / particle.energy,
+                    h * h / acceleration.norm_squared(),
+                    thins.min(cools),
+                ]
+            }
+        })
+    }
+
+    /// The longest step within `bounds`.
+    pub fn step(self, Bounds(bounds): Bounds, cfl: f64, gas: &Gas) -> f64 {
+        match self {
+            Self::Extremes => {
+                let [h, sound, acceleration] = bounds;
+                let acoustic = h / -sound;
+                cfl * acoustic.min(C_FORCE * (h / (-acceleration).sqrt()).sqrt())
+            }
+            Self::EachParticle => {
+                let [courant, force, change] = bounds;
+                let acoustic = courant.sqrt() / gas.sound_speed(1.0, 1.0);
+                let force = C_FORCE * force.sqrt().sqrt();
+                cfl * acoustic.min(force).min(C_CHANGE * change)
+            }
+        }
     }
 }
 
@@ -117,9 +99,4 @@ pub fn acoustic_step<const D: usize>(cfl: f64, gas: &Gas, particles: &[Particle<
         .map(|p| p.smoothing_length * p.smoothing_length / p.energy);
     let squared = each.reduce(|| f64::INFINITY, f64::min);
     cfl * squared.sqrt() / gas.sound_speed(1.0, 1.0)
-}
-
-/// The smaller ones. Unlike a sum they do not depend on the order, and so not on the threads.
-fn smaller(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
-    std::array::from_fn(|k| a[k].min(b[k]))
 }

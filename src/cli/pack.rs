@@ -47,7 +47,7 @@ pub struct PackArgs {
 }
 
 /// The report and the files that were written.
-type Written = (PackFile, Vec<PathBuf>);
+type ReportAndFiles = (PackFile, Vec<PathBuf>);
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -78,7 +78,7 @@ pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
 }
 
 /// Packs and writes the files; gives their names and the report.
-fn make(args: &PackArgs, watch: Watch) -> Result<Written, CommandError> {
+fn make(args: &PackArgs, watch: Watch) -> Result<ReportAndFiles, CommandError> {
     let wishes = PackWishes {
         spacing: args.spacing,
         layers: args.layers.map(usize::from),
@@ -119,7 +119,11 @@ fn body(args: &PackArgs) -> StlEntry {
     }
 }
 
-fn write(packed: &AnyPacked, args: &PackArgs, watch: &Watch) -> Result<Written, CommandError> {
+fn write(
+    packed: &AnyPacked,
+    args: &PackArgs,
+    watch: &Watch,
+) -> Result<ReportAndFiles, CommandError> {
     watch.begin("writing");
     let folder = match &args.out {
         Some(folder) => folder.clone(),

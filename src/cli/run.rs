@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use aero::case::AnyCase;
 use aero::output::{CHECKPOINT, Summary};
-use aero::run::{Place, RunError, Stopwatch, run_any};
+use aero::run::{Destination, RunError, Stopwatch, run_any};
 use aero::scene::Scene;
 use clap::Args;
 
@@ -56,44 +56,48 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
         );
     }
     let scene_lines = scene.lines();
-    let place = Place {
+    let destination = Destination {
         folder: &out,
         scene: &scene_lines,
         resume: args.resume,
     };
     on_threads(args.threads, || {
         let case = scene.build_any().map_err(CommandError::wrong)?;
-        run_case(case, place, stopwatch)
+        run_case(case, destination, stopwatch)
     })
 }
 
-fn run_case(case: AnyCase, place: Place<'_>, stopwatch: Stopwatch) -> Result<(), CommandError> {
+fn run_case(
+    case: AnyCase,
+    destination: Destination<'_>,
+    stopwatch: Stopwatch,
+) -> Result<(), CommandError> {
     for line in case.remarks() {
         eprintln!("{line}");
     }
     let interrupt = Interrupt::listen()?;
     let mut display = Display::of_run();
-    let result = run_any(case, place, stopwatch, &mut |progress| {
+    let result = run_any(case, destination, stopwatch, &mut |progress| {
         display.show(progress);
         interrupt.wish()
     });
     display.finish();
-    let folder = place.folder.display();
-    let go_on = if place.folder.join(CHECKPOINT).exists() {
+    let folder = destination.folder.display();
+    let go_on = if destination.folder.join(CHECKPOINT).exists() {
         "; the last checkpoint is kept: go on from it with `--resume`"
     } else {
         ""
     };
     match result {
         Ok(summary) => {
-            print!("{}", lines(&summary, place.folder));
+            print!("{}", lines(&summary, destination.folder));
             if summary.stop_reason != "end time reached" {
                 println!("{}", summary.stop_reason);
             }
             Ok(())
         }
         Err(RunError::Stopped { reason, summary }) => {
-            print!("{}", lines(&summary, place.folder));
+            print!("{}", lines(&summary, destination.folder));
             let go_on = if interrupt.came() { go_on } else { "" };
             Err(CommandError::failed(format!(
                 "the run stopped: {reason}; its last frame and summary are in `{folder}`{go_on}"

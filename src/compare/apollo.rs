@@ -4,8 +4,8 @@
 use aero::run::{Keep, Outcome};
 use aero_validation::exact::normal::pitot_pressure_ratio;
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::scene;
 use super::variant::Variant;

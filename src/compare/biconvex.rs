@@ -5,8 +5,8 @@ use aero_validation::exact::shock_expansion::Biconvex;
 use aero_validation::pictures::curves::{Curves, Panel, Series, Style};
 use aero_validation::pictures::particles::Overlay;
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant::Variant;

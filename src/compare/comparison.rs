@@ -7,11 +7,11 @@ use aero::run::{History, Keep, Outcome};
 use aero_validation::pictures::curves::Curves;
 use aero_validation::table::{Check, Subject};
 
+use super::context::{CompareError, Context, Level};
 use super::row::{Allowed, Heading, Row};
 use super::scenes::Source;
 use super::variant::Variant;
 use super::view::View;
-use super::{CompareError, Context, Level};
 
 /// What is run, and what is read off it. `P` is what the case varies beside spacing and scheme.
 pub struct Comparison<P: 'static = ()> {

@@ -7,8 +7,8 @@ use aero_validation::metrics::plateau::Ramp;
 use aero_validation::metrics::shock_line::{ShockLine, ShockSearch, fit_shock_line};
 use aero_validation::pictures::particles::Overlay;
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant::Variant;

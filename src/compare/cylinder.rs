@@ -9,17 +9,15 @@ use aero_validation::exact::normal::pitot_pressure_ratio;
 use aero_validation::pictures::curves::{Curves, Panel, Series, Style};
 use aero_validation::pictures::particles::Overlay;
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant::Variant;
 pub use flow::wall as wall_departure;
-use flow::{Measured, angle, nose, volumes_wall};
+use flow::{GAMMA, MACH, Measured, angle, nose, volumes_wall};
 
 pub const SCENE: Source = scene!("cylinder");
-const MACH: f64 = 10.0;
-const GAMMA: f64 = 1.4;
 const VOLUMES: &str = "finite volumes, second order (validation/cylinder)";
 /// Stand-off by finite volumes, extrapolated to the axis.
 const STAND_OFF: f64 = 0.4017;

@@ -9,8 +9,8 @@ use aero_validation::pictures::curves::{Curves, Panel, Series, Style};
 use aero_validation::pictures::particles::Overlay;
 use aero_validation::reference::{Table, nozzle_centre_line};
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::scene;
 use super::variant::Variant;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 
 use aero_validation::table::{Check, to_markdown};
 
-use super::Level;
+use super::context::Level;
 
 /// Name of the page.
 pub const NAME: &str = "report.md";

@@ -7,7 +7,7 @@ use aero::output::Summary;
 use aero::run::{Keep, Outcome, RunError, Stopwatch, run_in_memory};
 use aero::scene::Scene;
 
-use super::{CompareError, Context};
+use super::context::{CompareError, Context};
 
 /// A scene of the project, by name and text.
 #[derive(Clone, Copy, Debug)]

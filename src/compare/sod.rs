@@ -6,8 +6,8 @@ use aero_validation::exact::State;
 use aero_validation::exact::sod_tube::ClosedTube;
 use aero_validation::metrics::profile::profile_error;
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::profiles::{Profiles, median};
 use super::row::Row;
 use super::scenes::{Source, scene};

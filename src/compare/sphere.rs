@@ -6,8 +6,8 @@ use aero_validation::exact::billig::{BowShock, Nose};
 use aero_validation::exact::normal::{normal_shock, pitot_pressure_ratio};
 use aero_validation::metrics::stand_off::{StagnationLine, stand_off};
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant::Variant;

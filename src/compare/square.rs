@@ -7,8 +7,8 @@ use aero_validation::metrics::window::{rms_difference, statistics};
 use aero_validation::pictures::particles::Overlay;
 use aero_validation::reference::rotating_square;
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::scene;
 use super::variant::Variant;

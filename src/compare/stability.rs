@@ -16,10 +16,10 @@ use aero_validation::table::{Check, Subject};
 use aero::run::Outcome;
 
 use super::comparison::Compare;
+use super::context::{CompareError, Context, Level};
 use super::scenes::Attempt;
 use super::variant::Scheme;
 use super::wedge::SCENE;
-use super::{CompareError, Context, Level};
 
 const NAME: &str = "stability";
 const GAMMA: f64 = 1.4;

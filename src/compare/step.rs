@@ -7,12 +7,12 @@ use aero_validation::exact::normal::{normal_shock, pitot_pressure_ratio};
 use aero_validation::pictures::particles::Overlay;
 use aero_validation::reference::step_shock;
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::scene;
 use super::variant::Variant;
-use shocks::Shocks;
+use shocks::{STEP, Shocks};
 
 const MACH: f64 = 3.0;
 const GAMMA: f64 = 1.4;
@@ -21,8 +21,6 @@ const VOLUMES: &str = "finite volumes, second order (validation/step)";
 /// Mach stem at the upper wall: position, length; foot of the reflected shock on the step.
 const STEM: [f64; 2] = [0.753, 0.055];
 const FOOT: f64 = 1.667;
-/// Its face and its top.
-const STEP: [f64; 2] = [0.6, 0.2];
 
 /// At the quick level half the published resolution, and about twice what that gives.
 pub const FORWARD_STEP: Comparison = Comparison {

@@ -10,6 +10,7 @@ mod edge;
 mod line;
 mod plate;
 mod radial;
+mod schemes;
 mod smooth;
 mod trial;
 mod tubes;
@@ -17,7 +18,7 @@ mod tubes;
 use aero_validation::table::Check;
 
 use super::comparison::Compare;
-use super::{CompareError, Context, Level, Scheme};
+use super::context::{CompareError, Context};
 
 /// One family of flows of the suite.
 pub struct Family(fn(&Context<'_>) -> Result<Vec<Check>, CompareError>);
@@ -43,24 +44,3 @@ pub const SMOOTH: Family = Family(smooth::compare);
 
 /// The flows around bodies.
 pub const BODIES: Family = Family(bodies::compare);
-
-const GAMMA: f64 = 1.4;
-/// Pressure of the stream past bodies where lengths, densities and speeds are of order one, `1 / gamma`.
-const PRESSURE: f64 = 1.0 / GAMMA;
-
-/// The schemes that are compared at a level: the published one at the full level alone.
-fn schemes(level: Level) -> Vec<Scheme> {
-    let usual = Scheme::USUAL;
-    let published = usual.paper();
-    match level {
-        Level::Quick => vec![usual, usual.wm()],
-        Level::Full => vec![usual, usual.wm(), published, published.wm()],
-    }
-}
-
-/// The same for flows without walls, in which extrapolations play no part.
-fn equations(level: Level) -> Vec<Scheme> {
-    let mut schemes = schemes(level);
-    schemes.retain(|scheme| scheme.extrapolation == "wom");
-    schemes
-}

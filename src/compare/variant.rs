@@ -1,6 +1,6 @@
 //! The variants of a comparison: which runs there are, and at which level.
 
-use super::Level;
+use super::context::Level;
 
 /// One run of a comparison's scene. `P` is what the case varies beside spacing and scheme.
 #[derive(Clone, Copy, Debug)]

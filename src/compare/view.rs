@@ -6,7 +6,7 @@ use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_solver::frame::Frame;
 use aero_validation::pictures::particles::{Overlay, ParticlePicture, Slab};
 
-use super::CompareError;
+use super::context::CompareError;
 
 /// The gas of a run, to be drawn.
 pub struct View<'a> {

@@ -1,17 +1,18 @@
 //! The compression corner against oblique shock theory.
 
+mod corner;
 mod flow;
 mod published;
 
 use aero::run::Keep;
-use aero_validation::exact::oblique::{ObliqueShock, Strength, oblique_shock};
 use aero_validation::pictures::particles::Overlay;
 
-use super::CompareError;
 use super::comparison::{Comparison, Flow};
+use super::context::CompareError;
 use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant;
+use corner::Corner;
 use flow::Measured;
 
 pub const SCENE: Source = scene!("wedge");
@@ -19,21 +20,6 @@ const THEORY: &str = "oblique shock theory (NACA 1135, 1953)";
 const GAMMA: f64 = 1.4;
 /// Largest error of density and energy at the wall behind a strong shock, per cent.
 const WALL: f64 = 3.0;
-
-/// A corner and its stream.
-#[derive(Clone, Copy, Debug)]
-pub struct Corner {
-    mach: f64,
-    gamma: f64,
-    /// Degrees.
-    angle: f64,
-    end_time: f64,
-    /// Largest error of the plateau, per cent.
-    plateau: f64,
-    /// With ghosts of constant volume; without, particles leak through the ramp (Villodi &
-    /// Ramachandran 2024, fig. 2a).
-    is_tight: bool,
-}
 
 type Variant = variant::Variant<Corner>;
 
@@ -140,13 +126,6 @@ fn label(variant: &Variant) -> String {
     };
     let (cells, scheme) = (variant.cells, variant.scheme);
     format!("M {mach}, {gas}{angle} deg, dx 1/{cells}, {scheme}")
-}
-
-impl Corner {
-    fn shock(&self) -> Result<ObliqueShock, CompareError> {
-        let angle = self.angle.to_radians();
-        Ok(oblique_shock(self.mach, angle, self.gamma, Strength::Weak)?)
-    }
 }
 
 fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {

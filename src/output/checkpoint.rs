@@ -9,7 +9,8 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::{OutputError, atomic};
+use super::atomic;
+use super::error::OutputError;
 
 /// Name of a checkpoint in the folder of its run.
 pub const CHECKPOINT: &str = "checkpoint";

@@ -5,7 +5,7 @@ use std::fs::File;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
-use super::OutputError;
+use super::error::OutputError;
 use aero_solver::frame::{Load, Totals};
 
 /// One row.

@@ -4,8 +4,10 @@ use std::path::{Path, PathBuf};
 
 use aero_packer::Ghosts;
 
+use super::atomic::write_json;
+use super::error::{OutputError, make_folder};
+use super::ghosts::write_ghosts;
 use super::packing_picture::draw;
-use super::{OutputError, make_folder, write_ghosts, write_json};
 use crate::pack::{AnyPacked, PackFile, Packed};
 
 /// Writes ghosts, conforming fluid if there is any, report and pictures into `folder`; returns the

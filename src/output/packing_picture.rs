@@ -7,7 +7,7 @@ use aero_packer::{Ghosts, Packing};
 use aero_validation::pictures::PictureError;
 use aero_validation::pictures::particles::{ParticlePicture, Slab};
 
-use super::OutputError;
+use super::error::OutputError;
 
 /// Diameter of the discs in spacings: small enough to see each by itself.
 const DISC: f64 = 0.7;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use super::OutputError;
+use super::error::OutputError;
 use super::vtp::Cloud;
 use aero_solver::frame::Frame;
 

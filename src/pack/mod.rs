@@ -11,7 +11,8 @@ use aero_geometry::{Bounds, files};
 use aero_packer::{PackOptions, Packing};
 
 use crate::scene::shapes::{StlEntry, Unit, made};
-use crate::scene::{LAYERS, PackWishes, Scene, SceneError};
+use crate::scene::{PackWishes, Scene, SceneError};
+use aero_solver::layers;
 
 /// A body longer than this, in metres, whose unit nobody has named is rather one in millimetres.
 const LARGE: f64 = 10.0;
@@ -63,7 +64,7 @@ pub fn pack_mesh(entry: &StlEntry, wishes: &PackWishes) -> Result<AnyPacked, Sce
     let fail = |message: String| SceneError::body(&name, message);
     let soup = entry.read(Path::new(""), &wishes.watch);
     let soup = soup.map_err(|error| fail(error.to_string()))?;
-    let layers = wishes.layers.unwrap_or(LAYERS);
+    let layers = wishes.layers.unwrap_or(layers::GHOSTS);
     let spaced = |bounds: &Bounds<3>| match wishes.spacing {
         Some(spacing) => (spacing, "as asked for".to_owned()),
         None => spacing::pick(bounds, layers),

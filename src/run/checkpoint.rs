@@ -5,7 +5,6 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::recorder::Written;
 use super::steady::Monitor;
 use super::tally::Sums;
 use crate::output::{self, CheckpointError};
@@ -18,6 +17,15 @@ pub(super) struct Checkpoint<'a, const D: usize> {
     pub(super) sums: Sums,
     pub(super) pace: Pace,
     pub(super) monitor: Option<Monitor>,
+}
+
+/// What has been written up to a checkpoint.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(super) struct Written {
+    /// Time of each frame.
+    pub(super) times: Vec<f64>,
+    /// Length of the history.
+    pub(super) history: u64,
 }
 
 /// How far the loop over the steps is.

@@ -2,8 +2,10 @@
 
 use std::ops::ControlFlow;
 
+use super::error::RunError;
 use super::recorder::Recorder;
-use super::{RunError, Stopwatch, simulate};
+use super::stopwatch::Stopwatch;
+use super::under_way::simulate;
 use crate::case::{AnyCase, Case};
 use crate::output::{OutputError, Summary};
 use aero_solver::Simulation;

@@ -6,10 +6,9 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
 use aero_geometry::Bounds;
-use serde::{Deserialize, Serialize};
 
-use super::Progress;
-use super::checkpoint::Checkpoint;
+use super::checkpoint::{Checkpoint, Written};
+use super::progress::Progress;
 use crate::case::Case;
 use crate::output::{self, Background, Collection, History, HistoryRow, OutputError};
 use aero_solver::{Simulation, wall_sides};
@@ -38,15 +37,6 @@ pub(super) trait Recorder<const D: usize> {
     fn finish(&mut self) -> Result<(), OutputError> {
         Ok(())
     }
-}
-
-/// What has been written up to a checkpoint.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(super) struct Written {
-    /// Time of each frame.
-    times: Vec<f64>,
-    /// Length of the history.
-    history: u64,
 }
 
 /// Writes frames, surfaces, history and checkpoints into a folder; all but the history while the solver

@@ -3,13 +3,14 @@
 use aero_geometry::Vector;
 use serde::{Deserialize, Serialize};
 
-use super::Stopwatch;
 use super::steady::Window;
+use super::stopwatch::Stopwatch;
 use crate::case::RunPlan;
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_solver::Simulation;
 use aero_solver::frame::{Load, Totals};
-use aero_solver::problem::{Body, Equations, Extrapolation, Precision, Problem};
+use aero_solver::problem::{Body, Problem};
+use aero_solver::scheme::{Extrapolation, Precision};
 
 /// Part of the run, at its end, over which loads are averaged.
 const MEAN_PART: f64 = 0.2;
@@ -136,12 +137,8 @@ impl Tally {
         });
         Summary {
             case: self.name.clone(),
-            scheme: match problem.scheme.equations {
-                Equations::Paper => "paper",
-                Equations::Conservative => "conservative",
-            }
-            .into(),
-            extrapolation: match problem.scheme.extrapolation {
+            scheme: problem.scheme.name.into(),
+            extrapolation: match problem.scheme.wall.extrapolation {
                 Extrapolation::Wom => "wom",
                 Extrapolation::Wm => "wm",
             }

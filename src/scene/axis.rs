@@ -9,7 +9,7 @@ pub(super) fn check<const D: usize>(
     free_stream: &State<D>,
 ) -> Result<(), SceneError> {
     let fail = |place: &str, message: &str| Err(SceneError::value(place, message));
-    for (k, name) in super::domain::AXES.into_iter().enumerate().take(D) {
+    for (k, name) in super::vector::AXES.into_iter().enumerate().take(D) {
         for (end, word) in ["min", "max"].into_iter().enumerate() {
             if domain.sides[k][end] == Side::Axis && (D, k, end) != (2, 1, 0) {
                 return fail(

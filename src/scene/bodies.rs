@@ -9,21 +9,18 @@ use aero_packer::{PackOptions, Packing};
 use super::axis;
 use super::budget;
 use super::cover::check_covered_sides;
-use super::domain::{AXES, BUFFER, ghost_region, number};
+use super::domain::{BUFFER, ghost_region, number};
 use super::error::SceneError;
 use super::file::{BodyEntry, SceneFile};
-use super::flow::vector;
 use super::motion::motion;
 use super::number::Positive;
 use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::{Made, Making};
 use super::side::WallWord;
+use super::vector::{AXES, vector};
+use aero_solver::layers::GHOSTS;
 use aero_solver::problem::{Body, Domain, State};
-
-/// Ghost layers, as deep as the flow's spacing each: five cover the support of the kernel
-/// [Villodi & Ramachandran 2024, section 4].
-pub(crate) const LAYERS: usize = 5;
 
 /// So many times finer than the flow's may a body's own spacing be. The gas feels ghosts through kernels of
 /// its own size, so half is usual [Villodi & Ramachandran 2024, section 4.7] and more only serves corners and
@@ -50,7 +47,7 @@ pub struct PackWishes {
 pub struct BodyPlan<const D: usize> {
     /// Its entry in the scene.
     entry: BodyEntry,
-    pub(super) made: Made<D>,
+    made: Made<D>,
     options: PackOptions<D>,
 }
 
@@ -103,7 +100,8 @@ pub(super) fn plans<const D: usize>(
             })
         })
         .collect::<Result<Vec<_>, _>>()?;
-    check_covered_sides(domain, &plans, file.spacing.get())?;
+    let surfaces: Vec<_> = plans.iter().map(|plan| plan.made.shape.as_ref()).collect();
+    check_covered_sides(domain, &surfaces, file.spacing.get())?;
     Ok(plans)
 }
 
@@ -134,11 +132,11 @@ fn options<const D: usize>(
     }
 }
 
-/// Number of layers at `spacing` that are as deep as [`LAYERS`] of the flow's.
+/// Number of layers at `spacing` that are as deep as [`GHOSTS`] of the flow's.
 fn covering_layers(spacing: f64, flow: f64) -> usize {
     let finer = (flow / spacing).max(1.0);
     // Ratios such as 0.3 / 0.1 are whole numbers but for round-off.
-    (LAYERS as f64 * finer - 1e-6).ceil() as usize
+    (GHOSTS as f64 * finer - 1e-6).ceil() as usize
 }
 
 /// Ghosts must close the wall for particles as large as the flow's, without many layers that none of them
@@ -167,7 +165,7 @@ fn check_spacing(
     if packed * FINEST * (1.0 + 1e-9) < flow && wishes.layers.is_none() {
         return wrong(format!(
             "is {}, {} times as fine as the scene's {}, and {} layers of ghosts would lie where the \
-             gas feels {LAYERS}; set at least {}, or refine the scene's as well",
+             gas feels {GHOSTS}; set at least {}, or refine the scene's as well",
             number(packed),
             number(flow / packed),
             number(flow),

@@ -32,7 +32,7 @@
 //! let mut scene = Scene::parse(text, "ramp", ".".as_ref())?;
 //! scene.set("body.ramp.shape.compression_corner.angle=15")?;
 //! let case = scene.build::<2>()?;
-//! assert_eq!(case.bodies[0].name, "ramp");
+//! assert_eq!(case.problem.bodies[0].name, "ramp");
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
@@ -59,8 +59,8 @@ mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
+mod vector;
 
-pub(crate) use bodies::LAYERS;
 pub use bodies::{BodyPlan, PackWishes};
 pub use error::SceneError;
 
@@ -68,9 +68,10 @@ use std::path::{Path, PathBuf};
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
 use aero_solver::gas::Gas;
-use aero_solver::problem::{Problem, Scheme};
-use file::{SceneFile, SchemeEntry};
-use number::{Courant, Disorder};
+use aero_solver::problem::Problem;
+use aero_solver::scheme::Scheme;
+use file::{SceneFile, SchemeEntry, SchemeName};
+use number::Disorder;
 
 /// A scene: read, with all single values in range, and open to overrides.
 #[derive(Clone, Debug)]
@@ -224,20 +225,36 @@ impl Scene {
 }
 
 fn scheme(entry: SchemeEntry) -> Scheme {
-    let usual = Scheme::default();
-    Scheme {
-        equations: entry.equations.map_or(usual.equations, Into::into),
-        extrapolation: entry.extrapolation.map_or(usual.extrapolation, Into::into),
-        shield: entry.shield.unwrap_or(usual.shield),
-        shifting: entry.shifting.unwrap_or(usual.shifting),
-        constant_ghost_volume: entry
-            .constant_ghost_volume
-            .unwrap_or(usual.constant_ghost_volume),
-        limited_viscosity: entry.limited_viscosity.unwrap_or(usual.limited_viscosity),
-        limited_conduction: entry.limited_conduction.unwrap_or(usual.limited_conduction),
-        surface_tags: entry.surface_tags.unwrap_or(usual.surface_tags),
-        skip_undisturbed: entry.skip_undisturbed.unwrap_or(usual.skip_undisturbed),
-        precision: entry.precision.map_or(usual.precision, Into::into),
-        cfl: entry.cfl.map_or(usual.cfl, Courant::get),
+    let mut scheme = entry
+        .equations
+        .map_or_else(Scheme::default, SchemeName::scheme);
+    if let Some(word) = entry.extrapolation {
+        scheme.wall.extrapolation = word.into();
     }
+    if let Some(word) = entry.precision {
+        scheme.precision = word.into();
+    }
+    if let Some(limits) = entry.limited_viscosity {
+        scheme.limit_viscosity(limits);
+    }
+    if let Some(limits) = entry.limited_conduction {
+        scheme.limit_conduction(limits);
+    }
+    if let Some(cfl) = entry.cfl {
+        scheme.cfl = cfl.get();
+    }
+    let switches = [
+        (&mut scheme.shield, entry.shield),
+        (&mut scheme.shifting, entry.shifting),
+        (
+            &mut scheme.wall.constant_volume,
+            entry.constant_ghost_volume,
+        ),
+        (&mut scheme.surface_tags, entry.surface_tags),
+        (&mut scheme.skip_undisturbed, entry.skip_undisturbed),
+    ];
+    for (switch, wanted) in switches {
+        *switch = wanted.unwrap_or(*switch);
+    }
+    scheme
 }

@@ -5,9 +5,9 @@ use nalgebra::Vector3;
 
 use super::error::SceneError;
 use super::file::MotionEntry;
-use super::flow::{vector, vector_or_zero};
 use super::number::Finite;
 use super::spin::{Rate, Spin, TableEntry};
+use super::vector::{vector, vector_or_zero};
 use aero_solver::problem::{Motion, Turning};
 
 /// Motion of body `name`, which turns about its moment centre where the scene names no pivot.

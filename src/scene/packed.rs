@@ -3,8 +3,8 @@
 use aero_geometry::Vector;
 use aero_packer::Packing;
 
-use super::domain::AXES;
 use super::error::SceneError;
+use super::vector::AXES;
 use aero_solver::problem::{Body, Domain, PackedFluid, Side};
 
 /// Conforming layers around a body that asks for packed fluid; the packer leads over from there

@@ -20,15 +20,16 @@ pub fn table(name: &str, types: &Types) -> String {
             text,
             "| `{}` | {} | {} |",
             key.name,
-            takes_of(key, types),
+            takes_of(key, types, types.is_choice(name)),
             key.text.replace('|', "\\|")
         );
     }
     text
 }
 
-fn takes_of(key: &Key, types: &Types) -> String {
+fn takes_of(key: &Key, types: &Types, is_choice: bool) -> String {
     match &key.value {
+        Some(value) if is_choice => words(value, types),
         None => "the word".into(),
         Some(Value::Optional(inner)) => words(inner, types),
         Some(value @ Value::Named(name)) if is_section(name, types) => words(value, types),
@@ -73,8 +74,10 @@ fn words(value: &Value, types: &Types) -> String {
 }
 
 fn first_sentence(text: &str) -> String {
-    let end = text.find(". ").unwrap_or(text.len());
-    let text = text[..end].trim_end_matches('.');
+    let mut ends = text.match_indices(". ").map(|(place, _)| place);
+    // Two dots stand for what is left out.
+    let end = ends.find(|&place| !text[..place].ends_with('.'));
+    let text = text[..end.unwrap_or(text.len())].trim_end_matches('.');
     let mut letters = text.chars();
     let first = letters
         .next()

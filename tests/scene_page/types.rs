@@ -40,6 +40,8 @@ impl Value {
 struct Entry {
     text: String,
     keys: Vec<Key>,
+    /// One of its keys stands, not all.
+    is_choice: bool,
 }
 
 /// All of them, by name.
@@ -74,11 +76,12 @@ impl Types {
     }
 
     fn add(&mut self, item: Item) {
+        let is_choice = matches!(item, Item::Enum(_));
         let (name, text, keys) = match item {
             Item::Struct(item) => {
                 let Fields::Named(fields) = item.fields else {
                     let text = comment(&item.attrs);
-                    self.insert(&item.ident, text, Vec::new());
+                    self.insert(&item.ident, text, Vec::new(), false);
                     return;
                 };
                 let keys = fields.named.into_iter().map(|field| Key {
@@ -120,19 +123,22 @@ impl Types {
                     Entry {
                         text,
                         keys: Vec::new(),
+                        is_choice: false,
                     },
                 );
                 return;
             }
             _ => return,
         };
-        self.insert(&name, text, keys);
+        self.insert(&name, text, keys, is_choice);
     }
 
-    fn insert(&mut self, name: &syn::Ident, text: String, keys: Vec<Key>) {
-        self.0
-            .entry(name.to_string())
-            .or_insert(Entry { text, keys });
+    fn insert(&mut self, name: &syn::Ident, text: String, keys: Vec<Key>, is_choice: bool) {
+        self.0.entry(name.to_string()).or_insert(Entry {
+            text,
+            keys,
+            is_choice,
+        });
     }
 
     /// The comment of a type.
@@ -143,6 +149,11 @@ impl Types {
     /// Keys or words of a type.
     pub fn keys(&self, name: &str) -> &[Key] {
         self.0.get(name).map_or(&[], |entry| &entry.keys)
+    }
+
+    /// True for a choice, of which one key stands.
+    pub fn is_choice(&self, name: &str) -> bool {
+        self.0.get(name).is_some_and(|entry| entry.is_choice)
     }
 
     /// True for a choice between words alone.

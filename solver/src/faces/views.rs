@@ -7,7 +7,7 @@ use super::across::{Across, Foot, across, foot_on, is_edge};
 use super::numbers::Numbers;
 use super::{FaceSet, Faces, Sight, ThinBody};
 use crate::neighbourhood::LAYERS;
-use crate::problem::{Body, Problem, Side};
+use crate::problem::{Body, Problem};
 
 /// Reflections by which a thin part is continued at most; a part thinner than a third of a spacing needs more, and is
 /// refused or warned of by the packer.
@@ -178,11 +178,10 @@ fn unfolded<const D: usize>(
 /// True where neither another body nor a wall side is.
 fn is_free<const D: usize>(problem: &Problem<D>, body: usize, position: &Vector<D>) -> bool {
     let bounds = &problem.domain.bounds;
-    let is_wall = |side: Side| matches!(side, Side::Wall { .. });
     let behind_a_wall = (0..D).any(|k| {
         let [low, high] = problem.domain.sides[k];
-        (is_wall(low) && position[k] < bounds.min[k])
-            || (is_wall(high) && position[k] > bounds.max[k])
+        (low.is_wall() && position[k] < bounds.min[k])
+            || (high.is_wall() && position[k] > bounds.max[k])
     });
     let mut others = problem
         .bodies

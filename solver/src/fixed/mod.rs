@@ -43,7 +43,8 @@ use aero_geometry::Vector;
 pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
 pub use checkpoint::FixedMemory;
 
-use crate::problem::{Precision, Problem};
+use crate::problem::Problem;
+use crate::scheme::Precision;
 use crate::vectors::Arch;
 use crate::walls::wall_sides;
 use build::cells;

@@ -10,8 +10,9 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 
 use crate::neighbours::GROWTH;
 use crate::particles::{Particle, Rates};
-use crate::problem::{Precision, Problem};
+use crate::problem::Problem;
 use crate::records::Near;
+use crate::scheme::Precision;
 use crate::sides::Side;
 
 /// What counts as nothing: differences of density, energy and smoothing length over their values, of velocity

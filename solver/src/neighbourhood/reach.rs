@@ -5,6 +5,7 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use rayon::prelude::*;
 
+use crate::layers::GHOSTS;
 use crate::neighbours::{GROWTH, Lists};
 use crate::problem::Problem;
 use crate::records::{FLUID, Records};
@@ -16,7 +17,7 @@ use crate::sides::Domain;
 const AT_WALLS: f64 = 1.5;
 
 /// Layers of ghosts behind a wall, and what a buffer of an open side holds at least, in spacings.
-pub const LAYERS: f64 = 5.0;
+pub const LAYERS: f64 = GHOSTS as f64;
 
 /// Largest smoothing length anywhere, relative to that of the starting lattice, by dimension: every
 /// search for neighbours reaches as far as the widest kernel.
@@ -33,13 +34,12 @@ pub fn widest<const D: usize>(
     let near = &records.near;
     let mut widest = vec![f64::INFINITY; records.segment(FLUID).len()];
     lists
-        .chunks
-        .par_iter()
-        .zip(widest.par_chunks_mut(lists.chunk_targets()))
-        .for_each(|(chunk, widest)| {
-            let first = chunk.clusters.first().map_or(0, |c| c.targets.start);
-            for cluster in &chunk.clusters {
-                let ghosts = &chunk.entries[cluster.wall.clone()];
+        .par_runs()
+        .zip(widest.par_chunks_mut(lists.run_targets()))
+        .for_each(|(run, widest)| {
+            let first = run.clusters.first().map_or(0, |c| c.targets.start);
+            for cluster in run.clusters {
+                let ghosts = &run.entries[cluster.wall.clone()];
                 for i in cluster.targets.clone() {
                     let own = &near[i].position;
                     let spacing = problem.spacing_at(own);

@@ -11,11 +11,14 @@ use aero_geometry::kernel::SUPPORT;
 use pulp::{Simd, WithSimd};
 use rayon::prelude::*;
 
+mod buffers;
 mod candidates;
 mod hull;
 mod restrict;
 mod rough;
 
+use buffers::Chunk;
+pub use buffers::Lists;
 pub use candidates::Candidates;
 use hull::Hull;
 pub use rough::Rough;
@@ -64,27 +67,47 @@ pub struct Cluster {
     pub is_calm: bool,
 }
 
-/// Neighbour lists of a run of clusters.
-#[derive(Clone, Debug, Default)]
-pub struct Chunk {
-    /// Slots of neighbours, cluster after cluster.
-    pub entries: Vec<u32>,
+/// Clusters one after the other, and the entries of all lists.
+#[derive(Clone, Copy, Debug)]
+pub struct Run<'a> {
     /// Clusters in order.
-    pub clusters: Vec<Cluster>,
-}
-
-/// Neighbour lists of all clusters.
-#[derive(Clone, Debug, Default)]
-pub struct Lists {
-    /// Chunks in order; each serves [`Lists::chunk_targets`] particles, the last one fewer.
-    pub chunks: Vec<Chunk>,
-    lanes: usize,
+    pub clusters: &'a [Cluster],
+    /// Slots of neighbours.
+    pub entries: &'a [u32],
 }
 
 impl Lists {
-    /// Number of particles per chunk.
-    pub fn chunk_targets(&self) -> usize {
+    /// Number of particles per run.
+    pub fn run_targets(&self) -> usize {
         self.lanes.max(1) * CLUSTERS_PER_CHUNK
+    }
+
+    /// Runs of clusters in order; each serves [`Lists::run_targets`] particles, the last one fewer.
+    pub fn par_runs(&self) -> impl IndexedParallelIterator<Item = Run<'_>> {
+        self.runs.par_windows(2).map(|ends| self.run_of(ends))
+    }
+
+    /// All clusters, as one run.
+    pub fn all(&self) -> Run<'_> {
+        Run {
+            clusters: &self.clusters,
+            entries: &self.entries,
+        }
+    }
+
+    /// The cluster of target `number`; none where nothing is listed.
+    pub fn cluster_of(&self, number: usize) -> Option<&Cluster> {
+        let place = self
+            .clusters
+            .partition_point(|cluster| cluster.targets.end <= number);
+        self.clusters.get(place)
+    }
+
+    fn run_of(&self, ends: &[usize]) -> Run<'_> {
+        Run {
+            clusters: &self.clusters[ends[0]..ends[1]],
+            entries: &self.entries,
+        }
     }
 
     /// Lists the neighbours of `count` seekers in clusters as wide as the processor's vectors,
@@ -100,30 +123,25 @@ impl Lists {
         kind: impl Fn(usize) -> Kind + Sync,
     ) {
         let Some(rough) = sets.first().map(|set| set.rough) else {
-            self.chunks.clear();
+            self.assemble(0, |_, _| {});
             return;
         };
         self.lanes = arch.lanes();
         let lanes = self.lanes;
-        let per_chunk = self.chunk_targets();
-        self.chunks
-            .resize_with(count.div_ceil(per_chunk), Chunk::default);
-        self.chunks
-            .par_iter_mut()
-            .enumerate()
-            .for_each(|(number, chunk)| {
-                let targets = number * per_chunk..count.min((number + 1) * per_chunk);
-                arch.instructions.dispatch(Build {
-                    lanes,
-                    chunk,
-                    targets,
-                    seeker: &seeker,
-                    sets,
-                    rough,
-                    half_step,
-                    kind: &kind,
-                });
+        let per_run = self.run_targets();
+        self.assemble(count.div_ceil(per_run), |number, chunk| {
+            let targets = number * per_run..count.min((number + 1) * per_run);
+            arch.instructions.dispatch(Build {
+                lanes,
+                chunk,
+                targets,
+                seeker: &seeker,
+                sets,
+                rough,
+                half_step,
+                kind: &kind,
             });
+        });
     }
 }
 

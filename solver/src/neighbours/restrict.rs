@@ -1,8 +1,6 @@
 //! Lists of which each particle sees a part only: clusters split into ones that see alike.
 
-use rayon::prelude::*;
-
-use super::{Chunk, Cluster, Lists};
+use super::{Chunk, Cluster, Lists, Run};
 
 impl Lists {
     /// Takes out of every list the neighbours that its particles do not see. `own(i)` is what decides what particle
@@ -12,21 +10,27 @@ impl Lists {
         own: impl Fn(usize) -> K + Sync,
         sees: impl Fn(&K, usize) -> bool + Sync,
     ) {
-        self.chunks
-            .par_iter_mut()
-            .for_each(|chunk| *chunk = chunk.restricted(&own, &sees));
+        let whole = std::mem::take(self);
+        self.lanes = whole.lanes;
+        self.assemble(whole.runs.len().saturating_sub(1), |number, chunk| {
+            whole
+                .run_of(&whole.runs[number..number + 2])
+                .restrict(chunk, &own, &sees);
+        });
     }
 }
 
-impl Chunk {
-    fn restricted<K: PartialEq>(
-        &self,
+impl Run<'_> {
+    fn restrict<K: PartialEq>(
+        self,
+        seen: &mut Chunk,
         own: &impl Fn(usize) -> K,
         sees: &impl Fn(&K, usize) -> bool,
-    ) -> Self {
-        let mut entries = Vec::with_capacity(self.entries.len());
-        let mut clusters = Vec::with_capacity(self.clusters.len());
-        for whole in &self.clusters {
+    ) {
+        let Chunk { entries, clusters } = seen;
+        entries.clear();
+        clusters.clear();
+        for whole in self.clusters {
             let Cluster {
                 targets,
                 gas,
@@ -52,7 +56,6 @@ impl Chunk {
                 start = end;
             }
         }
-        Self { entries, clusters }
     }
 }
 
@@ -68,20 +71,19 @@ mod tests {
             wall,
             is_calm: false,
         };
-        let mut lists = Lists {
-            chunks: vec![Chunk {
-                entries: vec![0, 1, 2, 3, 4, 5],
-                clusters: vec![cluster(0..4, 0..4, 4..6)],
-            }],
-            lanes: 4,
-        };
+        let mut lists = Lists::default();
+        lists.lanes = 4;
+        lists.assemble(1, |_, chunk| {
+            chunk.entries = vec![0, 1, 2, 3, 4, 5];
+            chunk.clusters = vec![cluster(0..4, 0..4, 4..6)];
+        });
         // Particles below two and above see what is of their own parity.
         lists.restrict(|i| i / 2, |own, slot| slot % 2 == *own);
-        let chunk = &lists.chunks[0];
-        assert_eq!(chunk.entries, [0, 2, 4, 1, 3, 5]);
-        let targets: Vec<_> = chunk.clusters.iter().map(|c| c.targets.clone()).collect();
+        let run = lists.all();
+        assert_eq!(run.entries, [0, 2, 4, 1, 3, 5]);
+        let targets: Vec<_> = run.clusters.iter().map(|c| c.targets.clone()).collect();
         assert_eq!(targets, [0..2, 2..4]);
-        assert_eq!(chunk.clusters[1].gas, 3..5);
-        assert_eq!(chunk.clusters[1].wall, 5..6);
+        assert_eq!(run.clusters[1].gas, 3..5);
+        assert_eq!(run.clusters[1].wall, 5..6);
     }
 }

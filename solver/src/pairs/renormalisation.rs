@@ -1,16 +1,18 @@
-//! Renormalisation of the kernel's gradient, the density gradient and, where particles are shifted, the
-//! gradient of their concentration.
+//! Renormalisation of the kernel's gradient.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
 
-use super::super::lanes::Lane;
-use super::super::neighbours::{Chunk, Lists};
-use super::super::records::{Matrix, Near, Number, Read, Records};
-use super::super::vectors::{Arch, Pass, Vectors};
-use super::super::walls::even_renormalisation;
-use super::concentration::repulsion;
-use super::{LaneVector, Pair, Target, unlane, zeros};
+use super::concentration::Concentration;
+use super::density_slope::DensitySlope;
+use super::law::{Basis, Law, Neighbour};
+use super::pair::{LaneVector, Pair, Target};
+use crate::backend::Backend;
+use crate::lanes::Lane;
+use crate::neighbours::Lists;
+use crate::records::{Matrix, Read, Records};
+use crate::scheme::{Density, Scheme};
+use crate::vectors::Vectors;
+use crate::walls::even_renormalisation;
 
 /// Below this determinant, relative to that of a ball of the same trace, the neighbours lie too
 /// nearly in a plane for the matrix to mean anything.
@@ -19,10 +21,6 @@ const SINGULAR: f64 = 0.1;
 /// The mean moment of a full neighbourhood is one, at a free edge a half. Below this a particle has
 /// hardly any neighbours, and the inverse would multiply their noise.
 const SPARSE: f64 = 0.4;
-
-/// Where the mean moment is less, the particle stands at a free edge and its concentration says nothing about
-/// order (Lee et al. 2008: `div r < 1.5` in the plane, of 2 inside).
-const SURROUNDED: f64 = 0.75;
 
 /// Renormalisation matrix `L_i = [sum_j V_j (r_j - r_i) (x) grad_i W_ij]^-1` over gas and ghosts
 /// [Villodi & Ramachandran 2024, eq. 7; Randles & Libersky 1996], and the density gradient
@@ -51,145 +49,156 @@ impl<const D: usize> Default for Renormalisation<D> {
     }
 }
 
-/// The gradients to sum beside the matrix; the others are left zero.
-#[derive(Clone, Copy, Debug)]
-pub struct Gradients {
-    /// Of the density, which the published scheme evolves.
-    pub of_density: bool,
-    /// Of the concentration, by which particles are shifted.
-    pub of_concentration: bool,
-}
-
-/// Renormalises every listed particle.
+/// Renormalises every listed particle, and sums the gradients that `scheme` asks for.
 pub fn renormalise<const D: usize>(
-    arch: Arch,
+    backend: &impl Backend,
     lists: &Lists,
     records: &Records<D>,
-    gradients: Gradients,
+    scheme: &Scheme,
     results: &mut [Renormalisation<D>],
 ) {
-    let even = even_renormalisation();
-    lists
-        .chunks
-        .par_iter()
-        .zip(results.par_chunks_mut(lists.chunk_targets()))
-        .for_each(|(chunk, results)| {
-            arch.dispatch(Renormalise {
-                chunk,
-                records,
-                even,
-                gradients,
-                results,
-            });
-        });
+    let neighbourhoods = Neighbourhoods {
+        even: even_renormalisation(),
+    };
+    let laws = (
+        Moments,
+        (
+            DensitySlope {
+                is_sought: scheme.density == Density::Continuity,
+            },
+            Concentration {
+                is_sought: scheme.shifting,
+            },
+        ),
+    );
+    backend.sweep(lists, records, &neighbourhoods, &laws, results);
 }
 
-struct Renormalise<'a, const D: usize> {
-    chunk: &'a Chunk,
-    records: &'a Records<D>,
-    /// That of a lattice.
+/// Where neighbours are, whatever their state.
+pub struct Neighbourhoods<const D: usize> {
+    /// Matrix of a lattice.
     even: Matrix<D>,
-    gradients: Gradients,
-    results: &'a mut [Renormalisation<D>],
 }
 
-/// Running sums, one per lane.
-struct Sums<V: Vectors, const D: usize> {
-    /// On and above the diagonal.
-    moments: [LaneVector<V, D>; D],
-    slope: LaneVector<V, D>,
-    concentration: LaneVector<V, D>,
+/// A pair, and how its gradient is weighed.
+#[derive(Clone, Copy)]
+pub struct Weighed<V: Vectors, const D: usize> {
+    /// Its geometry.
+    pub pair: Pair<V, D>,
+    /// `V_j F`.
+    pub weight: Lane<V>,
 }
 
-impl<V: Vectors, const D: usize> Sums<V, D> {
-    #[inline(always)]
-    fn new(vectors: V) -> Self {
-        Self {
-            moments: [zeros(vectors); D],
-            slope: zeros(vectors),
-            concentration: zeros(vectors),
-        }
-    }
+/// Mean moment of a neighbourhood, one where it is full: left by the [`Moments`].
+#[derive(Clone, Copy, Debug, Default)]
+pub struct Moment {
+    /// Sum over the axes.
+    pub trace: f64,
+}
+
+/// The moments `sum_j V_j (r_j - r_i) (x) grad_i W_ij` and their inverse.
+#[derive(Clone, Copy, Debug)]
+struct Moments;
+
+impl<const D: usize> Basis<D> for Neighbourhoods<D> {
+    type Own<V: Vectors> = Target<V, D>;
+    type Pair<V: Vectors> = Weighed<V, D>;
+    type Site<'a>
+        = Moment
+    where
+        Self: 'a;
+    type Result = Renormalisation<D>;
 
     #[inline(always)]
-    fn add(
-        &mut self,
+    fn load<V: Vectors>(
+        &self,
         vectors: V,
-        gradients: Gradients,
-        target: &Target<V, D>,
-        j: &Near<D, V::Number>,
+        read: Read<'_, D, V::Number>,
+        slot: impl Fn(usize) -> usize,
+    ) -> Target<V, D> {
+        Target::load(vectors, read, slot)
+    }
+
+    #[inline(always)]
+    fn meet<V: Vectors>(
+        &self,
+        vectors: V,
+        own: &Target<V, D>,
+        read: Read<'_, D, V::Number>,
+        j: usize,
+    ) -> Weighed<V, D> {
+        let near = &read.near[j];
+        let pair = Pair::new(vectors, own, near);
+        let weight = pair.gradient_factor * Lane::broadcast(vectors, near.volume);
+        Weighed { pair, weight }
+    }
+
+    fn rest(&self, _: usize, result: &mut Renormalisation<D>) {
+        *result = Renormalisation {
+            matrix: self.even,
+            ..Renormalisation::default()
+        };
+    }
+
+    #[inline(always)]
+    fn open(&self, _: usize, result: &mut Renormalisation<D>) -> Moment {
+        *result = Renormalisation::default();
+        Moment::default()
+    }
+
+    #[inline(always)]
+    fn close(&self, _: Moment, _: &mut Renormalisation<D>) {}
+}
+
+impl<const D: usize> Law<Neighbourhoods<D>, D> for Moments {
+    type Own<V: Vectors> = ();
+    /// On and above the diagonal.
+    type Sums<V: Vectors> = [LaneVector<V, D>; D];
+    type Number = [[f64; D]; D];
+
+    #[inline(always)]
+    fn load<V: Vectors>(
+        &self,
+        _: V,
+        _: Read<'_, D, V::Number>,
+        _: impl Fn(usize) -> usize + Copy,
+    ) -> Self::Own<V> {
+    }
+
+    #[inline(always)]
+    fn add<V: Vectors>(
+        &self,
+        _: (&Target<V, D>, &()),
+        met: &mut Weighed<V, D>,
+        _: Neighbour<'_, V, D>,
+        moments: &mut Self::Sums<V>,
     ) {
-        let pair = Pair::new(vectors, target, j);
-        let weight = pair.gradient_factor * Lane::splat(vectors, j.volume);
-        if gradients.of_density {
-            let difference = Lane::splat(vectors, j.half_density) - target.half_density;
-            let rise = weight * difference;
-            for a in 0..D {
-                self.slope[a] = rise.mul_add(pair.separation[a], self.slope[a]);
-            }
-        }
+        let separation = &met.pair.separation;
         for a in 0..D {
-            let column = weight * pair.separation[a];
+            let column = met.weight * separation[a];
             for b in a..D {
-                self.moments[a][b] = column.mul_add(pair.separation[b], self.moments[a][b]);
-            }
-        }
-        if gradients.of_concentration {
-            let weight = weight * repulsion(vectors, &pair);
-            for a in 0..D {
-                self.concentration[a] = weight.mul_add(pair.separation[a], self.concentration[a]);
+                moments[a][b] = column.mul_add(separation[b], moments[a][b]);
             }
         }
     }
-}
 
-impl<const D: usize> Pass for Renormalise<'_, D> {
-    type Output = ();
+    /// They have no unit.
+    #[inline(always)]
+    fn in_metres<V: Vectors>(&self, moments: Self::Sums<V>, _: Lane<V>) -> Self::Sums<V> {
+        moments
+    }
 
     #[inline(always)]
-    fn run<V: Vectors>(self, vectors: V) {
-        let Read {
-            near, per_length, ..
-        } = V::Number::of(self.records);
-        let mut results = self.results.iter_mut();
-        for cluster in &self.chunk.clusters {
-            if cluster.is_calm {
-                for result in results.by_ref().take(cluster.targets.len()) {
-                    *result = Renormalisation {
-                        matrix: self.even,
-                        ..Renormalisation::default()
-                    };
-                }
-                continue;
-            }
-            let (first, last) = (cluster.targets.start, cluster.targets.end - 1);
-            let target = Target::load(vectors, |l| &near[(first + l).min(last)]);
-            let mut sums = Sums::new(vectors);
-            for &j in &self.chunk.entries[cluster.gas.clone()] {
-                sums.add(vectors, self.gradients, &target, &near[j as usize]);
-            }
-            let by_gas = sums.concentration;
-            for &j in &self.chunk.entries[cluster.wall.clone()] {
-                sums.add(vectors, self.gradients, &target, &near[j as usize]);
-            }
-            let moments = sums.moments.map(|row| row.map(Lane::to_array));
-            let per_length = Lane::splat(vectors, per_length);
-            let slope = sums.slope.map(|sum| (sum * per_length).to_array());
-            let concentration = sums.concentration.map(|sum| (sum * per_length).to_array());
-            let by_gas = by_gas.map(|sum| (sum * per_length).to_array());
-            for (l, result) in results.by_ref().take(cluster.targets.len()).enumerate() {
-                let matrix = Matrix::<D>::from_fn(|a, b| -moments[a.min(b)][a.max(b)][l]);
-                result.matrix = inverse(&matrix);
-                result.density_gradient = result.matrix * unlane(&slope, l) * 2.0;
-                if self.gradients.of_concentration && matrix.trace() > SURROUNDED * D as f64 {
-                    result.concentration_gradient = unlane(&concentration, l);
-                    result.wall_gradient = result.concentration_gradient - unlane(&by_gas, l);
-                } else {
-                    result.concentration_gradient = Vector::zeros();
-                    result.wall_gradient = Vector::zeros();
-                }
-            }
-        }
+    fn finish(
+        &self,
+        _: Self::Number,
+        moments: Self::Number,
+        site: &mut Moment,
+        result: &mut Renormalisation<D>,
+    ) {
+        let matrix = Matrix::<D>::from_fn(|a, b| -moments[a.min(b)][a.max(b)]);
+        site.trace = matrix.trace();
+        result.matrix = inverse(&matrix);
     }
 }
 

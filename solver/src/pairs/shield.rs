@@ -21,17 +21,16 @@ pub fn shield<const D: usize>(
     wall: impl Fn(usize) -> (Vector<D>, Vector<D>) + Sync,
     rates: &mut [Rates<D>],
 ) {
-    let per_chunk = lists.chunk_targets();
+    let per_run = lists.run_targets();
     lists
-        .chunks
-        .par_iter()
-        .zip(rates.par_chunks_mut(per_chunk))
+        .par_runs()
+        .zip(rates.par_chunks_mut(per_run))
         .enumerate()
-        .for_each(|(number, (chunk, rates))| {
-            for cluster in &chunk.clusters {
-                let ghosts = &chunk.entries[cluster.wall.clone()];
+        .for_each(|(number, (run, rates))| {
+            for cluster in run.clusters {
+                let ghosts = &run.entries[cluster.wall.clone()];
                 for i in cluster.targets.clone() {
-                    rates[i - number * per_chunk].shift =
+                    rates[i - number * per_run].shift =
                         shift(&near[i], &particles[i], near, ghosts, &wall);
                 }
             }

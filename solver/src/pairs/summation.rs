@@ -1,98 +1,130 @@
 //! Density read off the particles.
 
-use rayon::prelude::*;
-
-use super::super::lanes::Lane;
-use super::super::neighbours::{Chunk, Lists};
-use super::super::records::{Near, Number, Records};
-use super::super::vectors::{Arch, MAX_LANES, Pass, Vectors};
-use super::{Separation, Target, kernel_value};
+use super::law::{Basis, Law, Neighbour};
+use super::pair::{Separation, Target};
+use crate::backend::Backend;
+use crate::lanes::Lane;
+use crate::neighbours::Lists;
+use crate::records::{Read, Records};
+use crate::vectors::Vectors;
 
 /// The walls' share of the kernel is never taken above this, so that a particle squeezed among
 /// ghosts keeps a finite density.
 const LARGEST_WALL_SHARE: f64 = 0.7;
 
-/// Density of each particle by summation, `rho_i = sum_gas m_j W_ij / (1 - phi_i)`, where
-/// `phi_i = sum_ghosts V_g W_ig` is the walls' share of the kernel. Writes one density per
+/// Density of each particle by summation. Writes one density per
 /// listed particle; `lattice` is the same sum over a perfect lattice of unit density.
 pub fn densities<const D: usize>(
-    arch: Arch,
+    backend: &impl Backend,
     lists: &Lists,
     records: &Records<D>,
     lattice: f64,
     densities: &mut [f64],
 ) {
-    lists
-        .chunks
-        .par_iter()
-        .zip(densities.par_chunks_mut(lists.chunk_targets()))
-        .for_each(|(chunk, densities)| {
-            arch.dispatch(Summation {
-                chunk,
-                records,
-                lattice,
-                densities,
-            });
-        });
+    let (kernels, law) = (Kernels { records }, Summation { lattice });
+    backend.sweep(lists, records, &kernels, &law, densities);
 }
 
-struct Summation<'a, const D: usize> {
-    chunk: &'a Chunk,
+/// Values of the kernel at the neighbours.
+struct Kernels<'a, const D: usize> {
     records: &'a Records<D>,
-    lattice: f64,
-    densities: &'a mut [f64],
 }
 
-impl<const D: usize> Pass for Summation<'_, D> {
-    type Output = ();
+/// `rho_i = sum_gas m_j W_ij / (1 - phi_i)`, where `phi_i = sum_ghosts V_g W_ig` is the walls' share of the kernel.
+struct Summation {
+    lattice: f64,
+}
+
+impl<const D: usize> Basis<D> for Kernels<'_, D> {
+    type Own<V: Vectors> = Target<V, D>;
+    type Pair<V: Vectors> = Lane<V>;
+    type Site<'a>
+        = ()
+    where
+        Self: 'a;
+    type Result = f64;
 
     #[inline(always)]
-    fn run<V: Vectors>(self, vectors: V) {
-        let near = V::Number::of(self.records).near;
-        let mut results = self.densities.iter_mut();
-        for cluster in &self.chunk.clusters {
-            let last = cluster.targets.end - 1;
-            let first = cluster.targets.start;
-            if cluster.is_calm {
-                for i in cluster.targets.clone() {
-                    if let Some(density) = results.next() {
-                        *density = self.records.near[i].density();
-                    }
-                }
-                continue;
-            }
-            let target = Target::load(vectors, |l| &near[(first + l).min(last)]);
-            let mass: [f64; MAX_LANES] = {
-                let mut sum = Lane::splat(vectors, 0.0);
-                for &j in &self.chunk.entries[cluster.gas.clone()] {
-                    let j = &near[j as usize];
-                    sum = weight(vectors, &target, j).mul_add(Lane::splat(vectors, j.mass), sum);
-                }
-                sum.to_array()
-            };
-            let share: [f64; MAX_LANES] = {
-                let mut sum = Lane::splat(vectors, 0.0);
-                for &j in &self.chunk.entries[cluster.wall.clone()] {
-                    let j = &near[j as usize];
-                    sum = weight(vectors, &target, j).mul_add(Lane::splat(vectors, j.volume), sum);
-                }
-                sum.to_array()
-            };
-            for (l, density) in results.by_ref().take(cluster.targets.len()).enumerate() {
-                let share = (share[l] / self.lattice).min(LARGEST_WALL_SHARE);
-                *density = mass[l] / self.lattice / (1.0 - share);
-            }
-        }
+    fn load<V: Vectors>(
+        &self,
+        vectors: V,
+        read: Read<'_, D, V::Number>,
+        slot: impl Fn(usize) -> usize,
+    ) -> Target<V, D> {
+        Target::load(vectors, read, slot)
     }
+
+    #[inline(always)]
+    fn meet<V: Vectors>(
+        &self,
+        vectors: V,
+        own: &Target<V, D>,
+        read: Read<'_, D, V::Number>,
+        j: usize,
+    ) -> Lane<V> {
+        Separation::new(vectors, own, &read.near[j]).kernel(vectors)
+    }
+
+    fn rest(&self, slot: usize, density: &mut f64) {
+        *density = self.records.near[slot].density();
+    }
+
+    #[inline(always)]
+    fn open(&self, _: usize, _: &mut f64) {}
+
+    #[inline(always)]
+    fn close(&self, (): (), _: &mut f64) {}
 }
 
-#[inline(always)]
-fn weight<V: Vectors, const D: usize>(
-    vectors: V,
-    i: &Target<V, D>,
-    j: &Near<D, V::Number>,
-) -> Lane<V> {
-    let separation = Separation::new(vectors, i, j);
-    let roots = separation.squared.roots(separation.h);
-    kernel_value::<V, D>(vectors, roots.root, roots.inverse_other)
+impl<const D: usize> Law<Kernels<'_, D>, D> for Summation {
+    type Own<V: Vectors> = ();
+    /// Mass of the gas and share of the walls.
+    type Sums<V: Vectors> = (Lane<V>, Lane<V>);
+    type Number = (f64, f64);
+
+    #[inline(always)]
+    fn load<V: Vectors>(
+        &self,
+        _: V,
+        _: Read<'_, D, V::Number>,
+        _: impl Fn(usize) -> usize + Copy,
+    ) -> Self::Own<V> {
+    }
+
+    #[inline(always)]
+    fn add<V: Vectors>(
+        &self,
+        _: (&Target<V, D>, &()),
+        kernel: &mut Lane<V>,
+        j: Neighbour<'_, V, D>,
+        (mass, _): &mut Self::Sums<V>,
+    ) {
+        *mass = kernel.mul_add(Lane::broadcast(j.vectors, j.read.near[j.slot].mass), *mass);
+    }
+
+    #[inline(always)]
+    fn add_ghost<V: Vectors>(
+        &self,
+        _: (&Target<V, D>, &()),
+        kernel: &mut Lane<V>,
+        j: Neighbour<'_, V, D>,
+        (_, share): &mut Self::Sums<V>,
+    ) {
+        *share = kernel.mul_add(
+            Lane::broadcast(j.vectors, j.read.near[j.slot].volume),
+            *share,
+        );
+    }
+
+    /// Masses and volumes are in the cubes of the records' lengths, kernels in those of the inverse.
+    #[inline(always)]
+    fn in_metres<V: Vectors>(&self, sums: Self::Sums<V>, _: Lane<V>) -> Self::Sums<V> {
+        sums
+    }
+
+    #[inline(always)]
+    fn finish(&self, _: (f64, f64), (mass, share): (f64, f64), (): &mut (), density: &mut f64) {
+        let share = (share / self.lattice).min(LARGEST_WALL_SHARE);
+        *density = mass / self.lattice / (1.0 - share);
+    }
 }

@@ -186,19 +186,18 @@ impl<const D: usize> Simulation<D> {
         let near = &self.around.records.near;
         let mut pairs = 0_usize;
         let mut particles = 0_usize;
-        for chunk in &self.around.lists.chunks {
-            for cluster in chunk.clusters.iter().filter(|cluster| !cluster.is_calm) {
-                for i in cluster.targets.clone() {
-                    particles += 1;
-                    pairs += chunk.entries[cluster.gas.start..cluster.wall.end]
-                        .iter()
-                        .map(|&j| &near[j as usize])
-                        .filter(|j| {
-                            let reach = SUPPORT * (near[i].half_h + j.half_h);
-                            (near[i].position - j.position).norm_squared() < reach * reach
-                        })
-                        .count();
-                }
+        let run = self.around.lists.all();
+        for cluster in run.clusters.iter().filter(|cluster| !cluster.is_calm) {
+            for i in cluster.targets.clone() {
+                particles += 1;
+                pairs += run.entries[cluster.gas.start..cluster.wall.end]
+                    .iter()
+                    .map(|&j| &near[j as usize])
+                    .filter(|j| {
+                        let reach = SUPPORT * (near[i].half_h + j.half_h);
+                        (near[i].position - j.position).norm_squared() < reach * reach
+                    })
+                    .count();
             }
         }
         pairs as f64 / particles.max(1) as f64

@@ -1,5 +1,5 @@
 //! Sides that map the flow onto itself: a symmetry plane and an axis mirror it, a periodic side shifts it. What lies beyond
-//! such a side is a copy of gas within ([`crate::neighbourhood::segments`]), and gas that crosses comes back as its own copy.
+//! such a side is a copy of gas within ([`crate::neighbourhood::Images`]), and gas that crosses comes back as its own copy.
 
 use aero_geometry::{Bounds, Vector};
 use rayon::prelude::*;

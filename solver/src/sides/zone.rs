@@ -3,10 +3,8 @@
 use aero_geometry::{Bounds, Vector};
 
 use super::{OpenModel, Place, model};
+use crate::layers::BUFFER;
 use crate::problem::{Problem, State};
-
-/// Depth of a buffer in spacings: the support at `h = 1.5 dx` and what a step moves, rounded up.
-pub const BUFFER: usize = 6;
 
 /// Where a point is in relation to the domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

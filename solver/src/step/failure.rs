@@ -83,15 +83,14 @@ impl<const D: usize> Simulation<D> {
     /// Neighbours of fluid particle `number` within the support: in the gas, and ghosts.
     fn neighbour_counts(&self, number: usize) -> [usize; 2] {
         let near = &self.around.records.near;
-        let chunk = &self.around.lists.chunks[number / self.around.lists.chunk_targets()];
-        let cluster = chunk.clusters.iter().find(|c| c.targets.contains(&number));
-        let Some(cluster) = cluster else {
+        let lists = &self.around.lists;
+        let Some(cluster) = lists.cluster_of(number) else {
             return [0; 2];
         };
         let own = &near[number];
         let walls = self.around.records.segment(GHOSTS).start;
         let mut counts = [0; 2];
-        for &j in &chunk.entries[cluster.gas.start..cluster.wall.end] {
+        for &j in &lists.all().entries[cluster.gas.start..cluster.wall.end] {
             let j = j as usize;
             let reach = SUPPORT * (own.half_h + near[j].half_h);
             if j != number && (own.position - near[j].position).norm() < reach {

@@ -10,9 +10,9 @@ use super::evaluation::{Moment, evaluate, read_densities, sum_densities};
 use super::fill::{fill_ghosts, fill_near};
 use super::neighbourhood::Neighbourhood;
 use super::particles::Particles;
-use super::problem::{Equations, Problem};
+use super::problem::Problem;
+use super::scheme::{Density, Integrator};
 use super::sides::{Buffers, closed};
-use super::time_step;
 use super::walls::{Walls, loads};
 use stages::Senseless;
 
@@ -41,16 +41,13 @@ pub fn prepare<const D: usize>(
 impl<const D: usize> Simulation<D> {
     /// Advances by one time step, no further than `limit`; returns the step taken.
     ///
-    /// The published scheme evaluates, predicts, evaluates and corrects [Villodi & Ramachandran 2024, section 3.6].
-    /// The conservative one is a leapfrog that drifts, kicks and drifts, and evaluates once: its prediction of velocity and
-    /// energy goes by what pressure did in the step before, so that viscosity and conduction bear steps twice as long. Both are
-    /// second order in time but for the dissipation.
+    /// How is up to the scheme's [`Integrator`].
     ///
     /// # Errors
     /// A [`Failure`] when a particle's state stops making sense; the simulation then stands at
     /// its last good state.
     pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
-        let is_leapfrog = self.problem.scheme.equations == Equations::Conservative;
+        let is_leapfrog = self.problem.scheme.integrator == Integrator::Leapfrog;
         let bound = self.prepare();
         if self.clock.steps == 0 || !is_leapfrog {
             self.evaluate_start();
@@ -115,12 +112,15 @@ impl<const D: usize> Simulation<D> {
             start: clock.time,
             ahead: 0.0,
         };
-        if problem.scheme.equations == Equations::Conservative {
+        if problem.scheme.density == Density::Summation {
             read_densities(problem, fluid, around);
         }
         evaluate(problem, moment, fluid, buffers, walls, around);
         stages::remember_rates(fluid);
-        clock.stable_step = time_step::of_rates(problem, fluid, fluid.rates());
+        clock.stable_step = {
+            let rule = problem.scheme.step;
+            rule.time_step(problem.scheme.cfl, &problem.gas, fluid, fluid.rates())
+        };
     }
 
     /// Predicts, evaluates and corrects; goes back to where the step began if that leaves a state that makes no sense.
@@ -141,7 +141,7 @@ impl<const D: usize> Simulation<D> {
         let before = *books;
         let attempt = (|| {
             stages::predict(problem, moment.ahead, fluid, books)?;
-            if problem.scheme.equations == Equations::Conservative {
+            if problem.scheme.density == Density::Summation {
                 sum_densities(problem, moment, fluid, buffers, walls, around);
             }
             evaluate(problem, moment, fluid, buffers, walls, around);

@@ -4,7 +4,7 @@ use super::*;
 /// first and after several hundred steps.
 fn ranges(is_limited: bool) -> [(f64, f64); 2] {
     let mut problem = cube::<1>(60, Side::Periodic);
-    problem.scheme.limited_conduction = is_limited;
+    problem.scheme.limit_conduction(is_limited);
     let wave = std::f64::consts::TAU / problem.domain.bounds.max[0];
     problem.initial = Initial::Field(Field(Arc::new(move |position: &Vector<1>| State {
         density: 1.4 + 0.4 * (wave * position[0]).sin(),

@@ -1,14 +1,14 @@
 use nalgebra::Rotation2;
 
 use super::*;
-use crate::problem::Precision;
+use crate::scheme::Precision;
 use crate::vectors::Arch;
 
 /// A cloud in empty space: the stirred box's particles around its centre.
 fn cloud(cells: usize, precision: Precision) -> Simulation<2> {
     let mut problem = stirred::<2>(cells);
     problem.scheme.precision = precision;
-    problem.scheme.equations = Equations::Paper;
+    problem.scheme = Scheme::PAPER;
     let centre = problem.domain.bounds.max * 0.5;
     let mut simulation = start(problem);
     let outside = |i: &usize| (simulation.fluid[*i].position - centre).norm() >= 0.9;
@@ -122,7 +122,7 @@ fn bits(threads: usize, shifting: bool, precision: Precision) -> Vec<u64> {
         let mut problem = stirred::<2>(30);
         problem.domain.sides = [[Side::Inlet, Side::Outlet], [WALL, Side::Symmetry]];
         problem.free_stream.velocity = Vector::<2>::new(2.0, 0.0);
-        problem.scheme.extrapolation = Extrapolation::Wm;
+        problem.scheme.wall.extrapolation = Extrapolation::Wm;
         problem.scheme.shield = true;
         problem.scheme.shifting = shifting;
         problem.scheme.precision = precision;

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::particles::Particle;
-use crate::problem::Precision;
+use crate::scheme::Precision;
 
 fn mixed<const D: usize>(mut problem: Problem<D>) -> Problem<D> {
     problem.scheme.precision = Precision::Mixed;
@@ -52,9 +52,9 @@ fn mass_stays_and_momentum_and_energy_drift_by_less_than_a_part_in_ten_million()
     }
 }
 
-fn follows<const D: usize>(cells: usize, equations: Equations, shifting: bool) {
+fn follows<const D: usize>(cells: usize, scheme: Scheme, shifting: bool) {
     let mut problem = stirred::<D>(cells);
-    problem.scheme.equations = equations;
+    problem.scheme = scheme;
     problem.scheme.shifting = shifting;
     let (mut double, mut mixed) = (start(problem.clone()), start(mixed(problem)));
     advance(&mut double, 20);
@@ -65,18 +65,18 @@ fn follows<const D: usize>(cells: usize, equations: Equations, shifting: bool) {
 
 #[test]
 fn the_flow_is_that_of_double_precision_to_single_round_off() {
-    for equations in [Equations::Paper, Equations::Conservative] {
+    for scheme in [Scheme::PAPER, Scheme::CONSERVATIVE] {
         for shifting in [false, true] {
-            follows::<1>(40, equations, shifting);
-            follows::<2>(20, equations, shifting);
-            follows::<3>(11, equations, shifting);
+            follows::<1>(40, scheme, shifting);
+            follows::<2>(20, scheme, shifting);
+            follows::<3>(11, scheme, shifting);
         }
     }
 }
 
 fn rests<const D: usize>(extrapolation: Extrapolation) {
     let mut problem = mixed(cube::<D>(10, WALL));
-    problem.scheme.extrapolation = extrapolation;
+    problem.scheme.wall.extrapolation = extrapolation;
     let mut simulation = start(problem);
     advance(&mut simulation, 100);
     let noise = simulation.fluid.iter().fold([0.0_f64; 2], |noise, p| {

@@ -3,11 +3,13 @@
 mod agreement;
 mod bends;
 mod calm;
+mod combinations;
 mod conduction;
 mod conservation;
 mod invariance;
 mod lanes;
 mod leapfrog;
+mod life;
 mod mixed;
 mod rarefied;
 mod reference;
@@ -26,9 +28,8 @@ use aero_geometry::{Bounds, Vector};
 
 use super::Simulation;
 use crate::gas::Gas;
-use crate::problem::{
-    Domain, Equations, Extrapolation, Field, Initial, Problem, Scheme, Side, State, WallKind,
-};
+use crate::problem::{Domain, Field, Initial, Problem, Side, State, WallKind};
+use crate::scheme::{Extrapolation, Scheme};
 
 const WALL: Side = Side::Wall {
     kind: WallKind::Slip,

@@ -1,9 +1,9 @@
 use super::*;
 
-fn stays_at_rest<const D: usize>(extrapolation: Extrapolation, equations: Equations) {
+fn stays_at_rest<const D: usize>(extrapolation: Extrapolation, scheme: Scheme) {
     let mut problem = cube::<D>(10, WALL);
-    problem.scheme.extrapolation = extrapolation;
-    problem.scheme.equations = equations;
+    problem.scheme.wall.extrapolation = extrapolation;
+    problem.scheme = scheme;
     let mut simulation = start(problem);
     advance(&mut simulation, 40);
     for particle in &simulation.fluid {
@@ -24,11 +24,11 @@ fn stays_at_rest<const D: usize>(extrapolation: Extrapolation, equations: Equati
 #[test]
 fn gas_in_a_closed_box_stays_at_rest_to_round_off() {
     for extrapolation in [Extrapolation::Wom, Extrapolation::Wm] {
-        for equations in [Equations::Paper, Equations::Conservative] {
-            stays_at_rest::<1>(extrapolation, equations);
-            stays_at_rest::<2>(extrapolation, equations);
+        for scheme in [Scheme::PAPER, Scheme::CONSERVATIVE] {
+            stays_at_rest::<1>(extrapolation, scheme);
+            stays_at_rest::<2>(extrapolation, scheme);
         }
-        stays_at_rest::<3>(extrapolation, Equations::Conservative);
+        stays_at_rest::<3>(extrapolation, Scheme::CONSERVATIVE);
     }
 }
 

@@ -10,11 +10,11 @@ fn pipe(ends: [Side; 2], outer: Side) -> Problem<2> {
 
 #[test]
 fn gas_in_a_closed_pipe_stays_at_rest_to_round_off() {
-    for equations in [Equations::Paper, Equations::Conservative] {
+    for scheme in [Scheme::PAPER, Scheme::CONSERVATIVE] {
         for extrapolation in [Extrapolation::Wom, Extrapolation::Wm] {
             let mut problem = pipe([WALL; 2], WALL);
-            problem.scheme.equations = equations;
-            problem.scheme.extrapolation = extrapolation;
+            problem.scheme = scheme;
+            problem.scheme.wall.extrapolation = extrapolation;
             let mut simulation = start(problem);
             advance(&mut simulation, 40);
             for particle in &simulation.fluid {

@@ -88,7 +88,7 @@ fn stays_at_rest<const D: usize>(
     extrapolation: Extrapolation,
     steps: usize,
 ) {
-    problem.scheme.extrapolation = extrapolation;
+    problem.scheme.wall.extrapolation = extrapolation;
     let mut simulation = start(problem);
     advance(&mut simulation, steps);
     let speed = greatest_speed(&simulation);

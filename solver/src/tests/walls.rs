@@ -10,7 +10,7 @@ fn piston(extrapolation: Extrapolation, velocity: f64, acceleration: f64) -> Pro
         velocity,
         acceleration,
     };
-    problem.scheme.extrapolation = extrapolation;
+    problem.scheme.wall.extrapolation = extrapolation;
     problem
 }
 

@@ -5,7 +5,6 @@ use nalgebra::Vector3;
 use rayon::prelude::*;
 
 use super::{Ghost, Walls, pad};
-use crate::evaluation::sought;
 use crate::frame::{Load, Totals};
 use crate::neighbourhood::Neighbourhood;
 use crate::pairs::rates::reactions;
@@ -133,10 +132,10 @@ fn ghost_forces<const D: usize>(
 ) -> Vec<Vector<D>> {
     let mut rates = vec![Rates::default(); walls.ghosts.len()];
     reactions(
-        around.arch.double(),
+        &around.arch,
         &around.wall_lists.near,
         &around.records,
-        sought(problem),
+        &problem.scheme,
         &mut rates,
     );
     let rings = Rings::new(problem);

@@ -2,22 +2,23 @@
 
 use rayon::prelude::*;
 
+use super::super::backend::Backend;
 use super::super::neighbours::GROWTH;
 use super::super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
 use super::super::records::{Matrix, Records};
-use super::super::vectors::Arch;
 use super::{Ghost, WallLists, Walls, mirror_seeker, seeker};
 use crate::gas::Gas;
-use crate::problem::{Equations, Extrapolation, WallKind};
+use crate::problem::WallKind;
+use crate::scheme::Extrapolation;
 
 impl<const D: usize> Walls<D> {
     /// Gives every ghost the state of the gas nearby, mirrored at the wall [Villodi &
     /// Ramachandran 2024, section 3.4]. A ghost without gas in reach keeps its last state.
-    pub fn extrapolate(&mut self, arch: Arch, lists: &WallLists, records: &Records<D>) {
+    pub fn extrapolate(&mut self, backend: &impl Backend, lists: &WallLists, records: &Records<D>) {
         let ghosts = &self.ghosts;
         self.found.resize(ghosts.len(), None);
         interpolate(
-            arch,
+            backend,
             &lists.near,
             |g| seeker(&ghosts[g]),
             records,
@@ -26,9 +27,9 @@ impl<const D: usize> Walls<D> {
         );
         self.mirrored.clear();
         self.mirrored.resize(ghosts.len(), None);
-        if self.extrapolation == Extrapolation::Wm {
+        if self.treatment.extrapolation == Extrapolation::Wm {
             interpolate(
-                arch,
+                backend,
                 &lists.mirror,
                 |g| mirror_seeker(&ghosts[g]),
                 records,
@@ -36,8 +37,7 @@ impl<const D: usize> Walls<D> {
                 &mut self.mirrored,
             );
         }
-        let (bodies, equations, law) = (&self.bodies, self.equations, self.gas);
-        let constant_volume = self.constant_volume;
+        let (bodies, treatment, law) = (&self.bodies, self.treatment, self.gas);
         self.ghosts
             .par_iter_mut()
             .zip(&self.found)
@@ -52,12 +52,12 @@ impl<const D: usize> Walls<D> {
                     None => gas.centroid.dot(&ghost.normal),
                 };
                 let kind = bodies[ghost.body as usize].1;
-                show(ghost, &gas, arm, kind, equations, &law);
-                if !constant_volume {
+                show(ghost, &gas, arm, kind, treatment.keeps_entropy, &law);
+                if !treatment.constant_volume {
                     ghost.volume = ghost.reference_mass / ghost.density;
                 }
             });
-        self.mirror_fallbacks = match self.extrapolation {
+        self.mirror_fallbacks = match self.treatment.extrapolation {
             Extrapolation::Wom => 0,
             Extrapolation::Wm => self
                 .ghosts
@@ -90,7 +90,7 @@ fn show<const D: usize>(
     gas: &Interpolated<D>,
     arm: f64,
     kind: WallKind,
-    equations: Equations,
+    keeps_entropy: bool,
     law: &Gas,
 ) {
     let wall = ghost.wall_velocity;
@@ -122,7 +122,7 @@ fn show<const D: usize>(
     ghost.pressure = continued(gas.pressure, arm * slope);
     ghost.wall_pressure = continued(gas.pressure, (arm - ghost.depth) * slope);
     ghost.energy = gas.energy;
-    if equations == Equations::Conservative && slope != 0.0 {
+    if keeps_entropy && slope != 0.0 {
         // Pressure varies across the layer at the wall, entropy hardly [Dadone & Grossman 1994].
         ghost.energy = law.isentropic_energy(gas.energy, gas.pressure, ghost.pressure);
     }

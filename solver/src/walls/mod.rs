@@ -28,7 +28,8 @@ use super::pairs::extrapolation::Interpolated;
 use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
 use super::vectors::Arch;
 use crate::gas::Gas;
-use crate::problem::{Equations, Extrapolation, Problem};
+use crate::problem::Problem;
+use crate::scheme::{Extrapolation, WallTreatment};
 
 /// All ghosts, and what their bodies do.
 #[derive(Clone, Debug)]
@@ -43,9 +44,7 @@ pub struct Walls<const D: usize> {
     pub mirror_fallbacks: usize,
     /// Bodies in scene order, then wall sides.
     bodies: Vec<(Motion<D>, WallKind)>,
-    extrapolation: Extrapolation,
-    equations: Equations,
-    constant_volume: bool,
+    treatment: WallTreatment,
     gas: Gas,
     grid: Grid<D>,
     faces: Option<Faces<D>>,
@@ -79,9 +78,7 @@ impl<const D: usize> Walls<D> {
             view_pencils: Pencils::default(),
             mirror_fallbacks: 0,
             bodies,
-            extrapolation: problem.scheme.extrapolation,
-            equations: problem.scheme.equations,
-            constant_volume: problem.scheme.constant_ghost_volume,
+            treatment: problem.scheme.wall,
             gas: problem.gas,
             grid: *grid,
             faces,
@@ -173,7 +170,7 @@ impl<const D: usize> Walls<D> {
             half_step,
             everyone,
         );
-        if self.extrapolation == Extrapolation::Wm {
+        if self.treatment.extrapolation == Extrapolation::Wm {
             let seeker = |g: usize| mirror_seeker(&ghosts[g]);
             lists
                 .mirror

@@ -4,10 +4,8 @@ use aero_geometry::Vector;
 
 use super::{Motion, WallKind};
 use crate::lattice;
-use crate::sides::{BUFFER, Domain, Side};
-
-/// Layers behind a wall side: the support at `h = 1.5 dx`, rounded up.
-const LAYERS: usize = 5;
+use crate::layers::{BUFFER, GHOSTS};
+use crate::sides::{Domain, Side};
 
 /// One wall side with its ghosts.
 #[derive(Clone, Debug)]
@@ -129,11 +127,11 @@ fn slab<const D: usize>(
         let margin = |side: Side| match side {
             side if side.is_open() => BUFFER as i64,
             side if side.is_mirror() || side.is_periodic() => 0,
-            _ => LAYERS as i64,
+            _ => GHOSTS as i64,
         };
         (first[k], last[k]) = match (k == axis, end) {
-            (true, 0) => (-(LAYERS as i64), 0),
-            (true, _) => (cells, cells + LAYERS as i64),
+            (true, 0) => (-(GHOSTS as i64), 0),
+            (true, _) => (cells, cells + GHOSTS as i64),
             _ => (
                 -margin(domain.sides[k][0]),
                 cells + margin(domain.sides[k][1]),

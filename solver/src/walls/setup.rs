@@ -9,14 +9,14 @@ use super::super::records::Matrix;
 use super::Ghost;
 use super::curvature::shape_operator;
 use super::plane::SideWall;
-use crate::problem::{Equations, Problem};
+use crate::problem::Problem;
 
 /// All ghosts of `problem` and its wall `sides`, views at the end; and the faces of thin parts.
 pub fn ghosts<const D: usize>(
     problem: &Problem<D>,
     sides: &[SideWall<D>],
 ) -> (Vec<Ghost<D>>, Option<Faces<D>>) {
-    let follows_the_bend = problem.scheme.equations == Equations::Conservative;
+    let follows_the_bend = problem.scheme.wall.follows_the_bend;
     let mut ghosts = Vec::new();
     for (number, body) in problem.bodies.iter().enumerate() {
         for (g, &position) in body.ghosts.position.iter().enumerate() {
@@ -140,7 +140,7 @@ fn seen_by_face<const D: usize>(
     seen.sight = view.sight;
     let reached = body.shape.signed_distance(&seen.mirror());
     seen.has_mirror = (reached - view.depth).abs() < 0.1 * view.depth;
-    if problem.scheme.equations == Equations::Conservative {
+    if problem.scheme.wall.follows_the_bend {
         let above = seen.foot() + view.normal * (0.1 * problem.spacing);
         seen.origin_curvature = shape_operator(&body.shape, &above, problem.spacing);
     }

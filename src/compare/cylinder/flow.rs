@@ -6,9 +6,10 @@ use aero_validation::metrics::invariants::total_enthalpy;
 use aero_validation::metrics::stand_off::{StagnationLine, stand_off};
 use aero_validation::reference::{Table, cylinder_shock, cylinder_wall};
 
-use super::{GAMMA, MACH};
 use aero::run::Outcome;
 
+pub const MACH: f64 = 10.0;
+pub const GAMMA: f64 = 1.4;
 /// Heights at which the shock is looked for, in radii.
 const HEIGHTS: [f64; 9] = [0.2, 0.4, 0.6, 0.8, 1.0, 1.2, 1.4, 1.6, 1.8];
 /// End of the nose's share of the wall, in degrees from the stagnation point; the flank, a wedge of

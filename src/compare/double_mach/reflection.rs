@@ -4,8 +4,10 @@ use aero::run::Outcome;
 use aero_validation::metrics::MetricError;
 use aero_validation::metrics::crossing::level_crossings;
 
-use super::{PLATEAU, TRIPLE};
-
+/// The triple point.
+pub const TRIPLE: [f64; 2] = [2.733, 0.440];
+/// Where the wall pressure is read.
+const PLATEAU: [f64; 2] = [1.3, 1.9];
 /// Density ahead of and behind the shock.
 const DENSITY: [f64; 2] = [1.4, 8.0];
 /// Heights between which the stem and the shock above it are straight.

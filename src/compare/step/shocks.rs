@@ -4,8 +4,8 @@ use aero_solver::frame::Frame;
 use aero_validation::metrics::MetricError;
 use aero_validation::metrics::crossing::{Crossing, level_crossings};
 
-use super::STEP;
-
+/// Face and top of the step.
+pub const STEP: [f64; 2] = [0.6, 0.2];
 /// Half the jump of the density lies at 3.4 where the bow shock is normal and at 2.8 near the upper
 /// wall, where it is most oblique.
 const HALF_JUMP: f64 = 3.1;

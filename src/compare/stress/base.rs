@@ -3,11 +3,12 @@
 use aero_solver::frame::SurfaceFrame;
 use aero_validation::table::Check;
 
-use super::GAMMA;
+use super::schemes::GAMMA;
 use super::trial::Trial;
+use crate::compare::context::{CompareError, Context};
 use crate::compare::row::Row;
 use crate::compare::scenes::{Source, scene};
-use crate::compare::{CompareError, Context, Scheme};
+use crate::compare::variant::Scheme;
 
 const CAPSULE: Source = scene!("apollo-axisymmetric");
 /// Largest radius of the body, m.

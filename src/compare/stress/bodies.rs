@@ -6,13 +6,15 @@ use aero_validation::exact::oblique::detachment;
 use aero_validation::exact::prandtl_meyer::expand;
 use aero_validation::table::Check;
 
+use super::schemes::{GAMMA, PRESSURE, schemes};
 use super::trial::Trial;
-use super::{GAMMA, PRESSURE, base, edge, plate, schemes};
+use super::{base, edge, plate};
+use crate::compare::context::{CompareError, Context};
 use crate::compare::profiles::median;
 use crate::compare::row::Row;
 use crate::compare::scenes::{Source, scene};
+use crate::compare::variant::Scheme;
 use crate::compare::wedge::SCENE as WEDGE;
-use crate::compare::{CompareError, Context, Scheme};
 
 const CORNER: Source = scene!("stress", "expansion-corner");
 const BLUNT: Source = scene!("stress", "blunt-body");

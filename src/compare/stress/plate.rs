@@ -5,12 +5,13 @@ use aero_validation::exact::oblique::{Strength, oblique_shock};
 use aero_validation::exact::prandtl_meyer::expand;
 use aero_validation::table::Check;
 
+use super::schemes::{GAMMA, PRESSURE};
 use super::trial::Trial;
-use super::{GAMMA, PRESSURE};
+use crate::compare::context::{CompareError, Context};
 use crate::compare::profiles::median;
 use crate::compare::row::Row;
 use crate::compare::scenes::{Source, scene};
-use crate::compare::{CompareError, Context, Scheme};
+use crate::compare::variant::Scheme;
 
 const PLATE: Source = scene!("stress", "thin-plate");
 const THEORY: &str = "shock-expansion theory";

@@ -6,12 +6,13 @@ use aero_validation::exact::sedov::Sedov;
 use aero_validation::pictures::curves::{Curves, Panel, Series};
 use aero_validation::table::Check;
 
-use super::equations;
+use super::schemes::equations;
 use super::trial::Trial;
+use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::profiles::median;
 use crate::compare::row::Row;
 use crate::compare::scenes::{Source, scene};
-use crate::compare::{CompareError, Context, Level, Scheme};
+use crate::compare::variant::Scheme;
 
 /// Largest mean error of the density, in per cent of its mean.
 const ALLOWED: f64 = 5.0;

@@ -5,11 +5,12 @@ use aero_solver::frame::Frame;
 use aero_validation::metrics::order::convergence_order;
 use aero_validation::table::{Check, Subject};
 
-use super::equations;
+use super::schemes::equations;
 use super::trial::Trial;
+use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::row::Row;
 use crate::compare::scenes::{Source, scene};
-use crate::compare::{CompareError, Context, Level, Scheme};
+use crate::compare::variant::Scheme;
 
 /// Least order of convergence of the isentropic vortex.
 const LEAST_ORDER: f64 = 1.5;

@@ -3,9 +3,10 @@
 use aero::run::Outcome;
 use aero_validation::table::Check;
 
+use crate::compare::context::{CompareError, Context};
 use crate::compare::row::{Heading, Row};
 use crate::compare::scenes::{Attempt, Source};
-use crate::compare::{CompareError, Context, Scheme};
+use crate::compare::variant::Scheme;
 
 /// Largest drift of mass, momentum and energy: what is left when no law loses anything but the
 /// time step's error.

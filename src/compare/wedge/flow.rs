@@ -9,7 +9,7 @@ use aero_validation::metrics::gradient_angle::{SHARE, gradient_angle};
 use aero_validation::metrics::plateau::{Plateau, Ramp, Stream, plateau};
 use aero_validation::metrics::shock_line::{ShockLine, ShockSearch, fit_shock_line};
 
-use super::Corner;
+use super::corner::Corner;
 use crate::compare::comparison::Flow;
 
 /// Distance from corner, wall and shock at which the flow is read, in smoothing lengths.

@@ -3,8 +3,12 @@
 
 use aero_validation::exact::oblique::ObliqueShock;
 
-use super::{Measured, Variant};
+use super::corner::Corner;
+use super::flow::Measured;
 use crate::compare::row::Row;
+use crate::compare::variant;
+
+type Variant = variant::Variant<Corner>;
 
 const ANGLES: &str = "Villodi & Ramachandran 2024, table 1";
 const PLATEAUS: &str = "the published equations (validation/wedge)";

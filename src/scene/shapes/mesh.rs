@@ -6,10 +6,10 @@ use aero_geometry::stl::Soup;
 use aero_geometry::{GeometryError, Mending, Placed, Solid, Watch, files, stl};
 use serde::Deserialize;
 
-use super::super::file::PlaceEntry;
 use super::super::number::Positive;
+use super::made::Made;
+use super::place::{PlaceEntry, place_in_space};
 use super::space::Round;
-use super::{Made, place_in_space};
 
 /// Length unit of an STL file.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]

@@ -8,7 +8,7 @@ use serde::Deserialize;
 
 use super::super::number::Finite;
 
-type Made = Result<Outline, GeometryError>;
+type OutlineResult = Result<Outline, GeometryError>;
 
 /// `circle = { radius }`, about the origin.
 #[derive(Clone, Debug, Deserialize)]
@@ -19,7 +19,7 @@ pub struct Circle {
 }
 
 impl Circle {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         bodies::circle(self.radius.get())
     }
 }
@@ -37,7 +37,7 @@ pub struct Rectangle {
 }
 
 impl Rectangle {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         let corner_radius = self.corner_radius.map_or(0.0, Finite::get);
         bodies::rectangle(self.width.get(), self.height.get(), corner_radius)
     }
@@ -52,7 +52,7 @@ pub struct Polygon {
 }
 
 impl Polygon {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         let points = self
             .points
             .iter()
@@ -70,7 +70,7 @@ pub struct PolygonFile {
 }
 
 impl PolygonFile {
-    pub(super) fn outline(&self, folder: &Path) -> Made {
+    pub(super) fn outline(&self, folder: &Path) -> OutlineResult {
         bodies::polygon_file(&folder.join(&self.file))
     }
 }
@@ -86,7 +86,7 @@ pub struct Biconvex {
 }
 
 impl Biconvex {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         bodies::biconvex(self.chord.get(), self.thickness_ratio.get())
     }
 }
@@ -100,7 +100,7 @@ pub struct HalfSpace {
 }
 
 impl HalfSpace {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         bodies::wall(self.height.map_or(0.0, Finite::get))
     }
 }
@@ -117,11 +117,11 @@ pub struct Corner {
 }
 
 impl Corner {
-    pub(super) fn compression(&self) -> Made {
+    pub(super) fn compression(&self) -> OutlineResult {
         bodies::compression_corner(0.0, self.angle.get()).map(|outline| self.at_corner(outline))
     }
 
-    pub(super) fn expansion(&self) -> Made {
+    pub(super) fn expansion(&self) -> OutlineResult {
         bodies::expansion_corner(0.0, self.angle.get()).map(|outline| self.at_corner(outline))
     }
 
@@ -146,7 +146,7 @@ pub struct ForwardStep {
 }
 
 impl ForwardStep {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         bodies::forward_step(self.foot.get(), self.height.get())
     }
 }
@@ -165,7 +165,7 @@ pub struct BluntWedge {
 }
 
 impl BluntWedge {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         let length = self.length.map_or(f64::INFINITY, Finite::get);
         bodies::blunt_wedge(self.radius.get(), self.half_angle.get(), length)
     }
@@ -191,7 +191,7 @@ pub struct Duct {
 }
 
 impl Duct {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         let nozzle = Nozzle {
             inlet: self.inlet.get(),
             throat: self.throat.get(),

@@ -11,10 +11,10 @@ use crate::Simulation;
 use crate::evaluation::{Moment, evaluate, read_densities};
 use crate::pairs::renormalisation::Renormalisation;
 use crate::particles::Particle;
-use crate::problem::{Precision, Problem, Side, WallKind};
+use crate::problem::{Problem, Side, WallKind};
 use crate::rings::Rings;
+use crate::scheme::Precision;
 use crate::step::prepare;
-use crate::time_step::of_rates;
 use crate::vectors::{Arch, avx2};
 use crate::walls::{Ghost, even_renormalisation, wall_sides};
 
@@ -221,7 +221,10 @@ impl<const D: usize> Solver<D> {
 
     /// The stable step at the rates of the last evaluation.
     pub fn stable_step(&self) -> f64 {
-        of_rates(&self.0.problem, &self.0.fluid, self.0.fluid.rates())
+        let Simulation { problem, fluid, .. } = &self.0;
+        let scheme = &problem.scheme;
+        let rule = scheme.step;
+        rule.time_step(scheme.cfl, &problem.gas, fluid, fluid.rates())
     }
 
     /// Takes one step; returns its length.

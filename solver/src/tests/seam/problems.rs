@@ -8,7 +8,8 @@ use nalgebra::Vector3;
 
 use super::super::reference::{Laws, Map, Transport};
 use crate::lattice;
-use crate::problem::{Body, Equations, Extrapolation, Motion, Problem, Side, Turning, WallKind};
+use crate::problem::{Body, Motion, Problem, Side, Turning, WallKind};
+use crate::scheme::{Extrapolation, Scheme};
 
 /// What a scheme is made of, as far as the tests choose it.
 #[derive(Clone, Copy, Debug)]
@@ -42,20 +43,20 @@ impl Setup {
     /// `problem` with this scheme; all sums in full.
     pub fn of<const D: usize>(self, mut problem: Problem<D>) -> Problem<D> {
         let scheme = &mut problem.scheme;
-        scheme.equations = if self.published {
-            Equations::Paper
+        *scheme = if self.published {
+            Scheme::PAPER
         } else {
-            Equations::Conservative
+            Scheme::CONSERVATIVE
         };
-        scheme.extrapolation = if self.mirrors {
+        scheme.wall.extrapolation = if self.mirrors {
             Extrapolation::Wm
         } else {
             Extrapolation::Wom
         };
         scheme.shield = self.shield;
         scheme.shifting = self.shifting;
-        scheme.limited_viscosity = self.limits_viscosity;
-        scheme.limited_conduction = self.limits_conduction;
+        scheme.limit_viscosity(self.limits_viscosity);
+        scheme.limit_conduction(self.limits_conduction);
         scheme.skip_undisturbed = false;
         problem
     }
