@@ -164,7 +164,7 @@ impl<const D: usize> Whole<'_, D> {
                 to: self.point + end,
                 unit: self.unit,
             };
-            let heights = [line.from, line.to].map(|p| solids.height(&p, self.unit));
+            let heights = [line.from, line.to].map(|p| solids.height(&p));
             let area = Vector::repeat(end[0].signum());
             let stop = solids.crossings(&line, heights).first().copied();
             let centre = end * stop.unwrap_or(1.0);
@@ -496,7 +496,7 @@ struct Edges<const D: usize> {
 impl<const D: usize> Edges<D> {
     fn new(whole: &Whole<'_, D>, solids: &Solids<D>) -> Self {
         let cell = whole.cell;
-        let height = |vertex: &Vector<D>| solids.height(&(whole.point + vertex), whole.unit);
+        let height = |vertex: &Vector<D>| solids.height(&(whole.point + vertex));
         let mut edges = Self {
             heights: cell.vertices.iter().map(height).collect(),
             crossings: Vec::new(),

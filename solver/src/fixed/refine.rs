@@ -149,7 +149,7 @@ impl BodyNeeds {
             to,
             unit: spacing,
         };
-        let ends = [from, to].map(|end| plot.solids.height(&end, spacing));
+        let ends = [from, to].map(|end| plot.solids.height(&end));
         ends[0] < 0.0 && !plot.solids.crossings(&line, ends).is_empty()
     }
 }

@@ -244,7 +244,7 @@ impl<const D: usize> Section<'_, D> {
         let apart = end.place - start.place;
         let middle = start.place + apart * 0.5;
         let point = self.origin + middle;
-        let height = self.solids.height(&point, self.unit);
+        let height = self.solids.height(&point);
         let [u, v] = self.plane.coordinates(&apart);
         // The gas is to the left of the loop, the body to its right.
         let left = self.plane.vector([-v, u]) / apart.norm();
@@ -255,7 +255,7 @@ impl<const D: usize> Section<'_, D> {
             to,
             unit: self.unit,
         };
-        let ends = [height, self.solids.height(&to, self.unit)];
+        let ends = [height, self.solids.height(&to)];
         let found = self.solids.crossings(&line, ends);
         self.foot(&(line.at(*found.first()?) - self.origin))
     }

@@ -39,6 +39,7 @@ fn split_cells_close_and_fill_the_gas() {
         .iter()
         .fold(1.0_f64, |a, p| a.min(p.spacing));
     assert_eq!(finest, 0.125 / 8.0);
+    println!("{:?}", made.findings);
     assert!(made.findings.open < 1e-12 && made.open(false) < 1e-12);
     let exact = 4.0 - scene.solids.shape(0).measure().unwrap();
     assert!((made.volume() - exact).abs() < 0.25 * 0.125 * 0.125);
