@@ -78,6 +78,14 @@ pub struct Plot<'a, const D: usize> {
     pub spacing: f64,
 }
 
+impl<const D: usize> Plot<'_, D> {
+    /// Lattice cells along each axis.
+    pub fn counts(&self) -> [i32; D] {
+        let size = self.domain.bounds.size();
+        std::array::from_fn(|k| ((size[k] / self.spacing).round() as i32).max(1))
+    }
+}
+
 impl<const D: usize> Cloud<D> {
     /// The lattice, its cells split as `levels` say, each point displaced at random by up to `disorder` of a spacing
     /// along each axis.
@@ -139,11 +147,9 @@ impl<const D: usize> Cloud<D> {
     }
 
     fn empty(plot: &Plot<'_, D>) -> Self {
-        let size = plot.domain.bounds.size();
-        let count = |k: usize| ((size[k] / plot.spacing).round() as i32).max(1);
         Self {
             spacing: plot.spacing,
-            counts: std::array::from_fn(count),
+            counts: plot.counts(),
             corner: plot.domain.bounds.min,
             places: Vec::new(),
             coarse: Vec::new(),

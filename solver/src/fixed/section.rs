@@ -12,8 +12,8 @@ use super::solids::{Line, Solids};
 /// Cosine of the angle between two normals of one smooth face below which it is looked at for a corner.
 const ONE_FACE: f64 = 0.9;
 
-/// Cosine above which a wall between two points is a straight line: 1.8 degrees.
-const STRAIGHT: f64 = 0.9995;
+/// Cosine above which a wall between two points is a straight line: a twelfth of a degree.
+const STRAIGHT: f64 = 1.0 - 1e-6;
 
 /// Distance in spacings from the surface at which a corner counts as found.
 const ON_SURFACE: f64 = 0.02;

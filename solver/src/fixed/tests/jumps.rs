@@ -21,7 +21,7 @@ fn around<const D: usize>(scene: &Scene<D>, place: Vector<D>, most: u8, around: 
                 }
             })
             .collect();
-        levels = Adaption { most, around }.heard(&cloud, &levels, &wishes);
+        levels = Adaption { most, around }.heard(&cloud, &levels, &Levels::default(), &wishes);
     }
     levels
 }
@@ -94,7 +94,8 @@ fn cells_that_nobody_needs_are_joined_again() {
     let adaption = Adaption { most: 2, around: 2 };
     for _ in 0..4 {
         let cloud = Cloud::lattice(&scene.plot(), &levels, 0.0);
-        levels = adaption.heard(&cloud, &levels, &vec![Wish::Join; cloud.places.len()]);
+        let wishes = vec![Wish::Join; cloud.places.len()];
+        levels = adaption.heard(&cloud, &levels, &Levels::default(), &wishes);
     }
     assert!(levels.is_empty());
 }
