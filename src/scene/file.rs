@@ -9,10 +9,12 @@ use super::formula::Formula;
 use super::number::{
     Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
 };
+use super::refine::RefineEntry;
 use super::shapes::ShapeEntry;
 use super::side::{SideEntry, WallWord};
 use super::spin::{Rotation, Spin};
 use crate::case::Stop;
+use aero_solver::method::Time;
 use aero_solver::problem::{Equations, Extrapolation, Precision};
 
 /// A whole scene.
@@ -82,8 +84,43 @@ pub struct SchemeEntry {
     pub skip_undisturbed: Option<bool>,
     /// `double` unless given.
     pub precision: Option<PrecisionWord>,
-    /// 0.5 unless given.
+    /// 0.5 unless given, 0.8 for fixed points.
     pub cfl: Option<Courant>,
+    /// `with-the-gas` unless given.
+    pub motion: Option<MotionWord>,
+    /// `accurate` unless given, `settle` with `stop = "steady"`; of fixed points alone.
+    pub time: Option<TimeWord>,
+    /// None unless given; of fixed points alone.
+    pub refine: Option<RefineEntry>,
+}
+
+/// What carries the gas, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum MotionWord {
+    /// Particles that move with it.
+    WithTheGas,
+    /// Points that stay where they are.
+    Fixed,
+}
+
+/// Whether the way to the end matters, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum TimeWord {
+    /// It does.
+    Accurate,
+    /// Only the steady flow is wanted.
+    Settle,
+}
+
+impl From<TimeWord> for Time {
+    fn from(word: TimeWord) -> Self {
+        match word {
+            TimeWord::Accurate => Self::Accurate,
+            TimeWord::Settle => Self::Settle,
+        }
+    }
 }
 
 /// When a run ends, as a scene spells it.

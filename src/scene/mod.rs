@@ -48,12 +48,14 @@ pub mod file;
 mod flow;
 pub mod formula;
 mod lines;
+mod method;
 mod motion;
 pub mod number;
 mod output;
 mod overrides;
 mod packed;
 mod reference;
+mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
@@ -64,7 +66,8 @@ pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, RunPlan, Stop};
+use crate::case::{AnyCase, Case, RunPlan, Stop};
+use aero_solver::gas::Gas;
 use aero_solver::problem::{Problem, Scheme};
 use file::{SceneFile, SchemeEntry};
 use number::{Courant, Disorder};
@@ -76,38 +79,6 @@ pub struct Scene {
     folder: PathBuf,
     text: String,
     file: SceneFile,
-}
-
-/// A case of any dimension.
-#[derive(Clone, Debug)]
-pub enum AnyCase {
-    /// A line.
-    One(Box<Case<1>>),
-    /// A plane.
-    Two(Box<Case<2>>),
-    /// Space.
-    Three(Box<Case<3>>),
-}
-
-impl AnyCase {
-    /// What was repaired in the bodies' meshes, and what the user should know about their packing,
-    /// one line each.
-    pub fn remarks(&self) -> Vec<String> {
-        match self {
-            Self::One(case) => remarks(case),
-            Self::Two(case) => remarks(case),
-            Self::Three(case) => remarks(case),
-        }
-    }
-}
-
-fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let of_body = |body: &aero_solver::problem::Body<D>| {
-        let lines = body.report.repairs.iter().chain(&body.report.warnings);
-        let remark = |line: &String| format!("body `{}`: {line}", body.name);
-        lines.map(remark).collect::<Vec<_>>()
-    };
-    case.problem.bodies.iter().flat_map(of_body).collect()
 }
 
 impl Scene {
@@ -206,9 +177,12 @@ impl Scene {
             .map(|plan| plan.body(&domain, &free_stream))
             .collect::<Result<Vec<_>, _>>()?;
         packed::check(&bodies, &domain, spacing)?;
+        let stop = file.stop.map_or(Stop::EndTime, Into::into);
+        let method = method::method(&file.scheme, stop)?;
         let problem = Problem {
             spacing,
-            gamma: flow::gamma(file),
+            gas: Gas::ideal(flow::gamma(file)),
+            method,
             scheme: scheme(file.scheme),
             domain,
             free_stream,
@@ -221,7 +195,7 @@ impl Scene {
             plan: RunPlan {
                 name: self.name.clone(),
                 end_time: file.end_time.get(),
-                stop: file.stop.map_or(Stop::EndTime, Into::into),
+                stop,
                 output,
             },
         })
