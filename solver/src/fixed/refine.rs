@@ -71,7 +71,7 @@ impl Adaption {
     }
 
     /// Splits the cells of the site's own size around it.
-    fn split_around<const D: usize>(&self, site: &Site<D>, levels: &mut Levels<D>) {
+    fn split_around<const D: usize>(self, site: &Site<D>, levels: &mut Levels<D>) {
         let wide = 2 * self.around + 1;
         for code in 0..wide.pow(D as u32) {
             let index = std::array::from_fn(|k| {
@@ -82,7 +82,7 @@ impl Adaption {
     }
 
     /// True where a point near one of the parts of a cell wants them split.
-    fn is_wished<const D: usize>(&self, cloud: &Cloud<D>, site: &Site<D>, wishes: &[Wish]) -> bool {
+    fn is_wished<const D: usize>(self, cloud: &Cloud<D>, site: &Site<D>, wishes: &[Wish]) -> bool {
         let wide = 2 * self.around + 1;
         parts(site).any(|part| {
             (0..wide.pow(D as u32)).any(|code| {
@@ -123,7 +123,9 @@ impl BodyNeeds {
             if wanted.is_empty() {
                 break;
             }
-            wanted.iter().for_each(|site| levels.split(site));
+            for site in &wanted {
+                levels.split(site);
+            }
         }
         levels
     }
