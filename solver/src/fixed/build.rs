@@ -5,9 +5,10 @@ use rayon::prelude::*;
 
 use super::cells::{Cells, Face, SideFace, WallFace, WallOwner};
 use super::cloud::{Cloud, Plot, Site, steps};
-use super::cut::{Part, Whole};
-use super::merge::{Nodes, given};
-use super::polytope::Polytope;
+use super::cut::Whole;
+use super::folding::{folded_faces, folded_sides, folded_walls};
+use super::merge::{Nodes, Target, given};
+use super::part::Part;
 use super::voronoi::{IN_BODY, Link, Voronoi};
 use crate::problem::Side;
 use crate::walls::shape_operator;
@@ -37,61 +38,6 @@ pub struct CutCell<const D: usize> {
     pub links: Vec<Link<D>>,
     /// Its pieces, its own first.
     pub parts: Vec<Part<D>>,
-}
-
-/// What a cell looks like.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Outline<const D: usize> {
-    /// Its number; a cell may consist of several pieces.
-    pub cell: u32,
-    /// The polygon that it is, in the plane; in space those that bound it; on a line its ends.
-    pub rings: Vec<Vec<Vector<D>>>,
-}
-
-impl<const D: usize> Outline<D> {
-    fn move_by(&mut self, shift: &Vector<D>) {
-        let places = self.rings.iter_mut().flatten();
-        places.for_each(|place| *place += shift);
-    }
-}
-
-/// The outlines of all cells, for pictures.
-pub fn outlines<const D: usize>(plot: &Plot<'_, D>, cloud: &Cloud<D>) -> Vec<Outline<D>> {
-    let mut builder = Builder::new(*plot, cloud);
-    builder.keeps_rings = true;
-    let positions = cloud.positions();
-    let cut = builder.cut_cells(&positions);
-    let nodes = Nodes::new(&builder.is_plain, &cut);
-    let targets = given(&nodes, &cut);
-    let mut outlines = Vec::with_capacity(cloud.places.len());
-    for number in (0..cloud.places.len()).filter(|&number| builder.is_plain[number]) {
-        let [low, high] = builder.block(number);
-        let cell = Polytope::block(&low, &high);
-        let whole = Whole {
-            cell: &cell,
-            point: &positions[number],
-            unit: cloud.places[number].spacing,
-            about_axis: false,
-            keeps_rings: true,
-        };
-        let mut outline = Outline {
-            cell: number as u32,
-            rings: whole.uncut().rings,
-        };
-        outline.move_by(&positions[number]);
-        outlines.push(outline);
-    }
-    for (cell, targets) in cut.into_iter().zip(&targets.of_parts) {
-        for (part, target) in cell.parts.into_iter().zip(targets) {
-            let mut outline = Outline {
-                cell: target.map_or(cell.number, |target| target.cell),
-                rings: part.rings,
-            };
-            outline.move_by(&positions[cell.number as usize]);
-            outlines.push(outline);
-        }
-    }
-    outlines
 }
 
 /// Builds cells.
@@ -177,6 +123,18 @@ impl<'a, const D: usize> Builder<'a, D> {
         }
         let there = Site { index, ..*site };
         self.cloud.at(&there).map_or(Beside::Nothing, Beside::Point)
+    }
+
+    /// The same, with the pieces' outlines kept.
+    #[must_use]
+    pub fn keeping_rings(mut self) -> Self {
+        self.keeps_rings = true;
+        self
+    }
+
+    /// Which cells were cut.
+    pub fn nodes(&self, cut: &[CutCell<D>]) -> Nodes {
+        Nodes::new(&self.is_plain, cut)
     }
 
     /// True where a cell is a box of the lattice.
@@ -373,7 +331,7 @@ impl<'a, const D: usize> Builder<'a, D> {
         k: usize,
         cut: &[CutCell<D>],
         nodes: &Nodes,
-        targets: &[Vec<Option<super::merge::Target<D>>>],
+        targets: &[Vec<Option<Target<D>>>],
         found: &mut Found<D>,
     ) {
         let cell = &cut[k];
@@ -545,47 +503,4 @@ fn ordered<const D: usize>(i: u32, j: u32, area: Vector<D>, apart: Vector<D>) ->
             apart: -apart,
         }
     }
-}
-
-/// Sorts the faces and adds up those between the same points.
-fn folded_faces<const D: usize>(mut faces: Vec<Face<D>>, spacing: f64) -> Vec<Face<D>> {
-    faces.par_sort_by_key(|face| (face.i, face.j));
-    let mut kept: Vec<Face<D>> = Vec::with_capacity(faces.len());
-    for face in faces {
-        let mut same = kept
-            .iter_mut()
-            .rev()
-            .take_while(|known| (known.i, known.j) == (face.i, face.j));
-        match same.find(|known| (known.apart - face.apart).norm() < 1e-6 * spacing) {
-            Some(known) => known.area += face.area,
-            None => kept.push(face),
-        }
-    }
-    kept
-}
-
-fn folded_walls<const D: usize>(mut walls: Vec<WallFace<D>>) -> Vec<WallFace<D>> {
-    let key = |wall: &WallFace<D>| match wall.owner {
-        WallOwner::Body(body) => (wall.i, body, wall.facet),
-        WallOwner::Side { axis, end } => (wall.i, u32::MAX, u32::from(2 * axis + end)),
-    };
-    walls.sort_by_key(key);
-    let mut kept: Vec<WallFace<D>> = Vec::with_capacity(walls.len());
-    for wall in walls {
-        match kept.last_mut() {
-            Some(known) if key(known) == key(&wall) => {
-                let (a, b) = (known.area.norm(), wall.area.norm());
-                known.foot += (wall.foot - known.foot) * (b / (a + b));
-                known.area += wall.area;
-            }
-            _ => kept.push(wall),
-        }
-    }
-    kept.retain(|wall| wall.area.norm() > 0.0);
-    kept
-}
-
-fn folded_sides<const D: usize>(mut sides: Vec<SideFace<D>>) -> Vec<SideFace<D>> {
-    sides.sort_by_key(|side| (side.i, side.axis, side.end));
-    sides
 }

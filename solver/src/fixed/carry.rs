@@ -158,6 +158,8 @@ impl<const D: usize> Overlay<'_, D> {
 
 fn normalised(mut shares: Vec<Share>) -> Vec<Share> {
     let total: f64 = shares.iter().map(|share| share.1).sum();
-    shares.iter_mut().for_each(|share| share.1 /= total);
+    for share in &mut shares {
+        share.1 /= total;
+    }
     shares
 }

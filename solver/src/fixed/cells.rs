@@ -93,7 +93,9 @@ impl<const D: usize> Cells<D> {
             sums[side.i as usize] += side.area;
         }
         if about_axis && D == 2 {
-            sums.iter_mut().for_each(|sum| sum[1] = 0.0);
+            for sum in &mut sums {
+                sum[1] = 0.0;
+            }
         }
         sums
     }

@@ -2,7 +2,7 @@
 //!
 //! Points stand in the order of a Morton curve, so that runs of them are compact (Morton 1966).
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use aero_geometry::Vector;
 use rayon::prelude::*;
@@ -64,7 +64,7 @@ pub struct Cloud<const D: usize> {
     /// Points of the finer ones.
     fine: HashMap<Site<D>, u32>,
     /// Lattice cells next to points that are on no lattice.
-    loose: HashMap<[i32; D], ()>,
+    loose: HashSet<[i32; D]>,
 }
 
 /// What a cloud is made for.
@@ -76,6 +76,14 @@ pub struct Plot<'a, const D: usize> {
     pub solids: &'a Solids<D>,
     /// Spacing of the lattice.
     pub spacing: f64,
+}
+
+impl<const D: usize> Plot<'_, D> {
+    /// Lattice cells along each axis.
+    pub fn counts(&self) -> [i32; D] {
+        let size = self.domain.bounds.size();
+        std::array::from_fn(|k| ((size[k] / self.spacing).round() as i32).max(1))
+    }
 }
 
 impl<const D: usize> Cloud<D> {
@@ -139,16 +147,14 @@ impl<const D: usize> Cloud<D> {
     }
 
     fn empty(plot: &Plot<'_, D>) -> Self {
-        let size = plot.domain.bounds.size();
-        let count = |k: usize| ((size[k] / plot.spacing).round() as i32).max(1);
         Self {
             spacing: plot.spacing,
-            counts: std::array::from_fn(count),
+            counts: plot.counts(),
             corner: plot.domain.bounds.min,
             places: Vec::new(),
             coarse: Vec::new(),
             fine: HashMap::new(),
-            loose: HashMap::new(),
+            loose: HashSet::new(),
         }
     }
 
@@ -169,10 +175,7 @@ impl<const D: usize> Cloud<D> {
 
     /// True where a point on no lattice is in the cell of the coarsest lattice that holds this site, or next to it.
     pub fn is_near_loose(&self, site: &Site<D>) -> bool {
-        !self.loose.is_empty()
-            && self
-                .loose
-                .contains_key(&site.index.map(|i| i >> site.level))
+        !self.loose.is_empty() && self.loose.contains(&site.index.map(|i| i >> site.level))
     }
 
     fn cell_number(&self, index: &[i32; D]) -> Option<usize> {
@@ -207,7 +210,7 @@ impl<const D: usize> Cloud<D> {
                     });
                     for step in steps::<D>() {
                         let cell = std::array::from_fn(|k| home[k] + step[k]);
-                        self.loose.insert(cell, ());
+                        self.loose.insert(cell);
                     }
                 }
             }

@@ -4,8 +4,10 @@
 
 use aero_geometry::Vector;
 
+use super::edges::Edges;
+use super::part::{Part, PartFace, PartWall, own_first};
 use super::polytope::{Facet, Polytope, cross};
-use super::section::{Along, Edge, Piece, Plane, Section, Stretch};
+use super::section::{Along, Piece, Plane, Section, Stretch};
 use super::solids::{Line, Solids};
 
 /// How many of a piece's edges are looked at from the cell's point.
@@ -24,45 +26,6 @@ pub struct Whole<'a, const D: usize> {
     pub about_axis: bool,
     /// True where the pieces are to be shown.
     pub keeps_rings: bool,
-}
-
-/// One connected part of the gas in a cell.
-#[derive(Clone, Debug)]
-pub struct Part<const D: usize> {
-    /// True where the cell's point sees it.
-    pub is_own: bool,
-    /// Volume; per radian about an axis.
-    pub volume: f64,
-    /// Faces to neighbours and sides.
-    pub faces: Vec<PartFace<D>>,
-    /// Walls.
-    pub walls: Vec<PartWall<D>>,
-    /// The polygons that bound it, in the plane the one that it is, from the cell's point; where they are kept.
-    pub rings: Vec<Vec<Vector<D>>>,
-}
-
-/// The gas in one facet of a cell.
-#[derive(Clone, Copy, Debug)]
-pub struct PartFace<const D: usize> {
-    /// The facet's label.
-    pub label: u32,
-    /// Area vector, outwards.
-    pub area: Vector<D>,
-    /// Middle, from the cell's point.
-    pub centre: Vector<D>,
-}
-
-/// A smooth face of a body within a cell.
-#[derive(Clone, Copy, Debug)]
-pub struct PartWall<const D: usize> {
-    /// The body.
-    pub body: u32,
-    /// Its smooth face.
-    pub facet: u32,
-    /// Area vector, out of the gas.
-    pub area: Vector<D>,
-    /// Middle, from the cell's point.
-    pub centre: Vector<D>,
 }
 
 impl<const D: usize> Whole<'_, D> {
@@ -164,7 +127,7 @@ impl<const D: usize> Whole<'_, D> {
                 to: self.point + end,
                 unit: self.unit,
             };
-            let heights = [line.from, line.to].map(|p| solids.height(&p, self.unit));
+            let heights = [line.from, line.to].map(|p| solids.height(&p));
             let area = Vector::repeat(end[0].signum());
             let stop = solids.crossings(&line, heights).first().copied();
             let centre = end * stop.unwrap_or(1.0);
@@ -337,45 +300,6 @@ impl<const D: usize> Whole<'_, D> {
     }
 }
 
-impl<const D: usize> Part<D> {
-    fn new() -> Self {
-        Self {
-            is_own: true,
-            volume: 0.0,
-            faces: Vec::new(),
-            walls: Vec::new(),
-            rings: Vec::new(),
-        }
-    }
-
-    /// Adds a face. Those of one label stay apart: beyond them there may be different pieces.
-    fn add_face(&mut self, face: PartFace<D>) {
-        self.faces.push(face);
-    }
-
-    /// Adds to the wall of the same smooth face.
-    pub fn add_wall(&mut self, wall: PartWall<D>) {
-        let same = |w: &&mut PartWall<D>| w.body == wall.body && w.facet == wall.facet;
-        let known = self.walls.iter_mut().find(same);
-        if let Some(known) = known {
-            (known.area, known.centre) =
-                together((known.area, known.centre), (wall.area, wall.centre));
-        } else {
-            self.walls.push(wall);
-        }
-    }
-}
-
-/// Two areas and the middle of both.
-fn together<const D: usize>(
-    (area, centre): (Vector<D>, Vector<D>),
-    (more, middle): (Vector<D>, Vector<D>),
-) -> (Vector<D>, Vector<D>) {
-    let (a, b) = (area.norm(), more.norm());
-    let weight = if a + b > 0.0 { b / (a + b) } else { 0.5 };
-    (area + more, centre + (middle - centre) * weight)
-}
-
 fn closed<const D: usize>(
     points: &[Vector<D>],
 ) -> impl Iterator<Item = (Vector<D>, Vector<D>)> + Clone {
@@ -416,28 +340,6 @@ fn polygon<const D: usize>(
         area,
         centre: base + moment / size,
     }
-}
-
-/// Own pieces become one, the first; where no piece is seen, the largest is the cell's own.
-fn own_first<const D: usize>(mut parts: Vec<Part<D>>) -> Vec<Part<D>> {
-    if !parts.iter().any(|part| part.is_own) {
-        let largest = parts
-            .iter_mut()
-            .reduce(|a, b| if b.volume > a.volume { b } else { a });
-        if let Some(largest) = largest {
-            largest.is_own = true;
-        }
-    }
-    let (own, mut rest): (Vec<_>, Vec<_>) = parts.into_iter().partition(|part| part.is_own);
-    let own = own.into_iter().reduce(|mut sum, part| {
-        sum.volume += part.volume;
-        part.faces.into_iter().for_each(|face| sum.add_face(face));
-        part.walls.into_iter().for_each(|wall| sum.add_wall(wall));
-        sum.rings.extend(part.rings);
-        sum
-    });
-    rest.splice(0..0, own);
-    rest
 }
 
 /// True where the cell's point sees one of the piece's longest edges.
@@ -483,65 +385,4 @@ fn joined<const D: usize>(pieces: &[(&Facet, Piece<D>)]) -> Vec<usize> {
         }
     }
     group
-}
-
-/// Where the edges of a cell cross the surface.
-struct Edges<const D: usize> {
-    /// Of each vertex.
-    heights: Vec<f64>,
-    /// By their two vertices, the lower number first.
-    crossings: Vec<([u32; 2], Vec<f64>)>,
-}
-
-impl<const D: usize> Edges<D> {
-    fn new(whole: &Whole<'_, D>, solids: &Solids<D>) -> Self {
-        let cell = whole.cell;
-        let height = |vertex: &Vector<D>| solids.height(&(whole.point + vertex), whole.unit);
-        let mut edges = Self {
-            heights: cell.vertices.iter().map(height).collect(),
-            crossings: Vec::new(),
-        };
-        for facet in &cell.facets {
-            let corners = &facet.corners;
-            let count = if D == 3 { corners.len() } else { D - 1 };
-            for k in 0..count {
-                let (a, b) = (corners[k], corners[(k + 1) % corners.len()]);
-                let key = [a.min(b), a.max(b)];
-                if edges.crossings.iter().any(|(known, _)| *known == key) {
-                    continue;
-                }
-                let line = Line {
-                    from: whole.point + cell.vertices[key[0] as usize],
-                    to: whole.point + cell.vertices[key[1] as usize],
-                    unit: whole.unit,
-                };
-                let ends = key.map(|vertex| edges.heights[vertex as usize]);
-                edges.crossings.push((key, solids.crossings(&line, ends)));
-            }
-        }
-        edges
-    }
-
-    /// The edges of the polygon through `corners`.
-    fn around(&self, cell: &Polytope<D>, corners: &[u32]) -> Vec<Edge<D>> {
-        let count = corners.len();
-        let edge = |k: usize| {
-            let (a, b) = (corners[k], corners[(k + 1) % count]);
-            let key = [a.min(b), a.max(b)];
-            let known = self.crossings.iter().find(|(edge, _)| *edge == key);
-            let mut crossings = known.map_or_else(Vec::new, |(_, parts)| parts.clone());
-            if a > b {
-                crossings.reverse();
-                crossings.iter_mut().for_each(|part| *part = 1.0 - *part);
-            }
-            Edge {
-                from: cell.vertices[a as usize],
-                to: cell.vertices[b as usize],
-                starts_in_gas: self.heights[a as usize] > 0.0,
-                crossings,
-                is_reversed: a > b,
-            }
-        };
-        (0..count).map(edge).collect()
-    }
 }

@@ -4,7 +4,7 @@
 use aero_geometry::Vector;
 
 use super::build::CutCell;
-use super::cut::PartFace;
+use super::part::PartFace;
 
 /// Rounds in which pieces behind pieces find an owner.
 const ROUNDS: usize = 8;

@@ -8,7 +8,9 @@ pub mod cells;
 mod checkpoint;
 pub mod cloud;
 mod cut;
+mod edges;
 mod fluxes;
+mod folding;
 mod gas;
 mod gradients;
 mod hll;
@@ -20,6 +22,8 @@ mod march;
 mod merge;
 mod nearby;
 mod net;
+pub mod outlines;
+mod part;
 mod polytope;
 mod quiet;
 mod real;
@@ -113,7 +117,10 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// As of [`Self::on`].
     pub fn new(problem: Problem<D>) -> Result<Self, String> {
-        let solids = Solids::new(problem.bodies.iter().map(|body| body.shape.clone()));
+        let solids = Solids::new(
+            problem.bodies.iter().map(|body| body.shape.clone()),
+            problem.spacing,
+        );
         let plot = Plot {
             domain: &problem.domain,
             solids: &solids,

@@ -67,16 +67,15 @@ impl<const D: usize> Polytope<D> {
     /// whether anything was cut off.
     pub fn clip(&mut self, normal: &Vector<D>, offset: f64, label: u32, unit: f64) -> bool {
         let tolerance = TOLERANCE * unit;
-        let heights: Vec<f64> = self
+        let heights = self
             .vertices
             .iter()
-            .map(|vertex| vertex.dot(normal) - offset)
-            .collect();
-        if heights.iter().all(|&height| height <= tolerance) {
+            .map(|vertex| vertex.dot(normal) - offset);
+        if heights.clone().all(|height| height <= tolerance) {
             return false;
         }
         let mut cut = Cut {
-            heights,
+            heights: heights.collect(),
             tolerance,
             made: Vec::new(),
         };

@@ -12,8 +12,8 @@ use super::solids::{Line, Solids};
 /// Cosine of the angle between two normals of one smooth face below which it is looked at for a corner.
 const ONE_FACE: f64 = 0.9;
 
-/// Cosine above which a wall between two points is a straight line: 1.8 degrees.
-const STRAIGHT: f64 = 0.9995;
+/// Cosine above which a wall between two points is a straight line: a twelfth of a degree.
+const STRAIGHT: f64 = 1.0 - 1e-6;
 
 /// Distance in spacings from the surface at which a corner counts as found.
 const ON_SURFACE: f64 = 0.02;
@@ -244,7 +244,7 @@ impl<const D: usize> Section<'_, D> {
         let apart = end.place - start.place;
         let middle = start.place + apart * 0.5;
         let point = self.origin + middle;
-        let height = self.solids.height(&point, self.unit);
+        let height = self.solids.height(&point);
         let [u, v] = self.plane.coordinates(&apart);
         // The gas is to the left of the loop, the body to its right.
         let left = self.plane.vector([-v, u]) / apart.norm();
@@ -255,7 +255,7 @@ impl<const D: usize> Section<'_, D> {
             to,
             unit: self.unit,
         };
-        let ends = [height, self.solids.height(&to, self.unit)];
+        let ends = [height, self.solids.height(&to)];
         let found = self.solids.crossings(&line, ends);
         self.foot(&(line.at(*found.first()?) - self.origin))
     }

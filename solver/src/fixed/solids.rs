@@ -17,6 +17,8 @@ const SIMPLE: f64 = 0.1;
 #[derive(Clone, Debug)]
 pub struct Solids<const D: usize> {
     bodies: Vec<(Arc<dyn Shape<D>>, Bounds<D>)>,
+    /// Gas that is nearer than this counts as part of the body.
+    skin: f64,
 }
 
 /// A line in the gas or through the wall, and what is measured in its unit.
@@ -31,14 +33,15 @@ pub struct Line<const D: usize> {
 }
 
 impl<const D: usize> Solids<D> {
-    /// The union of `shapes`.
-    pub fn new(shapes: impl IntoIterator<Item = Arc<dyn Shape<D>>>) -> Self {
+    /// The union of `shapes`, among points of this spacing.
+    pub fn new(shapes: impl IntoIterator<Item = Arc<dyn Shape<D>>>, spacing: f64) -> Self {
         let bodies = shapes.into_iter().map(|shape| {
             let bounds = shape.bounds();
             (shape, bounds)
         });
         Self {
             bodies: bodies.collect(),
+            skin: SKIN * spacing,
         }
     }
 
@@ -75,8 +78,8 @@ impl<const D: usize> Solids<D> {
     }
 
     /// The distance less the skin: above zero in the gas.
-    pub fn height(&self, point: &Vector<D>, unit: f64) -> f64 {
-        self.distance(point) - SKIN * unit
+    pub fn height(&self, point: &Vector<D>) -> f64 {
+        self.distance(point) - self.skin
     }
 
     /// Where a line passes through the surface, as parts of its length in order. `ends` are the heights of its ends.
@@ -108,7 +111,7 @@ impl<const D: usize> Solids<D> {
             return;
         }
         let middle = 0.5 * (part.from + part.to);
-        let height = self.height(&line.at(middle), line.unit);
+        let height = self.height(&line.at(middle));
         let (first, second) = part.halves(middle, height);
         self.search(line, length, first, found);
         self.search(line, length, second, found);
@@ -125,7 +128,7 @@ impl<const D: usize> Solids<D> {
             if !(a.min(b) < place && place < a.max(b)) {
                 break;
             }
-            let height = self.height(&line.at(place), line.unit);
+            let height = self.height(&line.at(place));
             if height.abs() < 1e-15 * line.unit {
                 return place;
             }
@@ -144,7 +147,7 @@ impl<const D: usize> Solids<D> {
 
     /// True where no body is in the way.
     pub fn sees(&self, line: &Line<D>) -> bool {
-        let ends = [&line.from, &line.to].map(|end| self.height(end, line.unit));
+        let ends = [&line.from, &line.to].map(|end| self.height(end));
         let length = (line.to - line.from).norm();
         self.is_clear(
             line,
@@ -167,7 +170,7 @@ impl<const D: usize> Solids<D> {
             return true;
         }
         let middle = 0.5 * (part.from + part.to);
-        let height = self.height(&line.at(middle), line.unit);
+        let height = self.height(&line.at(middle));
         let (first, second) = part.halves(middle, height);
         self.is_clear(line, length, first) && self.is_clear(line, length, second)
     }
@@ -229,7 +232,7 @@ mod tests {
 
     fn plate(thickness: f64) -> Solids<2> {
         let plate: Arc<dyn Shape<2>> = Arc::new(bodies::rectangle(10.0, thickness, 0.0).unwrap());
-        Solids::new([plate])
+        Solids::new([plate], 1.0)
     }
 
     fn line(from: [f64; 2], to: [f64; 2]) -> Line<2> {
@@ -245,7 +248,7 @@ mod tests {
         for thickness in [0.06, 0.3, 2.0] {
             let plate = plate(thickness);
             let line = line([0.2, -1.4], [0.3, 1.3]);
-            let ends = [line.from, line.to].map(|end| plate.height(&end, 1.0));
+            let ends = [line.from, line.to].map(|end| plate.height(&end));
             let found = plate.crossings(&line, ends);
             assert_eq!(found.len(), 2, "{thickness}");
             for (part, height) in found.iter().zip([-0.5, 0.5]) {

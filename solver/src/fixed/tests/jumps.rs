@@ -21,7 +21,7 @@ fn around<const D: usize>(scene: &Scene<D>, place: Vector<D>, most: u8, around: 
                 }
             })
             .collect();
-        levels = Adaption { most, around }.heard(&cloud, &levels, &wishes);
+        levels = Adaption { most, around }.heard(&cloud, &levels, &Levels::default(), &wishes);
     }
     levels
 }
@@ -39,6 +39,7 @@ fn split_cells_close_and_fill_the_gas() {
         .iter()
         .fold(1.0_f64, |a, p| a.min(p.spacing));
     assert_eq!(finest, 0.125 / 8.0);
+    println!("{:?}", made.findings);
     assert!(made.findings.open < 1e-12 && made.open(false) < 1e-12);
     let exact = 4.0 - scene.solids.shape(0).measure().unwrap();
     assert!((made.volume() - exact).abs() < 0.25 * 0.125 * 0.125);
@@ -93,7 +94,8 @@ fn cells_that_nobody_needs_are_joined_again() {
     let adaption = Adaption { most: 2, around: 2 };
     for _ in 0..4 {
         let cloud = Cloud::lattice(&scene.plot(), &levels, 0.0);
-        levels = adaption.heard(&cloud, &levels, &vec![Wish::Join; cloud.places.len()]);
+        let wishes = vec![Wish::Join; cloud.places.len()];
+        levels = adaption.heard(&cloud, &levels, &Levels::default(), &wishes);
     }
     assert!(levels.is_empty());
 }

@@ -44,7 +44,7 @@ impl<const D: usize> Scene<D> {
     fn new(domain: Domain<D>, bodies: Vec<Arc<dyn Shape<D>>>, spacing: f64) -> Self {
         Self {
             domain,
-            solids: Solids::new(bodies),
+            solids: Solids::new(bodies, spacing),
             spacing,
             disorder: 0.0,
         }
