@@ -9,8 +9,8 @@ use super::cut::{Part, Whole};
 use super::merge::{Nodes, given};
 use super::polytope::Polytope;
 use super::voronoi::{IN_BODY, Link, Voronoi};
-use crate::curvature::shape_operator;
 use crate::problem::Side;
+use crate::walls::shape_operator;
 
 /// Faces smaller than this, in spacings to their power, are left out.
 const SMALLEST: f64 = 1e-13;

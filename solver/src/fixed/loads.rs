@@ -5,8 +5,8 @@ use nalgebra::Vector3;
 use super::FixedSimulation;
 use super::walls::Wall;
 use crate::frame::{Load, Totals};
-use crate::rigid::pad;
-use crate::side_walls::wall_sides;
+use crate::sides::closed::reflections;
+use crate::walls::{pad, wall_sides};
 
 impl<const D: usize> FixedSimulation<D> {
     /// Loads on the bodies, in scene order; then on the wall sides in the order of [`crate::wall_sides`]: sums of pressure times
@@ -18,7 +18,10 @@ impl<const D: usize> FixedSimulation<D> {
         let count = bodies.len() + wall_sides(&self.problem.domain).len();
         let mut loads = vec![Load::default(); count];
         let reflections: Vec<_> = (0..count)
-            .map(|owner| self.problem.reflections(owner))
+            .map(|owner| {
+                let extent = bodies.get(owner).map(|body| body.shape.bounds());
+                reflections(&self.problem.domain, extent.as_ref())
+            })
             .collect();
         let centres: Vec<Vector3<f64>> = (0..count)
             .map(|owner| {

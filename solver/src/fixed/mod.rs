@@ -47,8 +47,8 @@ pub use checkpoint::FixedMemory;
 pub use settle::{Settled, Settling};
 
 use crate::problem::{Precision, Problem};
-use crate::side_walls::wall_sides;
 use crate::vectors::Arch;
+use crate::walls::wall_sides;
 use build::cells;
 use cloud::{Cloud, Plot};
 use gas::IdealGas;

@@ -7,7 +7,7 @@ use aero_geometry::Vector;
 use super::cloud::{Cloud, Plot, Site};
 use super::levels::{Levels, parent, parts};
 use super::solids::Line;
-use crate::curvature::shape_operator;
+use crate::walls::shape_operator;
 
 /// What is to be done about a point's cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

@@ -6,7 +6,7 @@ use super::hll::Jump;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Image;
 use crate::problem::{Problem, Side as SideKind};
-use crate::reservoir::Reservoir;
+use crate::sides::{Place, Reservoir};
 use aero_geometry::Vector;
 
 /// What is beyond a side.
@@ -33,9 +33,12 @@ impl<const D: usize> Beyond<D> {
             SideKind::Inlet | SideKind::FreeStream => Ok(Self::Stream(stream)),
             SideKind::Outlet => Ok(Self::Same),
             SideKind::Symmetry | SideKind::Axis => Ok(Self::Mirror),
-            SideKind::Reservoir => Reservoir::of(problem)
-                .map(|reservoir| Self::Reservoir(reservoir, IdealGas::of(&problem.gas).gamma))
-                .ok_or_else(|| "a reservoir has no side".to_owned()),
+            SideKind::Reservoir => {
+                let face = problem.domain.face(axis, end);
+                let reservoir = Reservoir::new(problem, Place { axis, end, face });
+                let gamma = IdealGas::of(&problem.gas).gamma;
+                Ok(Self::Reservoir(reservoir, gamma))
+            }
             side @ (SideKind::Periodic | SideKind::Wall { .. } | SideKind::Body) => Err(format!(
                 "side {end} of axis {axis} is {side:?} and should have no open faces"
             )),

@@ -7,9 +7,9 @@ use aero_geometry::{Bounds, Vector};
 use super::FixedSimulation;
 use super::gas::Gas;
 use super::state::Conserved;
+use crate::Statistics;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
-use crate::rigid::pad;
-use crate::snapshot::Statistics;
+use crate::walls::pad;
 
 impl<const D: usize> FixedSimulation<D> {
     /// All points now.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use crate::problem::Turning;
+use super::Turning;
 
 impl Turning {
     /// Angle turned through since time zero, as a rotation vector.

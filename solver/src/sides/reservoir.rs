@@ -1,67 +1,40 @@
 //! Gas that enters from a reservoir at less than the speed of sound. Of the three values that fix its
 //! state two come from the reservoir and one, an acoustic wave on its way out, from the flow inside.
-//! Not for the particles of the buffer: those are in `open`.
+//! Not for the particles of the buffer: those are in [`super::buffers`].
 
 use aero_geometry::Vector;
 
-use super::gas::{Gas, IdealGas};
-use super::particle::Particle;
-use crate::problem::{Problem, Side, State};
+use super::{OpenModel, Place};
+use crate::gas::{Gas, IdealGas};
+use crate::particles::Particle;
+use crate::problem::{Problem, State};
 
 /// Depth, in spacings, of the layer of gas in which the outgoing wave is read.
 const LAYER: f64 = 2.0;
 
 /// A side that gas enters through from a reservoir.
-#[derive(Clone, Copy, Debug, serde::Serialize, serde::Deserialize)]
+#[derive(Clone, Copy, Debug)]
 pub struct Reservoir {
-    axis: usize,
-    /// Direction into the domain along the axis.
-    inward: f64,
-    face: f64,
+    place: Place,
     /// Pressure and square of the speed of sound of the gas at rest.
     pressure: f64,
     sound_square: f64,
 }
 
 impl Reservoir {
-    /// The reservoir of `problem`, at the stagnation state of its free stream; scenes have one at most.
-    pub fn of<const D: usize>(problem: &Problem<D>) -> Option<Self> {
-        let (axis, end) = (0..D)
-            .flat_map(|axis| [(axis, 0), (axis, 1)])
-            .find(|&(axis, end)| problem.domain.sides[axis][end] == Side::Reservoir)?;
+    /// The reservoir beyond `place`, at the stagnation state of the free stream of `problem`.
+    pub fn new<const D: usize>(problem: &Problem<D>, place: Place) -> Self {
         let gas = &problem.free_stream;
         let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
         let heat = gamma - 1.0;
         let sound_square = gamma * gas.pressure / gas.density;
         // NACA Report 1135 (1953), eqs 43 and 44.
         let rise = 1.0 + 0.5 * heat * gas.velocity.norm_squared() / sound_square;
-        let bounds = &problem.domain.bounds;
-        Some(Self {
-            axis,
-            inward: if end == 0 { 1.0 } else { -1.0 },
-            face: if end == 0 { bounds.min } else { bounds.max }[axis],
+        Self {
+            place,
             pressure: gas.pressure * rise.powf(gamma / heat),
             sound_square: sound_square * rise,
-        })
-    }
-
-    /// State in which gas enters a flow whose particles are `fluid`, straight into the domain; none
-    /// where no gas is near the side.
-    pub fn inflow<const D: usize>(
-        &self,
-        problem: &Problem<D>,
-        fluid: &[Particle<D>],
-    ) -> Option<State<D>> {
-        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
-        let wave = self.outgoing_wave(problem, fluid)?;
-        let (speed, density, pressure) = self.entering(wave, gamma);
-        let mut velocity = Vector::zeros();
-        velocity[self.axis] = self.inward * speed;
-        Some(State {
-            density,
-            velocity,
-            pressure,
-        })
+        }
     }
 
     /// Speed, density and pressure at which gas enters against the outgoing invariant `wave`, see [`entering`].
@@ -81,17 +54,43 @@ impl Reservoir {
     ) -> Option<f64> {
         let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
         let heat = gamma - 1.0;
+        let (axis, face, inward) = (self.place.axis, self.place.face, self.place.inward());
         let (mut sum, mut mass) = (0.0, 0.0);
         for particle in fluid {
-            let depth = self.inward * (particle.position[self.axis] - self.face);
+            let depth = inward * (particle.position[axis] - face);
             if depth < LAYER * problem.spacing {
                 let sound = (gamma * heat * particle.energy).sqrt();
-                let wave = self.inward * particle.velocity[self.axis] - 2.0 * sound / heat;
+                let wave = inward * particle.velocity[axis] - 2.0 * sound / heat;
                 sum += particle.mass * wave;
                 mass += particle.mass;
             }
         }
         (mass > 0.0).then(|| sum / mass)
+    }
+}
+
+impl<const D: usize> OpenModel<D> for Reservoir {
+    fn inflow(&self, problem: &Problem<D>) -> Option<State<D>> {
+        Some(problem.free_stream)
+    }
+
+    /// State in which gas enters a flow whose particles are `fluid`, straight into the domain; none where no gas is near the
+    /// side.
+    fn answer(&self, problem: &Problem<D>, fluid: &[Particle<D>]) -> Option<State<D>> {
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        let wave = self.outgoing_wave(problem, fluid)?;
+        let (speed, density, pressure) = self.entering(wave, gamma);
+        let mut velocity = Vector::zeros();
+        velocity[self.place.axis] = self.place.inward() * speed;
+        Some(State {
+            density,
+            velocity,
+            pressure,
+        })
+    }
+
+    fn answers(&self) -> bool {
+        true
     }
 }
 

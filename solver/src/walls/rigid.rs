@@ -3,8 +3,8 @@
 use aero_geometry::Vector;
 use nalgebra::Vector3;
 
-use super::records::Matrix;
-use crate::problem::{Motion, Turning};
+use super::{Motion, Turning};
+use crate::records::Matrix;
 
 /// Where a rigid body is at one time.
 #[derive(Clone, Copy, Debug)]

@@ -2,8 +2,9 @@
 
 use aero_geometry::Vector;
 
-use super::open::BUFFER;
-use crate::problem::{Domain, Motion, Side, WallKind};
+use super::{Motion, WallKind};
+use crate::lattice;
+use crate::sides::{BUFFER, Domain, Side};
 
 /// Layers behind a wall side: the support at `h = 1.5 dx`, rounded up.
 const LAYERS: usize = 5;
@@ -33,16 +34,14 @@ pub struct SideGhost<const D: usize> {
 }
 
 /// Axis and number (0 lower, 1 upper) of each wall side of the domain, in the order of
-/// [`side_walls`].
+/// [`plane_walls`].
 pub fn wall_sides<const D: usize>(domain: &Domain<D>) -> Vec<(usize, usize)> {
-    (0..D)
-        .flat_map(|axis| [(axis, 0), (axis, 1)])
-        .filter(|&(axis, end)| matches!(domain.sides[axis][end], Side::Wall { .. }))
-        .collect()
+    let walls = domain.each_side().filter(|(_, _, side, _)| side.is_wall());
+    walls.map(|(axis, end, ..)| (axis, end)).collect()
 }
 
 /// Ghosts of all wall sides of `domain`, on the lattice of `spacing`.
-pub fn side_walls<const D: usize>(domain: &Domain<D>, spacing: f64) -> Vec<SideWall<D>> {
+pub fn plane_walls<const D: usize>(domain: &Domain<D>, spacing: f64) -> Vec<SideWall<D>> {
     let sides = wall_sides(domain);
     sides
         .iter()
@@ -88,9 +87,8 @@ fn ghost<const D: usize>(
     let mut closest = position;
     for k in 0..D {
         for end in [0, 1] {
-            let wall = matches!(domain.sides[k][end], Side::Wall { .. });
-            if wall && beyond(domain, &position, k, end) {
-                closest[k] = face(domain, k, end);
+            if domain.sides[k][end].is_wall() && beyond(domain, &position, k, end) {
+                closest[k] = domain.face(k, end);
             }
         }
     }
@@ -103,21 +101,13 @@ fn ghost<const D: usize>(
     }
 }
 
-fn face<const D: usize>(domain: &Domain<D>, axis: usize, end: usize) -> f64 {
-    if end == 0 {
-        domain.bounds.min[axis]
-    } else {
-        domain.bounds.max[axis]
-    }
-}
-
 fn beyond<const D: usize>(
     domain: &Domain<D>,
     position: &Vector<D>,
     axis: usize,
     end: usize,
 ) -> bool {
-    let face = face(domain, axis, end);
+    let face = domain.face(axis, end);
     if end == 0 {
         position[axis] < face
     } else {
@@ -137,9 +127,9 @@ fn slab<const D: usize>(
     for k in 0..D {
         let cells = (domain.bounds.size()[k] / spacing).round() as i64;
         let margin = |side: Side| match side {
-            Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir => BUFFER as i64,
-            Side::Wall { .. } | Side::Body => LAYERS as i64,
-            Side::Symmetry | Side::Axis | Side::Periodic => 0,
+            side if side.is_open() => BUFFER as i64,
+            side if side.is_mirror() || side.is_periodic() => 0,
+            _ => LAYERS as i64,
         };
         (first[k], last[k]) = match (k == axis, end) {
             (true, 0) => (-(LAYERS as i64), 0),
@@ -150,8 +140,8 @@ fn slab<const D: usize>(
             ),
         };
     }
-    super::lattice::points(first, last)
-        .map(|index| super::lattice::position(&domain.bounds.min, spacing, &index))
+    lattice::points(first, last)
+        .map(|index| lattice::position(&domain.bounds.min, spacing, &index))
         .collect()
 }
 
@@ -174,7 +164,7 @@ mod tests {
             bounds,
             sides: [[WALL; 2]; 2],
         };
-        let walls = side_walls(&domain, 0.1);
+        let walls = plane_walls(&domain, 0.1);
         let count: usize = walls.iter().map(|wall| wall.ghosts.len()).sum();
         assert_eq!(count, 20 * 20 - 10 * 10);
         let corner = walls[0]

@@ -4,12 +4,11 @@
 use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
 
-use super::Simulation;
-use super::particle::Particle;
-use super::records::GHOSTS;
-use super::rigid::pad;
-use super::snapshot::Extremes;
-use crate::problem::Body;
+use super::stages::Senseless;
+use crate::Simulation;
+use crate::particles::Particle;
+use crate::records::GHOSTS;
+use crate::walls::{Body, pad, wall_sides};
 
 /// Mach number at which heat is a thousandth of the motion's energy, and within its errors.
 const COLD: f64 = 30.0;
@@ -31,28 +30,17 @@ pub struct Failure {
 }
 
 impl<const D: usize> Simulation<D> {
-    /// Stops the run when a particle's state stops making sense, at the last good state. `extremes` are
-    /// those of all particles now.
-    pub(super) fn check(&mut self, extremes: Extremes) -> Result<(), Failure> {
-        if extremes.make_sense() {
-            self.extremes = self.extremes.merge(extremes);
-            return Ok(());
-        }
-        let mut fluid = self.fluid.iter();
-        let Some(number) = fluid.position(|particle| !particle.makes_sense()) else {
-            return Ok(());
-        };
-        let particle = self.fluid[number];
-        // The fluid keeps its order within a step.
-        self.fluid.clone_from(&self.saved);
-        let reason = format!("{}; {}", symptom(&particle), self.likely_cause(number));
-        Err(Failure {
+    /// Why the run cannot go on from its last good state, where it stands again.
+    pub(super) fn failure(&self, senseless: Senseless<D>) -> Failure {
+        let Senseless { place, particle } = senseless;
+        let reason = format!("{}; {}", symptom(&particle), self.likely_cause(place));
+        Failure {
             reason,
             particle: particle.id,
-            position: pad(&self.fluid[number].position).into(),
-            step: self.steps,
-            time: self.time,
-        })
+            position: pad(&self.fluid[place].position).into(),
+            step: self.clock.steps,
+            time: self.clock.time,
+        }
     }
 
     /// The likely cause of the failure of fluid particle `number`, from its last good state, with a
@@ -72,7 +60,7 @@ impl<const D: usize> Simulation<D> {
                 particle.density
             );
         }
-        if self.steps < 3 {
+        if self.clock.steps < 3 {
             return "the start is too violent for the scheme; try a smaller `scheme.cfl`, a smooth start (`initial.riemann.smooth = true`) or a finer `spacing`".into();
         }
         if let Some((kind, distance)) = self.next_to(place) {
@@ -94,14 +82,14 @@ impl<const D: usize> Simulation<D> {
 
     /// Neighbours of fluid particle `number` within the support: in the gas, and ghosts.
     fn neighbour_counts(&self, number: usize) -> [usize; 2] {
-        let near = &self.records.near;
-        let chunk = &self.lists.chunks[number / self.lists.chunk_targets()];
+        let near = &self.around.records.near;
+        let chunk = &self.around.lists.chunks[number / self.around.lists.chunk_targets()];
         let cluster = chunk.clusters.iter().find(|c| c.targets.contains(&number));
         let Some(cluster) = cluster else {
             return [0; 2];
         };
         let own = &near[number];
-        let walls = self.records.segment(GHOSTS).start;
+        let walls = self.around.records.segment(GHOSTS).start;
         let mut counts = [0; 2];
         for &j in &chunk.entries[cluster.gas.start..cluster.wall.end] {
             let j = j as usize;
@@ -124,10 +112,10 @@ impl<const D: usize> Simulation<D> {
     }
 
     /// The body that `position` is inside of now.
-    pub(super) fn body_around(&self, position: &Vector<D>) -> Option<&Body<D>> {
+    pub(crate) fn body_around(&self, position: &Vector<D>) -> Option<&Body<D>> {
         let bodies = self.problem.bodies.iter().enumerate();
         let found = bodies.into_iter().find(|(number, body)| {
-            let origin = self.walls.pose(*number, self.time).origin(position);
+            let origin = self.walls.pose(*number, self.clock.time).origin(position);
             body.shape.bounds().contains(&origin) && body.shape.signed_distance(&origin) < 0.0
         });
         found.map(|(_, body)| body)
@@ -141,7 +129,7 @@ impl<const D: usize> Simulation<D> {
             .iter()
             .enumerate()
             .map(|(number, body)| {
-                let origin = self.walls.pose(number, self.time).origin(position);
+                let origin = self.walls.pose(number, self.clock.time).origin(position);
                 let distance = body.shape.signed_distance(&origin);
                 (format!("body `{}`", body.name), distance)
             });
@@ -156,21 +144,21 @@ impl<const D: usize> Simulation<D> {
     }
 
     /// Axis and end of each wall side, and how far `position` is behind it now; negative in front.
-    pub(super) fn side_depths(
+    pub(crate) fn side_depths(
         &self,
         position: &Vector<D>,
     ) -> impl Iterator<Item = ((usize, usize), f64)> {
-        let bounds = &self.problem.domain.bounds;
-        let sides = super::wall_sides(&self.problem.domain).into_iter();
+        let sides = wall_sides(&self.problem.domain).into_iter();
         sides.enumerate().map(move |(number, (axis, end))| {
             let pose = self
                 .walls
-                .pose(self.problem.bodies.len() + number, self.time);
+                .pose(self.problem.bodies.len() + number, self.clock.time);
             let origin = pose.origin(position)[axis];
+            let face = self.problem.domain.face(axis, end);
             let depth = if end == 0 {
-                bounds.min[axis] - origin
+                face - origin
             } else {
-                origin - bounds.max[axis]
+                origin - face
             };
             ((axis, end), depth)
         })

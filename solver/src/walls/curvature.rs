@@ -3,7 +3,7 @@
 
 use aero_geometry::{Shape, Vector};
 
-use super::records::Matrix;
+use crate::records::Matrix;
 
 /// The shape operator `K = dn/dx` of the surface nearest to `point`: symmetric, tangential, and positive where
 /// the body bulges into the gas. Differences of the normal over `reach`, within one smooth part of the

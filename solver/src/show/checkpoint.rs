@@ -7,39 +7,33 @@ use std::borrow::Cow;
 
 use serde::{Deserialize, Serialize};
 
-use super::open::OpenBoundaries;
-use super::particle::{Ghost, Particle};
-use super::{Simulation, snapshot};
-use crate::frame::Totals;
+use crate::Simulation;
+use crate::books::Books;
+use crate::particles::{Particle, Particles};
 use crate::problem::Problem;
+use crate::sides::Contents;
+use crate::step::Clock;
+use crate::walls::Ghost;
 
 /// A simulation between two steps; borrowed from it where it is only to be written.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Memory<'a, const D: usize> {
-    time: f64,
-    steps: u64,
-    last_step: f64,
-    stable_step: f64,
+    clock: Clock,
     fluid: Cow<'a, [Particle<D>]>,
-    open: Cow<'a, OpenBoundaries<D>>,
+    buffers: Cow<'a, Contents<D>>,
     ghosts: Cow<'a, [Ghost<D>]>,
-    received: Totals,
-    extremes: snapshot::Extremes,
+    books: Books,
 }
 
 impl<const D: usize> Simulation<D> {
     /// What [`Self::resume`] needs to go on from here.
     pub fn memory(&self) -> Memory<'_, D> {
         Memory {
-            time: self.time,
-            steps: self.steps,
-            last_step: self.last_step,
-            stable_step: self.stable_step,
+            clock: self.clock,
             fluid: Cow::Borrowed(&self.fluid),
-            open: Cow::Borrowed(&self.open),
+            buffers: Cow::Borrowed(self.buffers.contents()),
             ghosts: Cow::Borrowed(&self.walls.ghosts),
-            received: self.received,
-            extremes: self.extremes,
+            books: self.books,
         }
     }
 
@@ -54,14 +48,10 @@ impl<const D: usize> Simulation<D> {
                 simulation.walls.ghosts.len()
             ));
         }
-        simulation.time = memory.time;
-        simulation.steps = memory.steps;
-        simulation.last_step = memory.last_step;
-        simulation.stable_step = memory.stable_step;
-        simulation.fluid = memory.fluid.into_owned();
-        simulation.open = memory.open.into_owned();
-        simulation.received = memory.received;
-        simulation.extremes = memory.extremes;
+        simulation.clock = memory.clock;
+        simulation.fluid = Particles::new(memory.fluid.into_owned());
+        simulation.buffers.restore(memory.buffers.into_owned());
+        simulation.books = memory.books;
         simulation.walls.ghosts = memory.ghosts.into_owned();
         // They were in order when they were saved, unless they have moved since; then the next
         // step sorts them again.

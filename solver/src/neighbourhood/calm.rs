@@ -1,17 +1,18 @@
 //! The undisturbed free stream: gas that needs no pair sums, because they would be zero.
 //!
 //! A particle is *calm* while its state is that of the free stream, and its rates are zero, to a
-//! tolerance. Clusters that see nothing but calm particles are moved on as they are; whatever disturbs
+//! tolerance. Those in cells that see nothing but calm particles are moved on as they are; whatever disturbs
 //! a neighbour's neighbour wakes them, two reaches ahead of it. What is left out is below the tolerance, and so is
 //! what it could have become: no sound is lost that a sum of zeros would have carried.
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 
-use super::neighbours::GROWTH;
-use super::particle::{Particle, Rates};
-use super::records::Near;
-use crate::problem::{Precision, Problem, Side};
+use crate::neighbours::GROWTH;
+use crate::particles::{Particle, Rates};
+use crate::problem::{Precision, Problem};
+use crate::records::Near;
+use crate::sides::Side;
 
 /// What counts as nothing: differences of density, energy and smoothing length over their values, of velocity
 /// over the speed of sound, and what the rates make of these in the time that sound takes for a
@@ -47,10 +48,10 @@ pub struct Calm<const D: usize> {
 impl<const D: usize> Calm<D> {
     /// The free stream of `problem`; none where it has no side that keeps one up, or is to be summed in full.
     pub fn new(problem: &Problem<D>) -> Option<Self> {
-        let sides = || problem.domain.sides.iter().flatten();
-        let has_stream = sides().any(|side| matches!(side, Side::Inlet | Side::FreeStream));
-        let has_reservoir = sides().any(|side| *side == Side::Reservoir);
-        if !problem.scheme.skip_undisturbed || !has_stream || has_reservoir {
+        let domain = &problem.domain;
+        let has_stream = domain.has(Side::keeps_free_stream);
+        let has_other_gas = domain.has(|side| side.lets_in() && !side.keeps_free_stream());
+        if !problem.scheme.skip_undisturbed || !has_stream || has_other_gas {
             return None;
         }
         let gas = &problem.free_stream;
@@ -124,18 +125,10 @@ impl<const D: usize> Calm<D> {
         }
     }
 
-    /// True where nothing within the box sees anything but calm particles.
-    pub fn covers(&self, min: &Vector<D>, max: &Vector<D>) -> bool {
-        let (from, to) = (self.place(min), self.place(max));
-        let mut cell = from;
-        loop {
-            if self.disturbed[self.number(&cell)] {
-                return false;
-            }
-            if !next(&mut cell, &from, &to) {
-                return true;
-            }
-        }
+    /// True where nothing in the cell around `position` sees anything but calm particles. Each particle is asked for by itself:
+    /// whom it shares a cluster with, which depends on the processor's vectors, decides nothing.
+    pub fn covers(&self, position: &Vector<D>) -> bool {
+        !self.disturbed[self.number(&self.place(position))]
     }
 
     fn for_each_cell(

@@ -1,10 +1,13 @@
 //! Images of particles beyond symmetry planes and periodic sides.
 
-use aero_geometry::{Pencils, Vector};
+use aero_geometry::Vector;
 use rayon::prelude::*;
 
-use super::records::{Near, Records, State};
-use crate::problem::{Domain, Side};
+use super::levels::{Grid, Levels};
+use crate::neighbours::{Candidates, Rough};
+use crate::records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, Records, State};
+use crate::sides::Domain;
+use crate::sides::closed::Map;
 
 /// A copy of a record: `x' = sign * x + shift` component by component.
 #[derive(Clone, Copy, Debug)]
@@ -14,77 +17,115 @@ struct Image<const D: usize> {
     shift: Vector<D>,
 }
 
-/// Images of one set of particles, sorted into pencils.
+/// A segment of records that are copies: whose they are copies of, which slots they have, and how they are brought up to date.
+/// Copies beyond mirrors and periods are made here; particles that another process owns would be such a segment too, received
+/// instead of mapped.
 #[derive(Clone, Debug)]
 pub struct Images<const D: usize> {
-    images: Vec<Image<D>>,
+    /// First segment of the owner, fluid or ghosts; the sources are counted from its first slot.
+    owner: usize,
+    /// The copies' own segment.
+    segment: usize,
+    copies: Vec<Image<D>>,
     /// Their order in space.
-    pub pencils: Pencils<D>,
+    order: Levels<D>,
 }
 
-impl<const D: usize> Default for Images<D> {
+/// All copies.
+#[derive(Clone, Debug)]
+pub struct Copies<const D: usize> {
+    /// Of fluid and buffers.
+    pub gas: Images<D>,
+    /// Of ghosts.
+    pub ghosts: Images<D>,
+}
+
+impl<const D: usize> Default for Copies<D> {
     fn default() -> Self {
         Self {
-            images: Vec::new(),
-            pencils: Pencils::default(),
+            gas: Images::new(FLUID, FLOW_IMAGES),
+            ghosts: Images::new(GHOSTS, GHOST_IMAGES),
         }
     }
 }
 
 impl<const D: usize> Images<D> {
-    /// Number of images.
-    pub fn len(&self) -> usize {
-        self.images.len()
+    fn new(owner: usize, segment: usize) -> Self {
+        Self {
+            owner,
+            segment,
+            copies: Vec::new(),
+            order: Levels::default(),
+        }
     }
 
-    /// Images of the particles at `positions` that lie within `reach` of a plane, and images of
-    /// images where planes meet.
-    pub fn rebuild(&mut self, domain: &Domain<D>, positions: &[Vector<D>], reach: f64, width: f64) {
-        self.images.clear();
+    /// Number of images.
+    pub fn len(&self) -> usize {
+        self.copies.len()
+    }
+
+    /// Images of those of `sources`, places with smoothing lengths, that lie within `reach` of their smoothing length of a
+    /// plane, and images of images where planes meet.
+    pub fn rebuild(
+        &mut self,
+        domain: &Domain<D>,
+        grid: &Grid<D>,
+        sources: &[(Vector<D>, f64)],
+        reach: impl Fn(f64) -> f64 + Sync,
+    ) {
+        self.copies.clear();
         for axis in 0..D {
             let maps = Map::of_axis(domain, axis);
             if maps.iter().all(Option::is_none) {
                 continue;
             }
             let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
-            let is_near = |place: f64| [place - low < reach, high - place < reach];
-            let near: Vec<_> = positions
+            let is_near = |place: f64, reach: f64| [place - low < reach, high - place < reach];
+            let near: Vec<_> = sources
                 .par_iter()
                 .enumerate()
-                .filter(|(_, position)| is_near(position[axis]).contains(&true))
+                .filter(|(_, (position, h))| is_near(position[axis], reach(*h)).contains(&true))
                 .map(|(source, _)| Image::identity(source))
                 .collect();
-            let earlier = self.images.clone();
+            let earlier = self.copies.clone();
             for base in near.into_iter().chain(earlier) {
-                let place = base.place(positions[base.source as usize])[axis];
-                for (map, is_near) in maps.into_iter().zip(is_near(place)) {
+                let (position, h) = sources[base.source as usize];
+                let place = base.place(position)[axis];
+                for (map, is_near) in maps.into_iter().zip(is_near(place, reach(h))) {
                     if let (Some(map), true) = (map, is_near) {
-                        self.images.push(base.mapped(axis, map));
+                        self.copies.push(base.mapped(axis, map));
                     }
                 }
             }
         }
-        let places: Vec<_> = self
-            .images
-            .iter()
-            .map(|image| image.place(positions[image.source as usize]))
-            .collect();
-        self.pencils.rebuild(&places, width);
-        self.images = self
-            .pencils
-            .order()
-            .iter()
-            .map(|&n| self.images[n as usize])
-            .collect();
+        let images = &self.copies;
+        let copy = |n: usize| {
+            let (position, h) = sources[images[n].source as usize];
+            (images[n].place(position), h)
+        };
+        // Sources are in order already, and so are their copies.
+        self.order.rebuild(grid, images.len(), copy, |n| n as u64);
+        let order = self.order.order().iter();
+        self.copies = order.map(|&n| self.copies[n as usize]).collect();
     }
 
-    /// Copies the records of the sources, which start with one segment, to the images' segment.
-    pub fn refresh(&self, records: &mut Records<D>, sources: usize, images: usize) {
-        self.refresh_near(records, sources, images);
-        let (sources, first) = (records.start[sources], records.start[images]);
+    /// The images as candidates for neighbours in the gas.
+    pub fn candidates<'a>(
+        &'a self,
+        rough: &'a Rough<D>,
+        records: &Records<D>,
+    ) -> impl Iterator<Item = Candidates<'a, D>> {
+        self.order
+            .candidates(rough, records.segment(self.segment).start)
+    }
+
+    /// Copies the records of the sources.
+    pub fn refresh(&self, records: &mut Records<D>) {
+        self.refresh_near(records);
+        let (sources, first) = (records.start[self.owner], records.start[self.segment]);
         // Images come after their sources.
         let (state, state_images) = records.state.split_at_mut(first);
-        self.images
+        self.copies
             .par_iter()
             .zip(state_images)
             .for_each(|(image, state_image)| {
@@ -93,10 +134,10 @@ impl<const D: usize> Images<D> {
     }
 
     /// Copies where the sources are and how they move.
-    pub fn refresh_near(&self, records: &mut Records<D>, sources: usize, images: usize) {
-        let (sources, first) = (records.start[sources], records.start[images]);
+    pub fn refresh_near(&self, records: &mut Records<D>) {
+        let (sources, first) = (records.start[self.owner], records.start[self.segment]);
         let (near, near_images) = records.near.split_at_mut(first);
-        self.images
+        self.copies
             .par_iter()
             .zip(near_images)
             .for_each(|(image, near_image)| {
@@ -107,8 +148,8 @@ impl<const D: usize> Images<D> {
     /// Source of image `number` and the reflection that maps vectors to it.
     pub fn source(&self, number: usize) -> (usize, Vector<D>) {
         (
-            self.images[number].source as usize,
-            self.images[number].sign,
+            self.copies[number].source as usize,
+            self.copies[number].sign,
         )
     }
 
@@ -122,33 +163,6 @@ impl<const D: usize> Images<D> {
                 (&sources[source], sign)
             }
         }
-    }
-}
-
-/// `x' = sign x + shift` along one axis.
-#[derive(Clone, Copy, Debug)]
-struct Map {
-    sign: f64,
-    shift: f64,
-}
-
-impl Map {
-    /// What the lower and the upper side of an axis do.
-    fn of_axis<const D: usize>(domain: &Domain<D>, axis: usize) -> [Option<Self>; 2] {
-        let (low, high) = (domain.bounds.min[axis], domain.bounds.max[axis]);
-        let map = |side: Side, plane: f64, period: f64| match side {
-            Side::Symmetry | Side::Axis => Some(Self {
-                sign: -1.0,
-                shift: 2.0 * plane,
-            }),
-            Side::Periodic => Some(Self {
-                sign: 1.0,
-                shift: period,
-            }),
-            _ => None,
-        };
-        let [lower, upper] = domain.sides[axis];
-        [map(lower, low, high - low), map(upper, high, low - high)]
     }
 }
 

@@ -2,14 +2,13 @@
 
 use aero_geometry::kernel::SUPPORT;
 use aero_geometry::{Bounds, Vector};
-use serde::{Deserialize, Serialize};
 
-use super::Simulation;
-use super::gas::Gas;
-use super::open::add;
-use super::particle::{ByPressure, Ghost, Particle};
-use super::rigid::pad;
-use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
+use crate::Simulation;
+use crate::books::add;
+use crate::frame::{Frame, Kind, Load, SurfaceFrame, Totals};
+use crate::gas::Gas;
+use crate::particles::{ByPressure, Particle};
+use crate::walls::{Ghost, loads, pad};
 
 /// Counts and extremes since the start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
@@ -32,52 +31,6 @@ pub struct Statistics {
     pub min_energy: f64,
 }
 
-/// Running counts and extremes.
-#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
-pub struct Extremes {
-    /// Particle updates so far.
-    pub updates: u64,
-    min_density: f64,
-    min_energy: f64,
-}
-
-impl Default for Extremes {
-    fn default() -> Self {
-        Self {
-            updates: 0,
-            min_density: f64::INFINITY,
-            min_energy: f64::INFINITY,
-        }
-    }
-}
-
-impl Extremes {
-    /// Takes note of a particle; one whose state makes no sense leaves a density that is not a number.
-    pub(super) fn meet<const D: usize>(&mut self, particle: &Particle<D>) {
-        let density = if particle.makes_sense() {
-            particle.density
-        } else {
-            f64::NAN
-        };
-        self.min_density = smaller(self.min_density, density);
-        self.min_energy = self.min_energy.min(particle.energy);
-    }
-
-    /// What both met.
-    pub(super) fn merge(self, other: Self) -> Self {
-        Self {
-            updates: self.updates + other.updates,
-            min_density: smaller(self.min_density, other.min_density),
-            min_energy: self.min_energy.min(other.min_energy),
-        }
-    }
-
-    /// False after a particle whose state made no sense.
-    pub(super) fn make_sense(&self) -> bool {
-        !self.min_density.is_nan()
-    }
-}
-
 impl<const D: usize> Simulation<D> {
     /// All particles now.
     pub fn frame(&self) -> Frame {
@@ -91,8 +44,8 @@ impl<const D: usize> Simulation<D> {
 
     fn frame_of(&self, is_shown: impl Fn(&Vector<D>) -> bool) -> Frame {
         let mut frame = Frame {
-            time: self.time,
-            step: self.steps,
+            time: self.clock.time,
+            step: self.clock.steps,
             ..Frame::default()
         };
         let gas = self.problem.gas;
@@ -104,7 +57,7 @@ impl<const D: usize> Simulation<D> {
         for particle in &self.fluid {
             push(particle, Kind::Fluid);
         }
-        for open in &self.open.particles {
+        for open in self.buffers.particles() {
             let kind = if open.lattice.is_some() {
                 Kind::Inlet
             } else {
@@ -138,10 +91,12 @@ impl<const D: usize> Simulation<D> {
         let gas = &self.problem.free_stream;
         let dynamic_pressure = 0.5 * gas.density * gas.velocity.norm_squared();
         let mut surface = SurfaceFrame {
-            time: self.time,
+            time: self.clock.time,
             ..SurfaceFrame::default()
         };
-        let is_shown = |ghost: &&Ghost<D>| ghost.layer == 0 && self.foot(ghost) == ghost.foot();
+        let is_shown = |ghost: &&Ghost<D>| {
+            ghost.layer == 0 && loads::foot(&self.problem.domain, ghost) == ghost.foot()
+        };
         for ghost in self.walls.ghosts.iter().filter(is_shown) {
             surface.position.push(pad(&ghost.foot()).into());
             surface.normal.push(pad(&ghost.normal).into());
@@ -156,6 +111,37 @@ impl<const D: usize> Simulation<D> {
             surface.body.push(ghost.body);
         }
         surface
+    }
+
+    /// Loads on the bodies, in scene order; then on the wall sides in the order of
+    /// [`crate::wall_sides`]. They belong to the state of the last evaluation, half a step back.
+    ///
+    /// By the pair laws' symmetry the force on a ghost is minus what the ghost gives the gas:
+    /// `F = -sum m_i a_i^(body)`. A body that a symmetry plane cuts is reported whole; of a body that runs
+    /// on through an open side, what lies in the domain.
+    pub fn loads(&self) -> Vec<Load> {
+        loads::loads(&self.problem, self.clock.time, &self.walls, &self.around)
+    }
+
+    /// What the fluid received since the start: inflow minus outflow through open sides, the
+    /// impulse of walls, the work of moving walls.
+    pub fn inflow(&self) -> Totals {
+        self.books.inflow()
+    }
+
+    /// Rates of the fluid's momentum and energy by the pair sums of the last evaluation. In a
+    /// periodic box both are zero to round-off.
+    pub fn rates_of_totals(&self) -> Totals {
+        let mut rates = Totals::default();
+        for (particle, rate) in self.fluid.iter().zip(self.fluid.rates()) {
+            let acceleration = rate.acceleration + rate.wall_acceleration;
+            for k in 0..D {
+                rates.momentum[k] += particle.mass * acceleration[k];
+            }
+            let power = particle.velocity.dot(&acceleration) + rate.energy;
+            rates.energy += particle.mass * power;
+        }
+        rates
     }
 
     /// Conserved totals of the fluid now.
@@ -183,7 +169,7 @@ impl<const D: usize> Simulation<D> {
         Statistics {
             fluid: self.fluid.len(),
             ghost: self.walls.own_count(),
-            particle_updates: self.extremes.updates,
+            particle_updates: self.books.extremes.updates,
             neighbours_mean: self.neighbours_mean(),
             leaked: self
                 .fluid
@@ -191,16 +177,16 @@ impl<const D: usize> Simulation<D> {
                 .filter(|p| self.has_leaked(&p.position))
                 .count(),
             mirror_fallbacks: self.walls.mirror_fallbacks,
-            min_density: self.extremes.min_density,
-            min_energy: self.extremes.min_energy,
+            min_density: self.books.extremes.min_density,
+            min_energy: self.books.extremes.min_energy,
         }
     }
 
     fn neighbours_mean(&self) -> f64 {
-        let near = &self.records.near;
+        let near = &self.around.records.near;
         let mut pairs = 0_usize;
         let mut particles = 0_usize;
-        for chunk in &self.lists.chunks {
+        for chunk in &self.around.lists.chunks {
             for cluster in chunk.clusters.iter().filter(|cluster| !cluster.is_calm) {
                 for i in cluster.targets.clone() {
                     particles += 1;
@@ -223,11 +209,6 @@ impl<const D: usize> Simulation<D> {
         self.body_around(position).is_some()
             || self.side_depths(position).any(|(_, depth)| depth > 0.0)
     }
-}
-
-/// The smaller number; none, where one of the two is none.
-fn smaller(a: f64, b: f64) -> f64 {
-    if a.is_nan() || a < b { a } else { b }
 }
 
 fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gas: &Gas, kind: Kind) {
