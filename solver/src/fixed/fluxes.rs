@@ -97,7 +97,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         }
         for side in &block.sides {
             let i = side.i as usize;
-            let flux = side.flux(gas, &flow.states[i]);
+            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i]);
             boundary = boundary.plus(-side.image.size, &flux);
             cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
         }

@@ -2,6 +2,7 @@
 //!
 //! [`FixedSimulation::step`] marches in time, [`FixedSimulation::settle`] goes to the steady state. Neither knows how cells are made.
 
+mod adapt;
 pub mod build;
 pub mod carry;
 pub mod cells;

@@ -96,9 +96,15 @@ impl<const D: usize> FixedSimulation<D> {
         let mut watched = vec![mass.ln()];
         watched.extend(centre.iter().map(|x| x / size));
         let loads = self.loads();
-        let norms = loads.iter().map(|load| load.force.iter().map(|f| f * f).sum::<f64>().sqrt());
+        let norms = loads
+            .iter()
+            .map(|load| load.force.iter().map(|f| f * f).sum::<f64>().sqrt());
         let largest = norms.fold(f64::MIN_POSITIVE, f64::max);
-        watched.extend(loads.iter().flat_map(|load| load.force.map(|f| f / largest)));
+        watched.extend(
+            loads
+                .iter()
+                .flat_map(|load| load.force.map(|f| f / largest)),
+        );
         watched
     }
 }

@@ -220,7 +220,10 @@ impl<const D: usize> FixedSimulation<D> {
             let before = state.flux(self.held[j].energy, speed, &area);
             let after = changed.flux(held.energy, dot(&changed.velocity, &area), &area);
             let wave = speed.abs() + self.sound(state) * shape.size;
-            sum = sum.plus(1.0, &after).plus(-1.0, &before).plus(-wave, change);
+            sum = sum
+                .plus(1.0, &after)
+                .plus(-1.0, &before)
+                .plus(-wave, change);
         }
         sum
     }
