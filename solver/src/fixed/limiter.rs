@@ -19,9 +19,25 @@ pub fn minmod<R: Real>(a: R, b: R) -> R {
     (a * b).select(smaller, a.like(0.0))
 }
 
-/// The mean of both, at most twice the smaller [van Leer 1977, J. Comput. Phys. 23, 276-299].
-#[inline(always)]
-pub fn monotonized_central<R: Real>(a: R, b: R) -> R {
-    let mean = (a + b) * 0.5;
-    minmod(minmod(a, b) * 2.0, mean)
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limiters_keep_what_is_even_and_stop_at_extremes() {
+        for limiter in [van_leer::<f64>, minmod::<f64>] {
+            assert_eq!(limiter(0.3, 0.3), 0.3);
+            assert_eq!(limiter(-0.3, -0.3), -0.3);
+            assert_eq!(limiter(0.3, -0.1), 0.0);
+            assert_eq!(limiter(0.0, 0.0), 0.0);
+        }
+    }
+
+    #[test]
+    fn van_leer_takes_the_harmonic_mean_and_minmod_the_smaller() {
+        assert!((van_leer(1.0, 3.0) - 1.5_f64).abs() < 1e-15);
+        assert!((van_leer(-3.0, -1.0) + 1.5_f64).abs() < 1e-15);
+        assert_eq!(minmod(1.0, 3.0), 1.0);
+        assert_eq!(minmod(-3.0, -1.0), -1.0);
+    }
 }

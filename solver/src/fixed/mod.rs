@@ -2,6 +2,7 @@
 //!
 //! [`FixedSimulation::step`] marches in time, `settle` goes to the steady state. Neither knows how cells are made.
 
+mod adapt;
 pub mod build;
 pub mod carry;
 pub mod cells;
@@ -31,10 +32,12 @@ mod reconstruction;
 pub mod refine;
 mod refusal;
 mod section;
+mod settle;
 mod sides;
 mod snapshot;
 pub mod solids;
 mod state;
+mod sweeps;
 #[cfg(test)]
 pub(crate) mod tests;
 mod voronoi;
@@ -46,6 +49,7 @@ use aero_geometry::Vector;
 
 pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
 pub use checkpoint::FixedMemory;
+pub use settle::{Settled, Settling};
 
 use crate::problem::Problem;
 use crate::scheme::Precision;
@@ -61,6 +65,7 @@ use quiet::Quiet;
 use sides::Beyond;
 use solids::Solids;
 use state::{Conserved, Primitive};
+use sweeps::Sweeps;
 
 /// Courant number of a marching step.
 const CFL: f64 = 0.8;
@@ -89,6 +94,9 @@ pub struct FixedSimulation<const D: usize> {
     pressures: Vec<Vec<f64>>,
     /// What came in through walls and sides so far.
     received: Conserved<D>,
+    settling: Settling,
+    /// Links of the cells in the order of the flow, once it is to settle.
+    sweeps: Option<Sweeps>,
     updates: u64,
     min_density: f64,
     min_energy: f64,
@@ -117,6 +125,12 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// As of [`Self::on`].
     pub fn new(problem: Problem<D>) -> Result<Self, String> {
+        let cells = Self::cells_of(&problem);
+        Self::on(cells, problem)
+    }
+
+    /// The cells of the lattice of `problem`.
+    fn cells_of(problem: &Problem<D>) -> Cells<D> {
         let solids = Solids::new(
             problem.bodies.iter().map(|body| body.shape.clone()),
             problem.spacing,
@@ -127,8 +141,7 @@ impl<const D: usize> FixedSimulation<D> {
             spacing: problem.spacing,
         };
         let cloud = Cloud::lattice(&plot, &Levels::default(), problem.disorder);
-        let (cells, _) = cells(&plot, &cloud);
-        Self::on(cells, problem)
+        cells(&plot, &cloud).0
     }
 
     /// The same with a state in each cell.
@@ -165,6 +178,8 @@ impl<const D: usize> FixedSimulation<D> {
             held,
             states,
             received: Conserved::ZERO,
+            settling: Settling::default(),
+            sweeps: None,
             updates: 0,
             min_density: f64::INFINITY,
             min_energy: f64::INFINITY,

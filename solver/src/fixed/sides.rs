@@ -2,6 +2,7 @@
 
 use super::cells::SideFace;
 use super::gas::{Gas, IdealGas};
+use super::gradients::Slopes;
 use super::hll::Jump;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Image;
@@ -82,15 +83,17 @@ impl<const D: usize> Side<D> {
         }
     }
 
-    /// Flux through a unit area, out of the domain.
-    pub fn flux<G: Gas>(&self, gas: &G, cell: &Primitive<D>) -> Conserved<D> {
+    /// Flux through a unit area, out of the domain; `slopes` are the cell's.
+    pub fn flux<G: Gas>(&self, gas: &G, cell: &Primitive<D>, slopes: &Slopes<D>) -> Conserved<D> {
         let normal = self.image.normal;
         let other = match &self.beyond {
             Beyond::Stream(state) => *state,
             Beyond::Same => *cell,
             Beyond::Mirror => {
-                let speed = dot(&cell.velocity, &normal);
-                let pressure = gas.wall_pressure(cell.density, cell.pressure, speed);
+                // The mean of a cell moves away from the plane that gas parts at; at the plane itself it does not.
+                let inner = self.image.inner(cell, &slopes.along, slopes.calmness);
+                let speed = dot(&inner.velocity, &normal);
+                let pressure = gas.wall_pressure(inner.density, inner.pressure, speed);
                 return Conserved {
                     mass: 0.0,
                     momentum: normal.map(|n| pressure * n),

@@ -6,7 +6,7 @@ use super::cells::WallFace;
 use super::fluxes::smoothness;
 use super::gas::Gas;
 use super::net::Matrix;
-use super::reconstruction::Neighbours;
+use super::reconstruction::{Neighbours, rise};
 use super::state::{Conserved, Primitive, dot};
 
 /// The mirror image of a cell's point behind a plane.
@@ -46,6 +46,25 @@ impl<const D: usize> Image<D> {
     pub fn moment(&self) -> Matrix<D> {
         let normal = Vector::from(self.normal);
         normal * normal.transpose() * (2.0 * self.size * self.distance)
+    }
+
+    /// The state of `cell` drawn out to the plane, with the mirror image as its neighbour.
+    pub fn inner(
+        &self,
+        cell: &Primitive<D>,
+        slopes: &[Primitive<D>; D],
+        calmness: f64,
+    ) -> Primitive<D> {
+        let apart = self.normal.map(|n| 2.0 * self.distance * n);
+        let rise = rise(slopes, &apart);
+        let [inner, _] = Neighbours {
+            means: [*cell, cell.mirrored(&self.normal)],
+            rises: [rise; 2],
+            smooth: smoothness(calmness),
+            order: calmness,
+        }
+        .states();
+        inner
     }
 
     /// `w d`.
@@ -97,16 +116,7 @@ impl<const D: usize> Wall<D> {
         let Image {
             normal, distance, ..
         } = &self.image;
-        let apart = normal.map(|n| 2.0 * distance * n);
-        let rise = super::reconstruction::rise(slopes, &apart);
-        let image = cell.mirrored(normal);
-        let [inner, _] = Neighbours {
-            means: [*cell, image],
-            rises: [rise; 2],
-            smooth: smoothness(calmness),
-            order: calmness,
-        }
-        .states();
+        let inner = self.image.inner(cell, slopes, calmness);
         let speed = dot(&inner.velocity, normal);
         let velocity = Vector::from(cell.velocity);
         let bend = distance * cell.density * velocity.dot(&(self.curvature * velocity));
