@@ -17,6 +17,7 @@ mod evaluation;
 mod faces;
 mod failure;
 mod fill;
+pub mod fixed;
 pub mod frame;
 mod images;
 mod initial;
