@@ -11,6 +11,7 @@ use aero::output::write_frame;
 use aero_geometry::bodies::{circle, sphere};
 use aero_geometry::{Bounds, Vector};
 use aero_packer::{PackOptions, pack};
+use aero_solver::gas::Gas;
 use aero_solver::method::Method;
 use aero_solver::problem::{Domain, Field, Initial, Problem, Scheme, Side, State};
 use aero_solver::{Pass, Simulation};
@@ -21,7 +22,7 @@ fn stirred<const D: usize>(cells: usize) -> Problem<D> {
     let wave = std::f64::consts::TAU;
     Problem {
         spacing: 1.0 / cells as f64,
-        gamma: 1.4,
+        gas: Gas::ideal(1.4),
         method: Method::default(),
         scheme: Scheme::default(),
         domain: Domain {

@@ -1,7 +1,7 @@
 //! What a scene meant: the flow problem that the solver reads, and how it is run.
 
 use aero_geometry::Bounds;
-use aero_solver::problem::Problem;
+use aero_solver::problem::{Body, Problem};
 
 /// A scene, checked and packed, in `D` dimensions.
 #[derive(Clone, Debug)]
@@ -10,6 +10,38 @@ pub struct Case<const D: usize> {
     pub problem: Problem<D>,
     /// How it is run.
     pub plan: RunPlan<D>,
+}
+
+/// A case of any dimension.
+#[derive(Clone, Debug)]
+pub enum AnyCase {
+    /// A line.
+    One(Box<Case<1>>),
+    /// A plane.
+    Two(Box<Case<2>>),
+    /// Space.
+    Three(Box<Case<3>>),
+}
+
+impl AnyCase {
+    /// What was repaired in the bodies' meshes, and what the user should know about their packing,
+    /// one line each.
+    pub fn remarks(&self) -> Vec<String> {
+        match self {
+            Self::One(case) => remarks(case),
+            Self::Two(case) => remarks(case),
+            Self::Three(case) => remarks(case),
+        }
+    }
+}
+
+fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
+    let of_body = |body: &Body<D>| {
+        let lines = body.report.repairs.iter().chain(&body.report.warnings);
+        let remark = |line: &String| format!("body `{}`: {line}", body.name);
+        lines.map(remark).collect::<Vec<_>>()
+    };
+    case.problem.bodies.iter().flat_map(of_body).collect()
 }
 
 /// How a problem is run.

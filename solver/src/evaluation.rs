@@ -75,7 +75,7 @@ impl<const D: usize> Simulation<D> {
         self.sum_rates();
         find_shocks(&self.problem, self.rings, &self.rates, &mut self.fluid);
         self.rings
-            .stretch(&self.fluid, self.problem.gamma, &mut self.rates);
+            .stretch(&self.fluid, &self.problem.gas, &mut self.rates);
     }
 
     /// Sums the rates of the fluid.

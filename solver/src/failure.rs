@@ -80,7 +80,8 @@ impl<const D: usize> Simulation<D> {
                 "it was {distance:.1} spacings from {kind}, with {ghosts} ghosts in reach; try `scheme.extrapolation = \"wm\"`, a smaller `scheme.cfl` or a finer `spacing`"
             );
         }
-        let sound = (self.problem.gamma * (self.problem.gamma - 1.0) * particle.energy).sqrt();
+        let gas = &self.problem.gas;
+        let sound = gas.sound_speed(particle.density, particle.energy);
         let mach = particle.velocity.norm() / sound;
         if mach > COLD {
             return format!(

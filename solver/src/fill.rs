@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::Simulation;
+use super::gas::Gas;
 use super::particle::Particle;
 use super::records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, State, Symmetric};
 
@@ -17,14 +18,14 @@ impl<const D: usize> Simulation<D> {
     /// Writes the records of fluid, buffers and their images; buffers drift on by `ahead`.
     pub(super) fn fill_gas(&mut self, ahead: f64) {
         self.fill_near(ahead);
-        let (gamma, count) = (self.problem.gamma, self.fluid.len());
+        let (gas, count) = (self.problem.gas, self.fluid.len());
         let (near, state) = (&self.records.near, &mut self.records.state);
         state[..count]
             .par_iter_mut()
             .zip(&self.fluid)
-            .for_each(|(state, particle)| *state = state_of(particle, gamma));
+            .for_each(|(state, particle)| *state = state_of(particle, &gas));
         for (slot, open) in (count..).zip(&self.open.particles) {
-            let mut open_state = state_of(&open.particle, gamma);
+            let mut open_state = state_of(&open.particle, &gas);
             open_state.renormalise(&open.renormalisation, &open.gradient, near[slot].volume);
             state[slot] = open_state;
         }
@@ -63,9 +64,9 @@ fn near_of<const D: usize>(particle: &Particle<D>, mass: f64) -> Near<D> {
 }
 
 /// The state of a gas particle.
-fn state_of<const D: usize>(particle: &Particle<D>, gamma: f64) -> State<D> {
-    let pressure = (gamma - 1.0) * particle.density * particle.energy;
-    let mut state = State::new(pressure, particle.density, particle.energy, gamma);
+fn state_of<const D: usize>(particle: &Particle<D>, gas: &Gas) -> State<D> {
+    let pressure = gas.pressure(particle.density, particle.energy);
+    let mut state = State::new(pressure, particle.density, particle.energy, gas);
     state.strain = Symmetric::new(&particle.strain);
     state.energy_slope = particle.energy_slope;
     state

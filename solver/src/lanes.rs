@@ -1,7 +1,9 @@
 //! Arithmetic on as many particles at once as the processor's vectors hold. Width and precision are
 //! chosen at run time ([`super::vectors`]), the formulas are written once.
 
-use std::ops::{Add, AddAssign, Mul, Neg, Sub};
+use std::ops::{Add, AddAssign, Div, Mul, Neg, Sub};
+
+use aero_geometry::Real;
 
 use super::vectors::{MAX_LANES, Place, Rough, Vectors};
 
@@ -160,6 +162,14 @@ impl<V: Vectors> Mul for Lane<V> {
     }
 }
 
+impl<V: Vectors> Div for Lane<V> {
+    type Output = Self;
+    #[inline(always)]
+    fn div(self, other: Self) -> Self {
+        self.with(self.vectors.div(self.value, other.value))
+    }
+}
+
 impl<V: Vectors> Neg for Lane<V> {
     type Output = Self;
     #[inline(always)]
@@ -172,5 +182,27 @@ impl<V: Vectors> AddAssign for Lane<V> {
     #[inline(always)]
     fn add_assign(&mut self, other: Self) {
         *self = *self + other;
+    }
+}
+
+impl<V: Vectors> Real for Lane<V> {
+    #[inline(always)]
+    fn constant(self, value: f64) -> Self {
+        Self::splat(self.vectors, value)
+    }
+
+    #[inline(always)]
+    fn times_plus(self, factor: Self, addend: Self) -> Self {
+        self.mul_add(factor, addend)
+    }
+
+    #[inline(always)]
+    fn at_least(self, other: Self) -> Self {
+        self.max(other)
+    }
+
+    #[inline(always)]
+    fn root(self) -> Self {
+        self.sqrt()
     }
 }

@@ -19,6 +19,7 @@ mod failure;
 mod fill;
 pub mod fixed;
 pub mod frame;
+pub mod gas;
 mod images;
 mod initial;
 mod lanes;
@@ -257,7 +258,7 @@ impl<const D: usize> Simulation<D> {
     fn step_bound(&self) -> StepBound {
         const GROWTH_OF_STEP: f64 = 1.1;
         let acoustic =
-            time_step::acoustic_step(self.problem.scheme.cfl, self.problem.gamma, &self.fluid);
+            time_step::acoustic_step(self.problem.scheme.cfl, &self.problem.gas, &self.fluid);
         let mut step = acoustic.min(GROWTH_OF_STEP * self.last_step);
         if self.last_step.is_infinite() {
             step = step.min(self.crossing_time());
@@ -295,7 +296,7 @@ impl<const D: usize> Simulation<D> {
         time_step::time_step(
             self.problem.scheme.equations,
             self.problem.scheme.cfl,
-            self.problem.gamma,
+            &self.problem.gas,
             &self.fluid,
             &self.rates,
         )

@@ -109,7 +109,7 @@ impl<const D: usize> Problem<D> {
             position,
             velocity: state.velocity,
             density: state.density,
-            energy: state.pressure / ((self.gamma - 1.0) * state.density),
+            energy: self.gas.energy(state.density, state.pressure),
             smoothing_length: SMOOTHING_RATIO * self.spacing,
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,

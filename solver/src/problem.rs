@@ -5,6 +5,7 @@ use std::sync::Arc;
 use aero_geometry::{Bounds, Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 
+use crate::gas::Gas;
 use crate::method::Method;
 
 /// A flow problem ready to run, in `D` dimensions.
@@ -12,8 +13,8 @@ use crate::method::Method;
 pub struct Problem<const D: usize> {
     /// Particle spacing `dx` of the undisturbed lattice.
     pub spacing: f64,
-    /// Ratio of specific heats.
-    pub gamma: f64,
+    /// Equation of state.
+    pub gas: Gas,
     /// What carries the gas.
     pub method: Method,
     /// Equations and boundary treatment of particles.

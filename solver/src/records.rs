@@ -4,6 +4,8 @@
 use aero_geometry::Vector;
 use nalgebra::{SMatrix, SVector, Scalar};
 
+use super::gas::Gas;
+
 pub use super::rounding::{Rounded, Split};
 
 /// A `D x D` matrix.
@@ -161,9 +163,9 @@ impl<const D: usize> Near<D> {
 
 impl<const D: usize> State<D> {
     /// State without gradients; they follow from the renormalisation pass.
-    pub fn new(pressure: f64, density: f64, energy: f64, gamma: f64) -> Self {
+    pub fn new(pressure: f64, density: f64, energy: f64, gas: &Gas) -> Self {
         Self {
-            half_sound: 0.5 * (gamma * pressure / density).sqrt(),
+            half_sound: 0.5 * gas.sound_speed_at(density, pressure),
             energy,
             pressure,
             half_gradient: Vector::zeros(),
@@ -234,7 +236,16 @@ impl<const D: usize> Records<D> {
             velocity: Vector::zeros(),
         };
         self.near.resize(end, near);
-        self.state.resize(end, State::new(0.0, 1.0, 0.0, 1.0));
+        let state = State {
+            half_sound: 0.0,
+            energy: 0.0,
+            pressure: 0.0,
+            half_gradient: Vector::zeros(),
+            strain: Symmetric::zeros(),
+            energy_slope: Vector::zeros(),
+            stress: Symmetric::zeros(),
+        };
+        self.state.resize(end, state);
     }
 
     /// Slots of one segment.

@@ -4,6 +4,7 @@
 
 use aero_geometry::Vector;
 
+use super::gas::{Gas, IdealGas};
 use super::particle::Particle;
 use crate::problem::{Problem, Side, State};
 
@@ -29,8 +30,9 @@ impl Reservoir {
             .flat_map(|axis| [(axis, 0), (axis, 1)])
             .find(|&(axis, end)| problem.domain.sides[axis][end] == Side::Reservoir)?;
         let gas = &problem.free_stream;
-        let heat = problem.gamma - 1.0;
-        let sound_square = problem.gamma * gas.pressure / gas.density;
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        let heat = gamma - 1.0;
+        let sound_square = gamma * gas.pressure / gas.density;
         // NACA Report 1135 (1953), eqs 43 and 44.
         let rise = 1.0 + 0.5 * heat * gas.velocity.norm_squared() / sound_square;
         let bounds = &problem.domain.bounds;
@@ -38,7 +40,7 @@ impl Reservoir {
             axis,
             inward: if end == 0 { 1.0 } else { -1.0 },
             face: if end == 0 { bounds.min } else { bounds.max }[axis],
-            pressure: gas.pressure * rise.powf(problem.gamma / heat),
+            pressure: gas.pressure * rise.powf(gamma / heat),
             sound_square: sound_square * rise,
         })
     }
@@ -50,14 +52,15 @@ impl Reservoir {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
     ) -> Option<State<D>> {
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
         let wave = self.outgoing_wave(problem, fluid)?;
-        let (speed, sound) = entering(wave, self.sound_square, problem.gamma);
+        let (speed, sound) = entering(wave, self.sound_square, gamma);
         let share = sound * sound / self.sound_square;
-        let pressure = self.pressure * share.powf(problem.gamma / (problem.gamma - 1.0));
+        let pressure = self.pressure * share.powf(gamma / (gamma - 1.0));
         let mut velocity = Vector::zeros();
         velocity[self.axis] = self.inward * speed;
         Some(State {
-            density: problem.gamma * pressure / (sound * sound),
+            density: gamma * pressure / (sound * sound),
             velocity,
             pressure,
         })
@@ -70,12 +73,13 @@ impl Reservoir {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
     ) -> Option<f64> {
-        let heat = problem.gamma - 1.0;
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        let heat = gamma - 1.0;
         let (mut sum, mut mass) = (0.0, 0.0);
         for particle in fluid {
             let depth = self.inward * (particle.position[self.axis] - self.face);
             if depth < LAYER * problem.spacing {
-                let sound = (problem.gamma * heat * particle.energy).sqrt();
+                let sound = (gamma * heat * particle.energy).sqrt();
                 let wave = self.inward * particle.velocity[self.axis] - 2.0 * sound / heat;
                 sum += particle.mass * wave;
                 mass += particle.mass;

@@ -11,6 +11,7 @@ use std::f64::consts::TAU;
 use aero_geometry::Vector;
 
 use super::particle::{Particle, Rates};
+use crate::gas::Gas;
 use crate::problem::Problem;
 
 /// A ring never counts as narrower than this many spacings, the radius of the innermost ring of the lattice: nearer
@@ -81,7 +82,7 @@ impl Rings {
     pub fn stretch<const D: usize>(
         &self,
         particles: &[Particle<D>],
-        gamma: f64,
+        gas: &Gas,
         rates: &mut [Rates<D>],
     ) {
         if !self.are_real() {
@@ -90,7 +91,7 @@ impl Rings {
         for (particle, rates) in particles.iter().zip(rates) {
             let growth = self.growth(particle);
             rates.density -= particle.density * growth;
-            let heating = (gamma - 1.0) * particle.energy * growth;
+            let heating = gas.pressure_over_density(particle.density, particle.energy) * growth;
             rates.energy -= heating;
             rates.by_pressure.heating -= heating;
         }

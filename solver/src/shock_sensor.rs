@@ -27,7 +27,7 @@ pub fn find_shocks<const D: usize>(
     if !(limits_viscosity || limits_conduction || scheme.shifting) {
         return;
     }
-    let gamma = problem.gamma;
+    let gas = &problem.gas;
     particles
         .par_iter_mut()
         .zip(rates)
@@ -36,7 +36,7 @@ pub fn find_shocks<const D: usize>(
             let turn = gradient - gradient.transpose();
             let strain = (gradient + gradient.transpose()) * 0.5;
             let compression = (gradient.trace() + rings.growth(particle)).min(0.0);
-            let sound = (gamma * (gamma - 1.0) * particle.energy).sqrt();
+            let sound = gas.sound_speed(particle.density, particle.energy);
             let onset = ONSET * sound / particle.smoothing_length;
             let squared = compression * compression;
             let smooth = 0.5 * turn.norm_squared() + onset * onset;

@@ -5,9 +5,9 @@ use aero_geometry::{Bounds, Vector};
 use serde::{Deserialize, Serialize};
 
 use super::Simulation;
+use super::gas::Gas;
 use super::open::add;
 use super::particle::{ByPressure, Ghost, Particle};
-use super::records::State;
 use super::rigid::pad;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
 
@@ -95,10 +95,10 @@ impl<const D: usize> Simulation<D> {
             step: self.steps,
             ..Frame::default()
         };
-        let gamma = self.problem.gamma;
+        let gas = self.problem.gas;
         let mut push = |particle: &Particle<D>, kind| {
             if is_shown(&particle.position) {
-                push(&mut frame, particle, gamma, kind);
+                push(&mut frame, particle, &gas, kind);
             }
         };
         for particle in &self.fluid {
@@ -230,10 +230,9 @@ fn smaller(a: f64, b: f64) -> f64 {
     if a.is_nan() || a < b { a } else { b }
 }
 
-fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gamma: f64, kind: Kind) {
-    let pressure = (gamma - 1.0) * particle.density * particle.energy;
-    let state = State::<D>::new(pressure, particle.density, particle.energy, gamma);
-    let sound = 2.0 * state.half_sound;
+fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gas: &Gas, kind: Kind) {
+    let pressure = gas.pressure(particle.density, particle.energy);
+    let sound = gas.sound_speed_at(particle.density, pressure);
     frame.position.push(pad(&particle.position).into());
     frame.velocity.push(pad(&particle.velocity).into());
     frame.density.push(particle.density);

@@ -58,7 +58,7 @@ impl<const D: usize> Simulation<D> {
         self.calm = calm;
         let bounds = result?;
         if is_leapfrog {
-            self.stable_step = bounds.step(self.problem.scheme.cfl, self.problem.gamma);
+            self.stable_step = bounds.step(self.problem.scheme.cfl, &self.problem.gas);
         }
         Ok(())
     }

@@ -2,6 +2,7 @@
 
 use rayon::prelude::*;
 
+use super::gas::Gas;
 use super::particle::{Particle, Rates};
 use crate::problem::Equations;
 
@@ -20,7 +21,7 @@ const C_CHANGE: f64 = 1.0;
 pub fn time_step<const D: usize>(
     equations: Equations,
     cfl: f64,
-    gamma: f64,
+    gas: &Gas,
     particles: &[Particle<D>],
     rates: &[Rates<D>],
 ) -> f64 {
@@ -30,19 +31,19 @@ pub fn time_step<const D: usize>(
                 let acceleration = rates.acceleration + rates.wall_acceleration;
                 [
                     particle.smoothing_length,
-                    -particle.energy,
+                    -gas.sound_speed(particle.density, particle.energy),
                     -acceleration.norm_squared(),
                 ]
             });
-            let [h, energy, acceleration] = extremes.reduce(|| [f64::INFINITY; 3], smaller);
-            let acoustic = h / sound_speed(gamma, -energy);
+            let [h, sound, acceleration] = extremes.reduce(|| [f64::INFINITY; 3], smaller);
+            let acoustic = h / -sound;
             cfl * acoustic.min(C_FORCE * (h / (-acceleration).sqrt()).sqrt())
         }
         Equations::Conservative => {
             let each = particles.par_iter().zip(rates);
             each.map(|(particle, rates)| Bounds::of(particle, rates))
                 .reduce(Bounds::default, Bounds::tighter)
-                .step(cfl, gamma)
+                .step(cfl, gas)
         }
     }
 }
@@ -50,7 +51,7 @@ pub fn time_step<const D: usize>(
 /// What bounds the step of the conservative scheme, each over the Courant number.
 #[derive(Clone, Copy, Debug)]
 pub struct Bounds {
-    /// `h^2 / e`, the square of what the speed of sound allows but for `gamma`.
+    /// `h^2 / e`, the square of what the speed of sound allows but for the gas' constants.
     courant: f64,
     /// `(h / a)^2`.
     force: f64,
@@ -92,28 +93,23 @@ impl Bounds {
     }
 
     /// The longest step within all of them.
-    pub fn step(self, cfl: f64, gamma: f64) -> f64 {
-        let acoustic = self.courant.sqrt() / sound_speed(gamma, 1.0);
+    pub fn step(self, cfl: f64, gas: &Gas) -> f64 {
+        let acoustic = self.courant.sqrt() / gas.sound_speed(1.0, 1.0);
         let force = C_FORCE * self.force.sqrt().sqrt();
         cfl * acoustic.min(force).min(C_CHANGE * self.change)
     }
 }
 
 /// The bound from the speed of sound alone, known before any rate.
-pub fn acoustic_step<const D: usize>(cfl: f64, gamma: f64, particles: &[Particle<D>]) -> f64 {
+pub fn acoustic_step<const D: usize>(cfl: f64, gas: &Gas, particles: &[Particle<D>]) -> f64 {
     let each = particles
         .par_iter()
         .map(|p| p.smoothing_length * p.smoothing_length / p.energy);
     let squared = each.reduce(|| f64::INFINITY, f64::min);
-    cfl * squared.sqrt() / sound_speed(gamma, 1.0)
+    cfl * squared.sqrt() / gas.sound_speed(1.0, 1.0)
 }
 
 /// The smaller ones. Unlike a sum they do not depend on the order, and so not on the threads.
 fn smaller(a: [f64; 3], b: [f64; 3]) -> [f64; 3] {
     std::array::from_fn(|k| a[k].min(b[k]))
-}
-
-/// Speed of sound of an ideal gas, `sqrt(gamma (gamma - 1) e)`.
-fn sound_speed(gamma: f64, energy: f64) -> f64 {
-    (gamma * (gamma - 1.0) * energy).sqrt()
 }

@@ -3,7 +3,8 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use aero::pack::{PackFile, Packed, pack_mesh, pack_scene};
+use aero::output::write_packing;
+use aero::pack::{AnyPacked, PackFile, pack_mesh, pack_scene};
 use aero::scene::number::Positive;
 use aero::scene::shapes::Unit;
 use aero::scene::{PackWishes, Scene};
@@ -37,7 +38,7 @@ pub struct PackArgs {
 }
 
 /// The report and the files that were written.
-type Made = (PackFile, Vec<PathBuf>);
+type Written = (PackFile, Vec<PathBuf>);
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -68,7 +69,7 @@ pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
 }
 
 /// Packs and writes the files; gives their names and the report.
-fn make(args: &PackArgs, watch: Watch) -> Result<Made, CommandError> {
+fn make(args: &PackArgs, watch: Watch) -> Result<Written, CommandError> {
     let wishes = PackWishes {
         spacing: args.spacing,
         layers: args.layers.map(usize::from),
@@ -89,14 +90,8 @@ fn make(args: &PackArgs, watch: Watch) -> Result<Made, CommandError> {
                 ));
             }
             let scene = Scene::load(path).map_err(CommandError::wrong)?;
-            match scene.dimension() {
-                2 => scene_bodies::<2>(&scene, args, &wishes),
-                3 => scene_bodies::<3>(&scene, args, &wishes),
-                _ => Err(CommandError::wrong(format!(
-                    "`{}` has dimension 1 and so no bodies to pack",
-                    path.display()
-                ))),
-            }
+            let packed = pack_scene(&scene, &wishes);
+            write(&packed.map_err(CommandError::wrong)?, args, &wishes.watch)
         }
         _ => Err(CommandError::wrong(format!(
             "`{}` is neither an STL file (.stl) nor a scene (.toml)",
@@ -105,26 +100,13 @@ fn make(args: &PackArgs, watch: Watch) -> Result<Made, CommandError> {
     }
 }
 
-fn scene_bodies<const D: usize>(
-    scene: &Scene,
-    args: &PackArgs,
-    wishes: &PackWishes,
-) -> Result<Made, CommandError> {
-    let packed = pack_scene::<D>(scene, wishes).map_err(CommandError::wrong)?;
-    write(&packed, args, &wishes.watch)
-}
-
-fn write<const D: usize>(
-    packed: &Packed<D>,
-    args: &PackArgs,
-    watch: &Watch,
-) -> Result<Made, CommandError> {
+fn write(packed: &AnyPacked, args: &PackArgs, watch: &Watch) -> Result<Written, CommandError> {
     watch.begin("writing");
     let folder = match &args.out {
         Some(folder) => folder.clone(),
-        None => Path::new("out").join(&packed.name),
+        None => Path::new("out").join(packed.name()),
     };
-    let files = packed.write(&folder).map_err(CommandError::wrong)?;
+    let files = write_packing(packed, &folder).map_err(CommandError::wrong)?;
     Ok((packed.report(), files))
 }
 

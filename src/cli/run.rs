@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use aero::case::AnyCase;
 use aero::output::{CHECKPOINT, Summary};
 use aero::run::{Place, RunError, Stopwatch, run_any};
-use aero::scene::{AnyCase, Scene};
+use aero::scene::Scene;
 use clap::Args;
 
 use super::interrupt::Interrupt;

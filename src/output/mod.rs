@@ -7,6 +7,8 @@ mod checkpoint;
 mod ghosts;
 mod history;
 mod memory;
+mod packing;
+mod packing_picture;
 mod particles;
 mod pvd;
 mod summary;
@@ -19,9 +21,10 @@ pub use checkpoint::{
     CHECKPOINT, CheckpointError, checkpoint_bytes, read_checkpoint, remove_checkpoint,
     write_checkpoint,
 };
-pub use ghosts::write_ghosts;
+use ghosts::write_ghosts;
 pub use history::{History, HistoryRow};
 pub use memory::peak_memory;
+pub use packing::write_packing;
 pub use particles::write_frame;
 pub use pvd::Collection;
 pub use summary::{BodySummary, Conservation, Particles, Summary};
@@ -38,7 +41,8 @@ pub struct OutputError {
 }
 
 impl OutputError {
-    pub(crate) fn new(path: &Path, source: std::io::Error) -> Self {
+    /// The error of the file at `path`.
+    pub fn new(path: &Path, source: std::io::Error) -> Self {
         Self {
             path: path.to_owned(),
             source,

@@ -13,7 +13,7 @@ use aero_solver::Memory;
 
 /// A run between two steps.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Checkpoint<'a, const D: usize> {
+pub(super) struct Checkpoint<'a, const D: usize> {
     pub(super) simulation: Memory<'a, D>,
     pub(super) sums: Sums,
     pub(super) pace: Pace,

@@ -2,23 +2,23 @@
 //! up. Knows neither the equations nor the formats of the files.
 
 mod checkpoint;
+mod outcome;
 mod recorder;
 mod steady;
 mod stopwatch;
 mod tally;
 
-pub use checkpoint::Checkpoint;
-pub use recorder::{FileRecorder, Recorder};
+pub use outcome::{History, Keep, Outcome, run_in_memory};
+use recorder::{FileRecorder, Recorder};
 pub use stopwatch::Stopwatch;
 
 use std::ops::ControlFlow;
 use std::path::Path;
 
-use crate::case::{Case, RunPlan, Stop};
+use crate::case::{AnyCase, Case, RunPlan, Stop};
 use crate::output::{self, CheckpointError, OutputError, Summary};
-use crate::scene::AnyCase;
 use aero_solver::Simulation;
-use checkpoint::Pace;
+use checkpoint::{Checkpoint, Pace};
 use steady::Monitor;
 use tally::Tally;
 
@@ -69,14 +69,21 @@ pub enum RunError {
 pub struct Place<'a> {
     /// Folder for frames, history, summary and checkpoint.
     pub folder: &'a Path,
-    /// The scene as [`Scene::lines`](crate::scene::Scene::lines) tells it.
+    /// All values that the run depends on, one per line.
     pub scene: &'a str,
     /// Go on from the checkpoint, where there is one.
     pub resume: bool,
 }
 
-/// Runs a case of any dimension; see [`run`]. Whoever calls this one need not compile the solver
-/// once more.
+/// Runs a case of any dimension to its end on the current thread pool, with frames, history,
+/// checkpoints and summary in a folder.
+///
+/// `stopwatch` was started where the cost of the run begins, packing included; `watch` is called
+/// after every step, and may ask the run to stop there. Whoever calls this function need not compile
+/// the solver once more.
+///
+/// # Errors
+/// A run that fails leaves its last good frame and its summary in the folder all the same.
 pub fn run_any(
     case: AnyCase,
     place: Place<'_>,
@@ -90,15 +97,7 @@ pub fn run_any(
     }
 }
 
-/// Runs `case` to its end on the current thread pool, with frames, history, checkpoints and summary
-/// in a folder.
-///
-/// `stopwatch` was started where the cost of the run begins, packing included; `watch` is called
-/// after every step, and may ask the run to stop there.
-///
-/// # Errors
-/// A run that fails leaves its last good frame and its summary in the folder all the same.
-pub fn run<const D: usize>(
+fn run<const D: usize>(
     case: Case<D>,
     place: Place<'_>,
     stopwatch: Stopwatch,
@@ -134,7 +133,7 @@ pub fn run<const D: usize>(
 
 /// Runs `case` to its end; `recorder` sees the start, every step and every frame. Returns the
 /// finished simulation for those who want to look into it.
-pub fn simulate<const D: usize>(
+fn simulate<const D: usize>(
     case: Case<D>,
     recorder: &mut dyn Recorder<D>,
     stopwatch: Stopwatch,

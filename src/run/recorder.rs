@@ -15,7 +15,7 @@ use crate::output::{self, Background, Collection, History, HistoryRow, OutputErr
 use aero_solver::{Simulation, wall_sides};
 
 /// Sees a run at its frames and steps.
-pub trait Recorder<const D: usize> {
+pub(super) trait Recorder<const D: usize> {
     /// A frame is due: at the start, at every frame time, at the end and after a failure.
     fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError>;
 
@@ -51,7 +51,7 @@ pub(super) struct Written {
 
 /// Writes frames, surfaces, history and checkpoints into a folder; all but the history while the solver
 /// goes on.
-pub struct FileRecorder<'a, const D: usize> {
+pub(super) struct FileRecorder<'a, const D: usize> {
     folder: PathBuf,
     written: Written,
     particles: Collection,
@@ -84,7 +84,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
     ///
     /// # Errors
     /// When the folder takes no files. A checkpoint of an earlier run is gone afterwards.
-    pub fn create(
+    pub(super) fn create(
         folder: &Path,
         case: &Case<D>,
         scene: &str,

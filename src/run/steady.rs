@@ -63,7 +63,7 @@ impl Monitor {
         let length = if speed > 0.0 {
             size.dot(&stream.velocity.abs()) / (speed * speed)
         } else {
-            size.max() / (problem.gamma * stream.pressure / stream.density).sqrt()
+            size.max() / problem.gas.sound_speed_at(stream.density, stream.pressure)
         };
         let names: Vec<String> = problem
             .bodies

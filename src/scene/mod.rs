@@ -66,7 +66,8 @@ pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, RunPlan, Stop};
+use crate::case::{AnyCase, Case, RunPlan, Stop};
+use aero_solver::gas::Gas;
 use aero_solver::problem::{Problem, Scheme};
 use file::{SceneFile, SchemeEntry};
 use number::{Courant, Disorder};
@@ -78,38 +79,6 @@ pub struct Scene {
     folder: PathBuf,
     text: String,
     file: SceneFile,
-}
-
-/// A case of any dimension.
-#[derive(Clone, Debug)]
-pub enum AnyCase {
-    /// A line.
-    One(Box<Case<1>>),
-    /// A plane.
-    Two(Box<Case<2>>),
-    /// Space.
-    Three(Box<Case<3>>),
-}
-
-impl AnyCase {
-    /// What was repaired in the bodies' meshes, and what the user should know about their packing,
-    /// one line each.
-    pub fn remarks(&self) -> Vec<String> {
-        match self {
-            Self::One(case) => remarks(case),
-            Self::Two(case) => remarks(case),
-            Self::Three(case) => remarks(case),
-        }
-    }
-}
-
-fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let of_body = |body: &aero_solver::problem::Body<D>| {
-        let lines = body.report.repairs.iter().chain(&body.report.warnings);
-        let remark = |line: &String| format!("body `{}`: {line}", body.name);
-        lines.map(remark).collect::<Vec<_>>()
-    };
-    case.problem.bodies.iter().flat_map(of_body).collect()
 }
 
 impl Scene {
@@ -212,8 +181,8 @@ impl Scene {
         let method = method::method(&file.scheme, stop)?;
         let problem = Problem {
             spacing,
+            gas: Gas::ideal(flow::gamma(file)),
             method,
-            gamma: flow::gamma(file),
             scheme: scheme(file.scheme),
             domain,
             free_stream,

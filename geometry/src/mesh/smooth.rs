@@ -10,6 +10,11 @@ const CREASE: f64 = std::f64::consts::FRAC_PI_6;
 /// An edge that bends less than this (radians; 3 degrees) is never a crease.
 const FLAT: f64 = std::f64::consts::PI / 60.0;
 
+/// The tip of a cone and a smooth vertex are told apart by how far the normals at the far ends of their triangles lean
+/// beyond the triangles' own, as a part of how far the normal at the vertex leans back: one half to one where
+/// the surface bends on, zero where it is straight.
+const BENDS_ON: f64 = 0.2;
+
 /// What the smooth parts of a surface share.
 #[derive(Clone, Debug)]
 pub(super) struct Smooth {
@@ -84,6 +89,7 @@ impl Smooth {
         };
         smooth.flag_vertices(vertices.len(), facets, &groups);
         smooth.blend(&groups, corners);
+        smooth.sharpen_tips(&smooth_across, corners);
         smooth
     }
 
@@ -124,6 +130,51 @@ impl Smooth {
         }
         for normal in &mut self.normals {
             *normal = normal.try_normalize(0.0).unwrap_or_default();
+        }
+    }
+
+    /// Gives the triangles around the tip of a cone normals of their own there: one that all shared would lean along the
+    /// axis, and lean the normals of triangles that run from tip to base all along their length.
+    fn sharpen_tips(
+        &mut self,
+        smooth_across: &[[u32; 3]],
+        corners: impl Fn(usize) -> [Vector<3>; 3],
+    ) {
+        let mut lean = vec![0.0_f64; self.normals.len()];
+        let mut bends_on = vec![0.0_f64; self.normals.len()];
+        let mut most = vec![0.0_f64; self.normals.len()];
+        for (f, numbers) in self.corners.iter().enumerate() {
+            let own = normal(&corners(f));
+            let [a, b, c] = numbers.map(|number| self.normals[number as usize]);
+            for (k, (at, far)) in [(a, 0.5 * (b + c)), (b, 0.5 * (c + a)), (c, 0.5 * (a + b))]
+                .into_iter()
+                .enumerate()
+            {
+                let (number, back) = (numbers[k] as usize, at - own);
+                lean[number] += back.norm_squared();
+                bends_on[number] += back.dot(&(own - far));
+                most[number] = most[number].max(back.norm());
+            }
+        }
+        let is_tip = |number: u32| {
+            let n = number as usize;
+            most[n] > FLAT && bends_on[n] < BENDS_ON * lean[n]
+        };
+        let shared = self.corners.clone();
+        for (f, numbers) in shared.iter().enumerate() {
+            for k in (0..3).filter(|&k| is_tip(numbers[k])) {
+                let beside = [smooth_across[f][k], smooth_across[f][(k + 2) % 3]];
+                let mean: Vector<3> = [f as u32]
+                    .into_iter()
+                    .chain(beside)
+                    .filter(|&g| g != NONE)
+                    .map(|g| normal(&corners(g as usize)))
+                    .sum();
+                self.corners[f][k] = self.normals.len() as u32;
+                self.normals
+                    .push(mean.try_normalize(0.0).unwrap_or_default());
+                self.flags[f] |= 8 << k;
+            }
         }
     }
 

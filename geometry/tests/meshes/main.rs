@@ -1,5 +1,6 @@
 //! Bodies made of triangles: distances against exact bodies, repairs, and refusals.
 
+mod assemblies;
 mod distances;
 mod parts;
 mod properties;

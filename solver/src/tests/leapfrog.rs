@@ -46,7 +46,7 @@ fn a_step_that_would_cost_a_particle_its_heat_is_taken_again_at_half_the_length(
             pressure: if is_dense { 0.1 } else { 1e-10 } * (2.0 / 3.0),
         }
     })));
-    problem.gamma = 5.0 / 3.0;
+    problem.gas = Gas::ideal(5.0 / 3.0);
     let mut simulation = start(problem);
     let before = simulation.totals().energy;
     simulation.step(f64::INFINITY).expect("half steps suffice");

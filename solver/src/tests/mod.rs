@@ -17,6 +17,7 @@ use std::sync::Arc;
 use aero_geometry::{Bounds, Vector};
 
 use super::Simulation;
+use crate::gas::Gas;
 use crate::problem::{
     Domain, Equations, Extrapolation, Field, Initial, Problem, Scheme, Side, State, WallKind,
 };
@@ -33,7 +34,7 @@ fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
     let bounds = Bounds::new(Vector::zeros(), Vector::repeat(cells as f64 * spacing));
     Problem {
         spacing,
-        gamma: 1.4,
+        gas: Gas::ideal(1.4),
         method: crate::method::Method::default(),
         scheme: Scheme::default(),
         domain: Domain {

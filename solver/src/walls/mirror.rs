@@ -8,6 +8,7 @@ use super::super::particle::Ghost;
 use super::super::records::{Matrix, Records};
 use super::super::vectors::Arch;
 use super::{WallLists, Walls, mirror_seeker, seeker};
+use crate::gas::Gas;
 use crate::problem::{Equations, Extrapolation, WallKind};
 
 impl<const D: usize> Walls<D> {
@@ -36,7 +37,7 @@ impl<const D: usize> Walls<D> {
                 &mut self.mirrored,
             );
         }
-        let (bodies, equations, gamma) = (&self.bodies, self.equations, self.gamma);
+        let (bodies, equations, law) = (&self.bodies, self.equations, self.gas);
         let constant_volume = self.constant_volume;
         self.ghosts
             .par_iter_mut()
@@ -52,7 +53,7 @@ impl<const D: usize> Walls<D> {
                     None => gas.centroid.dot(&ghost.normal),
                 };
                 let kind = bodies[ghost.body as usize].1;
-                show(ghost, &gas, arm, kind, equations, gamma);
+                show(ghost, &gas, arm, kind, equations, &law);
                 if !constant_volume {
                     ghost.volume = ghost.reference_mass / ghost.density;
                 }
@@ -91,7 +92,7 @@ fn show<const D: usize>(
     arm: f64,
     kind: WallKind,
     equations: Equations,
-    gamma: f64,
+    law: &Gas,
 ) {
     let wall = ghost.wall_velocity;
     ghost.velocity = match kind {
@@ -115,7 +116,7 @@ fn show<const D: usize>(
     // that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.
     let slide = gas.velocity - wall;
     let slide = slide - ghost.normal * slide.dot(&ghost.normal);
-    let density = gas.pressure / ((gamma - 1.0) * gas.energy);
+    let density = law.density(gas.pressure, gas.energy);
     let slope = density
         * (ghost.wall_acceleration.dot(&ghost.normal) + ghost.coriolis.dot(&slide)
             - slide.dot(&(ghost.curvature * slide)));
@@ -124,9 +125,9 @@ fn show<const D: usize>(
     ghost.energy = gas.energy;
     if equations == Equations::Conservative && slope != 0.0 {
         // Pressure varies across the layer at the wall, entropy hardly [Dadone & Grossman 1994].
-        ghost.energy *= (ghost.pressure / gas.pressure).powf((gamma - 1.0) / gamma);
+        ghost.energy = law.isentropic_energy(gas.energy, gas.pressure, ghost.pressure);
     }
-    ghost.density = ghost.pressure / ((gamma - 1.0) * ghost.energy);
+    ghost.density = law.density(ghost.pressure, ghost.energy);
 }
 
 /// A pressure that rises by `rise` to first order, and stays positive where it falls.

@@ -16,6 +16,7 @@ use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
 use super::rigid::Pose;
 use super::side_walls;
 use super::vectors::Arch;
+use crate::gas::Gas;
 use crate::problem::{Equations, Extrapolation, Motion, Problem, WallKind};
 
 /// All ghosts, and what their bodies do.
@@ -34,7 +35,7 @@ pub struct Walls<const D: usize> {
     extrapolation: Extrapolation,
     equations: Equations,
     constant_volume: bool,
-    gamma: f64,
+    gas: Gas,
     width: f64,
     faces: Option<Faces<D>>,
     found: Vec<Option<Interpolated<D>>>,
@@ -70,7 +71,7 @@ impl<const D: usize> Walls<D> {
             extrapolation: problem.scheme.extrapolation,
             equations: problem.scheme.equations,
             constant_volume: problem.scheme.constant_ghost_volume,
-            gamma: problem.gamma,
+            gas: problem.gas,
             width,
             faces,
             found: Vec::new(),
@@ -184,7 +185,7 @@ impl<const D: usize> Walls<D> {
                     half_density: 0.5 * ghost.density,
                     velocity: ghost.velocity,
                 };
-                *state = State::new(ghost.pressure, ghost.density, ghost.energy, self.gamma);
+                *state = State::new(ghost.pressure, ghost.density, ghost.energy, &self.gas);
                 state.strain = Symmetric::new(&ghost.strain);
                 state.renormalise(&even, &Vector::zeros(), ghost.volume);
             });

@@ -108,7 +108,7 @@ fn blank<const D: usize>(
         strain: Matrix::zeros(),
         pressure: gas.pressure,
         wall_pressure: gas.pressure,
-        energy: gas.pressure / ((problem.gamma - 1.0) * gas.density),
+        energy: problem.gas.energy(gas.density, gas.pressure),
         density: gas.density,
         smoothing_length: h,
     }
