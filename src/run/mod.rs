@@ -4,6 +4,7 @@
 mod checkpoint;
 mod outcome;
 mod recorder;
+mod settle;
 mod steady;
 mod stopwatch;
 mod tally;
@@ -17,7 +18,9 @@ use std::path::Path;
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
 use crate::output::{self, CheckpointError, OutputError, Summary};
-use aero_solver::Simulation;
+use aero_solver::Flow;
+use aero_solver::method::Time;
+use aero_solver::problem::Problem;
 use checkpoint::{Checkpoint, Pace};
 use steady::Monitor;
 use tally::Tally;
@@ -137,7 +140,7 @@ fn simulate<const D: usize>(
     case: Case<D>,
     recorder: &mut dyn Recorder<D>,
     stopwatch: Stopwatch,
-) -> Result<(Simulation<D>, Summary), RunError> {
+) -> Result<(Flow<D>, Summary), RunError> {
     let mut under_way = UnderWay::start(case, recorder, stopwatch)?;
     let summary = under_way.finish(recorder)?;
     Ok((under_way.simulation, summary))
@@ -146,7 +149,7 @@ fn simulate<const D: usize>(
 /// A run between two steps.
 struct UnderWay<const D: usize> {
     plan: RunPlan<D>,
-    simulation: Simulation<D>,
+    simulation: Flow<D>,
     tally: Tally,
     pace: Pace,
     /// Only where the run may end early.
@@ -160,13 +163,9 @@ impl<const D: usize> UnderWay<D> {
         stopwatch: Stopwatch,
     ) -> Result<Self, RunError> {
         let Case { problem, plan } = case;
-        if problem.method.fixed().is_some() {
-            return Err(RunError::SetUp(
-                "scheme.motion = \"fixed\" cannot be run yet; leave it out".into(),
-            ));
-        }
-        let monitor = (plan.stop == Stop::Steady).then(|| Monitor::new(&problem));
-        let simulation = Simulation::new(problem).map_err(RunError::SetUp)?;
+        let watches = plan.stop == Stop::Steady && !settles(&problem);
+        let monitor = watches.then(|| Monitor::new(&problem));
+        let simulation = Flow::new(problem).map_err(RunError::SetUp)?;
         recorder.frame(&simulation)?;
         let this = Self {
             tally: Tally::start(&plan, &simulation, stopwatch),
@@ -189,7 +188,7 @@ impl<const D: usize> UnderWay<D> {
         stopwatch: Stopwatch,
     ) -> Result<Self, String> {
         let Case { problem, plan } = case;
-        let simulation = Simulation::resume(problem, checkpoint.simulation)?;
+        let simulation = Flow::resume(problem, checkpoint.simulation)?;
         Ok(Self {
             tally: Tally::resume(&plan, checkpoint.sums, stopwatch),
             plan,
@@ -208,8 +207,17 @@ impl<const D: usize> UnderWay<D> {
         }
     }
 
-    /// Steps to the end.
+    /// Goes on to the end.
     fn finish(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
+        if settles(self.simulation.problem()) {
+            self.settle(recorder)
+        } else {
+            self.march(recorder)
+        }
+    }
+
+    /// Steps to the end time.
+    fn march(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
         let end = self.plan.end_time;
         let interval = self.plan.output.frame_interval;
         loop {
@@ -285,6 +293,12 @@ impl<const D: usize> UnderWay<D> {
         let (step, time) = (self.simulation.steps(), self.simulation.time());
         format!("step {step}, time {time:.3e}")
     }
+}
+
+/// True where only the steady flow is wanted.
+fn settles<const D: usize>(problem: &Problem<D>) -> bool {
+    let points = problem.method.fixed();
+    points.is_some_and(|points| points.time == Time::Settle)
 }
 
 /// Time of frame `number`; the last one is at the end, and no frame comes so shortly before it

@@ -7,7 +7,8 @@ use super::Stopwatch;
 use super::steady::Window;
 use crate::case::RunPlan;
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
-use aero_solver::Simulation;
+use aero_solver::Flow;
+use aero_solver::method::Method;
 use aero_solver::frame::{Load, Totals};
 use aero_solver::problem::{Body, Equations, Extrapolation, Precision, Problem};
 
@@ -49,7 +50,7 @@ impl Tally {
     /// Begins with the state at the start.
     pub(super) fn start<const D: usize>(
         plan: &RunPlan<D>,
-        simulation: &Simulation<D>,
+        simulation: &Flow<D>,
         stopwatch: Stopwatch,
     ) -> Self {
         let bodies = &simulation.problem().bodies;
@@ -96,7 +97,7 @@ impl Tally {
     }
 
     /// Adds a step of length `dt`.
-    pub(super) fn add<const D: usize>(&mut self, simulation: &Simulation<D>, dt: f64) {
+    pub(super) fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
         if simulation.time() < self.mean_from {
             return;
         }
@@ -121,7 +122,7 @@ impl Tally {
     /// The summary as of now.
     pub(super) fn summary<const D: usize>(
         &self,
-        simulation: &Simulation<D>,
+        simulation: &Flow<D>,
         stop_reason: &str,
     ) -> Summary {
         let problem = simulation.problem();
@@ -136,14 +137,21 @@ impl Tally {
         });
         Summary {
             case: self.name.clone(),
-            scheme: match problem.scheme.equations {
-                Equations::Paper => "paper",
-                Equations::Conservative => "conservative",
+            motion: match problem.method {
+                Method::WithTheGas => "with-the-gas",
+                Method::Fixed(_) => "fixed",
             }
             .into(),
-            extrapolation: match problem.scheme.extrapolation {
-                Extrapolation::Wom => "wom",
-                Extrapolation::Wm => "wm",
+            scheme: match (problem.method, problem.scheme.equations) {
+                (Method::Fixed(_), _) => "muscl-hllc",
+                (_, Equations::Paper) => "paper",
+                (_, Equations::Conservative) => "conservative",
+            }
+            .into(),
+            extrapolation: match (problem.method, problem.scheme.extrapolation) {
+                (Method::Fixed(_), _) => "none",
+                (_, Extrapolation::Wom) => "wom",
+                (_, Extrapolation::Wm) => "wm",
             }
             .into(),
             precision: match problem.scheme.precision {

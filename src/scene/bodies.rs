@@ -19,6 +19,7 @@ use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::Made;
 use super::side::WallWord;
+use aero_solver::method::Method;
 use aero_solver::problem::{Body, Domain, State};
 
 /// Ghost layers, as deep as the flow's spacing each: five cover the support of the kernel
@@ -226,8 +227,13 @@ impl<const D: usize> BodyPlan<D> {
         self,
         domain: &Domain<D>,
         free_stream: &State<D>,
+        method: Method,
     ) -> Result<Body<D>, SceneError> {
-        let packing = self.pack()?;
+        // Points that stay ask the shape itself: nobody feels ghosts.
+        let packing = match method {
+            Method::WithTheGas => self.pack()?,
+            Method::Fixed(_) => Packing::default(),
+        };
         let entry = &self.entry;
         let name = self.name();
         let part = modelled_part(&self.made.shape.bounds(), domain);
