@@ -89,7 +89,9 @@ fn refuse_others(ending: &str) -> Result<(), GeometryError> {
              or MeshLab and export it as STL, OBJ or PLY"
         }
         "amf" | "gltf" | "glb" | "fbx" | "dae" | "blend" | "dxf" | "off" | "vtp" => scene,
-        _ => "is no format of bodies: give .stl, .obj or .ply, each packed as .gz or not",
+        _ => {
+            "is no format of bodies: give .stl, .obj or .ply, each packed as .gz or not, or a scene (.toml)"
+        }
     };
     let ending = if ending.is_empty() {
         "no ending".to_owned()

@@ -8,6 +8,7 @@ mod bounds;
 mod error;
 pub mod files;
 pub mod kernel;
+mod mending;
 mod mesh;
 pub mod outline;
 mod pencils;
@@ -21,7 +22,8 @@ mod watch;
 
 pub use bounds::Bounds;
 pub use error::GeometryError;
-pub use mesh::Mesh;
+pub use mending::{Mending, Solid};
+pub use mesh::{Mesh, Sheet};
 pub use outline::Outline;
 pub use pencils::Pencils;
 pub use placement::{Placed, Placement};

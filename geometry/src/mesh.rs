@@ -17,6 +17,7 @@ mod orient;
 mod patches;
 mod pinches;
 mod rims;
+mod sheet;
 mod slivers;
 mod smooth;
 mod symmetry;
@@ -25,8 +26,10 @@ mod triangle;
 mod wedges;
 mod weld;
 mod winding;
+mod wrap;
 
 pub(crate) use caps::triangulate;
+pub use sheet::Sheet;
 pub(crate) use weld::bounds;
 
 use edges::NONE;

@@ -4,164 +4,206 @@
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use rayon::prelude::*;
 
-use super::Simulation;
+use super::fill::{fill_gas, fill_ghosts, fill_near};
+use super::neighbourhood::{Neighbourhood, widest};
 use super::neighbours::GROWTH;
 use super::pairs::rates::{Sought, Transport, rates};
-use super::pairs::renormalisation::{Gradients, Renormalisation, renormalise};
+use super::pairs::renormalisation::{Gradients, renormalise as sum_moments};
 use super::pairs::shield::shield;
 use super::pairs::summation::densities;
-use super::records::{FLOW_IMAGES, FLUID, GHOSTS, Records};
+use super::particles::{Columns, Particles};
+use super::problem::{Equations, Problem};
+use super::records::{GHOSTS, Records};
+use super::rings::Rings;
+use super::shifting::shift;
 use super::shock_sensor::find_shocks;
-use crate::problem::Equations;
+use super::sides::Buffers;
+use super::walls::Walls;
 
-impl<const D: usize> Simulation<D> {
-    /// Replaces each density by the sum over the particles, and the smoothing length with it
-    /// (`h = 1.5 (m / rho)^(1/D)`), so that neither can drift from the particles' spacing.
-    ///
-    /// In rarefied gas the smoothing length stops growing where [`Self::widest`] says.
-    pub(super) fn read_densities(&mut self) {
-        let widest = self.widest();
-        self.round_near();
-        self.densities.resize(self.fluid.len(), 0.0);
-        densities(
-            self.arch,
-            &self.lists,
-            &self.records,
-            self.lattice_sum,
-            &mut self.densities,
-        );
-        let rings = self.rings;
-        self.fluid
-            .par_iter_mut()
-            .zip(&self.densities)
-            .zip(widest)
-            .for_each(|((particle, &density), widest)| {
-                particle.density = density;
-                let mass = rings.spanned_mass(particle);
-                let h = SMOOTHING_RATIO * edge::<D>(mass / density);
-                particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);
-            });
-    }
+/// When an evaluation takes place.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment {
+    /// Start of the step.
+    pub start: f64,
+    /// Time since then.
+    pub ahead: f64,
+}
 
-    /// Reads the density off the particles where they and the walls are `ahead` of the start of the step.
-    pub(super) fn sum_densities(&mut self, ahead: f64) {
-        self.fill_near(ahead);
-        self.move_walls(ahead);
-        self.fill_ghosts();
-        self.read_densities();
-    }
+/// Replaces each density by the sum over the particles, and the smoothing length with it
+/// (`h = 1.5 (m / rho)^(1/D)`), so that neither can drift from the particles' spacing.
+///
+/// In rarefied gas the smoothing length stops growing where [`widest`] says.
+pub fn read_densities<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    let widest = widest(problem, &around.records, &around.lists);
+    round_near(around);
+    let Columns {
+        state,
+        densities: sums,
+        ..
+    } = fluid.columns();
+    densities(
+        around.arch,
+        &around.lists,
+        &around.records,
+        around.lattice_sum,
+        sums,
+    );
+    let rings = Rings::new(problem);
+    state
+        .par_iter_mut()
+        .zip(sums)
+        .zip(widest)
+        .for_each(|((particle, density), widest)| {
+            particle.density = *density;
+            let mass = rings.spanned_mass(particle);
+            let h = SMOOTHING_RATIO * edge::<D>(mass / particle.density);
+            particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);
+        });
+}
 
-    /// Moves the walls to where they are `ahead` of the start of the step.
-    fn move_walls(&mut self, ahead: f64) {
-        if self.walls.are_moving() {
-            self.walls.move_to(self.time + ahead);
-        }
-    }
+/// Reads the density off the particles where they and the walls are at `moment`.
+pub fn sum_densities<const D: usize>(
+    problem: &Problem<D>,
+    moment: Moment,
+    fluid: &mut Particles<D>,
+    buffers: &Buffers<D>,
+    walls: &mut Walls<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    fill_near(problem, moment.ahead, fluid, buffers, around);
+    move_walls(walls, moment);
+    fill_ghosts(walls, around);
+    read_densities(problem, fluid, around);
+}
 
-    /// Rates of the fluid `ahead` of the start of the step.
-    pub(super) fn evaluate(&mut self, ahead: f64) {
-        self.fill_gas(ahead);
-        self.move_walls(ahead);
-        self.walls
-            .extrapolate(self.arch, &self.wall_lists, &self.records);
-        self.fill_ghosts();
-        self.renormalise();
-        if self.problem.scheme.shield {
-            self.shield();
-        }
-        if self.problem.scheme.shifting {
-            self.shift();
-        }
-        self.sum_rates();
-        find_shocks(&self.problem, self.rings, &self.rates, &mut self.fluid);
-        self.rings
-            .stretch(&self.fluid, &self.problem.gas, &mut self.rates);
+/// Moves the walls to where they are at `moment`.
+fn move_walls<const D: usize>(walls: &mut Walls<D>, moment: Moment) {
+    if walls.are_moving() {
+        walls.move_to(moment.start + moment.ahead);
     }
+}
 
-    /// Sums the rates of the fluid.
-    pub(super) fn sum_rates(&mut self) {
-        rates(
-            self.arch,
-            &self.lists,
-            &self.records,
-            &self.renormalisations,
-            self.sought(),
-            &mut self.rates,
-        );
+/// Rates of the fluid at `moment`.
+pub fn evaluate<const D: usize>(
+    problem: &Problem<D>,
+    moment: Moment,
+    fluid: &mut Particles<D>,
+    buffers: &Buffers<D>,
+    walls: &mut Walls<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    fill_gas(problem, moment.ahead, fluid, buffers, around);
+    move_walls(walls, moment);
+    walls.extrapolate(around.arch, &around.wall_lists, &around.records);
+    fill_ghosts(walls, around);
+    renormalise(problem, fluid, around);
+    if problem.scheme.shield {
+        shield_walls(fluid, walls, around);
     }
+    if problem.scheme.shifting {
+        shift(problem, fluid, around);
+    }
+    sum_rates(problem, fluid, around);
+    let Columns { state, rates, .. } = fluid.columns();
+    let rings = Rings::new(problem);
+    find_shocks(problem, rings, rates, state);
+    rings.stretch(state, &problem.gas, rates);
+    fluid.mark_evaluated();
+}
 
-    /// The sums that the scheme asks for.
-    pub(super) fn sought(&self) -> Sought {
-        let scheme = &self.problem.scheme;
-        Sought {
-            equations: scheme.equations,
-            transport: match (scheme.equations, scheme.shifting, scheme.shield) {
-                (_, false, false) => Transport::None,
-                (Equations::Conservative, true, _) => Transport::Exchange,
-                _ => Transport::Advection,
-            },
-            limits_viscosity: scheme.limited_viscosity,
-            limits_conduction: scheme.limited_conduction,
-        }
-    }
+/// Sums the rates of the fluid.
+pub fn sum_rates<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    around: &Neighbourhood<D>,
+) {
+    let columns = fluid.columns();
+    rates(
+        around.arch,
+        &around.lists,
+        &around.records,
+        columns.renormalisations,
+        sought(problem),
+        columns.rates,
+    );
+}
 
-    /// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
-    pub(super) fn renormalise(&mut self) {
-        self.renormalisations
-            .resize(self.fluid.len(), Renormalisation::default());
-        self.round_near();
-        renormalise(
-            self.arch,
-            &self.lists,
-            &self.records,
-            Gradients {
-                of_density: self.problem.scheme.equations == Equations::Paper,
-                of_concentration: self.problem.scheme.shifting,
-            },
-            &mut self.renormalisations,
-        );
-        let Records { near, state, .. } = &mut self.records;
-        state
-            .par_iter_mut()
-            .zip(near.par_iter())
-            .zip(&self.renormalisations)
-            .for_each(|((state, near), r)| {
-                state.renormalise(&r.matrix, &r.density_gradient, near.volume);
-            });
-        self.flow_images
-            .refresh(&mut self.records, FLUID, FLOW_IMAGES);
-        if self.arch.is_mixed() {
-            let Records { state, rounded, .. } = &mut self.records;
-            rounded.round_state(state);
-        }
+/// The sums that the scheme asks for.
+pub fn sought<const D: usize>(problem: &Problem<D>) -> Sought {
+    let scheme = &problem.scheme;
+    Sought {
+        equations: scheme.equations,
+        transport: match (scheme.equations, scheme.shifting, scheme.shield) {
+            (_, false, false) => Transport::None,
+            (Equations::Conservative, true, _) => Transport::Exchange,
+            _ => Transport::Advection,
+        },
+        limits_viscosity: scheme.limited_viscosity,
+        limits_conduction: scheme.limited_conduction,
     }
+}
 
-    /// Rounds the geometry where pairs are computed in `f32`.
-    fn round_near(&mut self) {
-        if self.arch.is_mixed() {
-            let Records { near, rounded, .. } = &mut self.records;
-            rounded.round_near(near);
-        }
+/// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
+pub fn renormalise<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    round_near(around);
+    let renormalisations = fluid.columns().renormalisations;
+    sum_moments(
+        around.arch,
+        &around.lists,
+        &around.records,
+        Gradients {
+            of_density: problem.scheme.equations == Equations::Paper,
+            of_concentration: problem.scheme.shifting,
+        },
+        renormalisations,
+    );
+    let Records { near, state, .. } = &mut around.records;
+    state
+        .par_iter_mut()
+        .zip(near.par_iter())
+        .zip(&*renormalisations)
+        .for_each(|((state, near), r)| {
+            state.renormalise(&r.matrix, &r.density_gradient, near.volume);
+        });
+    around.copies.gas.refresh(&mut around.records);
+    if around.arch.is_mixed() {
+        let Records { state, rounded, .. } = &mut around.records;
+        rounded.round_state(state);
     }
+}
 
-    pub(super) fn shield(&mut self) {
-        let first = self.records.start[GHOSTS];
-        let (ghosts, images) = (&self.walls.ghosts, &self.ghost_images);
-        let wall = |slot: usize| {
-            let (ghost, sign) = images.seen(ghosts, slot - first);
-            (
-                sign.component_mul(&ghost.normal),
-                sign.component_mul(&ghost.wall_velocity),
-            )
-        };
-        shield(
-            &self.lists,
-            &self.records.near,
-            &self.fluid,
-            wall,
-            &mut self.rates,
-        );
+/// Rounds the geometry where pairs are computed in `f32`.
+fn round_near<const D: usize>(around: &mut Neighbourhood<D>) {
+    if around.arch.is_mixed() {
+        let Records { near, rounded, .. } = &mut around.records;
+        rounded.round_near(near);
     }
+}
+
+fn shield_walls<const D: usize>(
+    fluid: &mut Particles<D>,
+    walls: &Walls<D>,
+    around: &Neighbourhood<D>,
+) {
+    let first = around.records.start[GHOSTS];
+    let (ghosts, images) = (&walls.ghosts, &around.copies.ghosts);
+    let wall = |slot: usize| {
+        let (ghost, sign) = images.seen(ghosts, slot - first);
+        (
+            sign.component_mul(&ghost.normal),
+            sign.component_mul(&ghost.wall_velocity),
+        )
+    };
+    let Columns { state, rates, .. } = fluid.columns();
+    shield(&around.lists, &around.records.near, state, wall, rates);
 }
 
 /// Edge of a cube of this `D`-dimensional volume.

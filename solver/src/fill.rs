@@ -2,53 +2,64 @@
 
 use rayon::prelude::*;
 
-use super::Simulation;
 use super::gas::Gas;
-use super::particle::Particle;
-use super::records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, State, Symmetric};
+use super::neighbourhood::Neighbourhood;
+use super::particles::{Particle, Particles};
+use super::problem::Problem;
+use super::records::{Near, State, Symmetric};
+use super::rings::Rings;
+use super::sides::Buffers;
+use super::walls::Walls;
 
-impl<const D: usize> Simulation<D> {
-    /// Writes the records of ghosts and their images.
-    pub(super) fn fill_ghosts(&mut self) {
-        self.walls.fill(&mut self.records);
-        self.ghost_images
-            .refresh(&mut self.records, GHOSTS, GHOST_IMAGES);
-    }
+/// Writes the records of ghosts and their images.
+pub fn fill_ghosts<const D: usize>(walls: &Walls<D>, around: &mut Neighbourhood<D>) {
+    walls.fill(&mut around.records);
+    around.copies.ghosts.refresh(&mut around.records);
+}
 
-    /// Writes the records of fluid, buffers and their images; buffers drift on by `ahead`.
-    pub(super) fn fill_gas(&mut self, ahead: f64) {
-        self.fill_near(ahead);
-        let (gas, count) = (self.problem.gas, self.fluid.len());
-        let (near, state) = (&self.records.near, &mut self.records.state);
-        state[..count]
-            .par_iter_mut()
-            .zip(&self.fluid)
-            .for_each(|(state, particle)| *state = state_of(particle, &gas));
-        for (slot, open) in (count..).zip(&self.open.particles) {
-            let mut open_state = state_of(&open.particle, &gas);
-            open_state.renormalise(&open.renormalisation, &open.gradient, near[slot].volume);
-            state[slot] = open_state;
-        }
-        self.flow_images
-            .refresh(&mut self.records, FLUID, FLOW_IMAGES);
+/// Writes the records of fluid, buffers and their images; buffers drift on by `ahead`.
+pub fn fill_gas<const D: usize>(
+    problem: &Problem<D>,
+    ahead: f64,
+    fluid: &Particles<D>,
+    buffers: &Buffers<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    fill_near(problem, ahead, fluid, buffers, around);
+    let (gas, count) = (&problem.gas, fluid.len());
+    let (near, state) = (&around.records.near, &mut around.records.state);
+    state[..count]
+        .par_iter_mut()
+        .zip(&fluid[..])
+        .for_each(|(state, particle)| *state = state_of(particle, gas));
+    for (slot, open) in (count..).zip(buffers.particles()) {
+        let mut open_state = state_of(&open.particle, gas);
+        open_state.renormalise(&open.renormalisation, &open.gradient, near[slot].volume);
+        state[slot] = open_state;
     }
+    around.copies.gas.refresh(&mut around.records);
+}
 
-    /// Writes where they are and how they move, all that lists and the sum for the density read.
-    pub(super) fn fill_near(&mut self, ahead: f64) {
-        let rings = self.rings;
-        let count = self.fluid.len();
-        let near = &mut self.records.near;
-        near[..count]
-            .par_iter_mut()
-            .zip(&self.fluid)
-            .for_each(|(near, particle)| *near = near_of(particle, rings.plane_mass(particle)));
-        for (near, open) in near[count..].iter_mut().zip(&self.open.particles) {
-            *near = near_of(&open.particle, rings.plane_mass(&open.particle));
-            near.position += open.particle.velocity * ahead;
-        }
-        self.flow_images
-            .refresh_near(&mut self.records, FLUID, FLOW_IMAGES);
+/// Writes where they are and how they move, all that lists and the sum for the density read.
+pub fn fill_near<const D: usize>(
+    problem: &Problem<D>,
+    ahead: f64,
+    fluid: &Particles<D>,
+    buffers: &Buffers<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    let rings = Rings::new(problem);
+    let count = fluid.len();
+    let near = &mut around.records.near;
+    near[..count]
+        .par_iter_mut()
+        .zip(&fluid[..])
+        .for_each(|(near, particle)| *near = near_of(particle, rings.plane_mass(particle)));
+    for (near, open) in near[count..].iter_mut().zip(buffers.particles()) {
+        *near = near_of(&open.particle, rings.plane_mass(&open.particle));
+        near.position += open.particle.velocity * ahead;
     }
+    around.copies.gas.refresh_near(&mut around.records);
 }
 
 /// Where a gas particle of plane mass `mass` is and how it moves.

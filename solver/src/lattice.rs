@@ -11,8 +11,8 @@ pub fn position<const D: usize>(corner: &Vector<D>, spacing: f64, index: &[i64; 
 /// All indices with `first <= index < last` on every axis, the last axis running fastest.
 pub fn points<const D: usize>(first: [i64; D], last: [i64; D]) -> impl Iterator<Item = [i64; D]> {
     let lengths: [i64; D] = std::array::from_fn(|k| (last[k] - first[k]).max(0));
-    let total: i64 = lengths.iter().product();
-    (0..total).map(move |number| {
+    let total = count(&first, &last);
+    (0..total as i64).map(move |number| {
         let mut rest = number;
         let mut index = first;
         for k in (0..D).rev() {
@@ -21,6 +21,14 @@ pub fn points<const D: usize>(first: [i64; D], last: [i64; D]) -> impl Iterator<
         }
         index
     })
+}
+
+/// Number of indices with `first <= index < last` on every axis.
+pub fn count<const D: usize>(first: &[i64; D], last: &[i64; D]) -> u64 {
+    let lengths = first.iter().zip(last);
+    lengths
+        .map(|(first, last)| (last - first).max(0) as u64)
+        .product()
 }
 
 /// Offsets of all lattice points within the support of a particle, in spacings.

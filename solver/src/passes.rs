@@ -1,6 +1,9 @@
 //! The passes of a step one by one, for `benches/`. A run needs [`Simulation::step`] alone.
 
-use super::{Simulation, StepBound};
+use super::Simulation;
+use super::evaluation::{read_densities, renormalise, sum_rates};
+use super::fill::fill_gas;
+use super::time_step::of_rates;
 
 /// One pass of a step. Each may follow any other; none moves a particle.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,25 +37,40 @@ impl Pass {
 impl<const D: usize> Simulation<D> {
     /// Does one pass at the present time.
     pub fn pass(&mut self, pass: Pass) {
-        let still = StepBound { step: 0.0 };
+        let Self {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = self;
+        let now = (clock.time, 0.0);
         match pass {
             Pass::Sort => {
-                self.sort(still);
-                self.fill_gas(0.0);
+                around.sort(problem, now, fluid, buffers, walls);
+                fill_gas(problem, 0.0, fluid, buffers, around);
             }
-            Pass::List => self.list(still),
-            Pass::Summation => self.read_densities(),
-            Pass::Renormalisation => self.renormalise(),
-            Pass::Rates => self.sum_rates(),
+            Pass::List => around.list(now, fluid, buffers, walls),
+            Pass::Summation => read_densities(problem, fluid, around),
+            Pass::Renormalisation => renormalise(problem, fluid, around),
+            Pass::Rates => sum_rates(problem, fluid, around),
             Pass::TimeStep => {
-                self.time_step();
+                let columns = fluid.columns();
+                of_rates(problem, columns.state, columns.rates);
             }
         }
     }
 
     /// Neighbours listed and pairs in those lists, lanes of a cluster counted one by one.
     pub fn listed_pairs(&self) -> usize {
-        let clusters = self.lists.chunks.iter().flat_map(|chunk| &chunk.clusters);
+        let clusters = self
+            .around
+            .lists
+            .chunks
+            .iter()
+            .flat_map(|chunk| &chunk.clusters);
         clusters
             .map(|c| (c.gas.len() + c.wall.len()) * c.targets.len())
             .sum()

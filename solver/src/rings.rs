@@ -10,7 +10,7 @@ use std::f64::consts::TAU;
 
 use aero_geometry::Vector;
 
-use super::particle::{Particle, Rates};
+use super::particles::{Particle, Rates};
 use crate::gas::Gas;
 use crate::problem::Problem;
 

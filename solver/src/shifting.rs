@@ -8,9 +8,10 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
 use rayon::prelude::*;
 
-use super::Simulation;
+use super::neighbourhood::{Neighbourhood, open_side_distance};
 use super::pairs::renormalisation::Renormalisation;
-use super::particle::Particle;
+use super::particles::{Columns, Particle, Particles};
+use super::problem::Problem;
 use super::records::{FLOW_IMAGES, GHOSTS, Records};
 
 /// Drift along a gradient of concentration of `1 / (2 h)`, over the speed of sound: the largest Mach number of the
@@ -25,57 +26,59 @@ pub const FASTEST: f64 = 0.5 * STRENGTH;
 /// `exp(-q^2) / sqrt(pi)`, the normal distribution of the variance `h^2 / 2` of the spline on a line.
 const ONE_SPACING_FROM_A_WALL: f64 = 0.36;
 
-impl<const D: usize> Simulation<D> {
-    /// Adds the drift to the shifts in the rates, and writes what the pairs read of them.
-    pub(super) fn shift(&mut self) {
-        let gas = self.records.start[GHOSTS];
-        self.records.shift.clear();
-        self.records.shift.resize(gas, Vector::zeros());
-        let is_shielded = self.problem.scheme.shield;
-        let (near, state) = (&self.records.near, &self.records.state);
-        let this = &*self;
-        let shifts: Vec<_> = this
-            .fluid
-            .par_iter()
-            .zip(&this.renormalisations)
-            .zip(near.par_iter().zip(state))
-            .zip(&this.rates)
-            .map(|(((particle, renormalisation), (near, state)), rates)| {
-                let h = near.smoothing_length();
-                let mut shift = if this.is_near_open_side(&near.position, SUPPORT * h) {
-                    Vector::zeros()
-                } else {
-                    drift(particle, renormalisation, 2.0 * state.half_sound, h)
-                };
-                if is_shielded {
-                    shift += rates.shift;
-                }
-                shift
-            })
-            .collect();
-        let records = &mut self.records;
-        self.rates
-            .par_iter_mut()
-            .zip(&mut records.shift)
-            .zip(&self.renormalisations)
-            .zip(shifts)
-            .for_each(|(((rates, renormalised), renormalisation), shift)| {
-                rates.shift = shift;
-                *renormalised = renormalisation.matrix * shift;
-            });
-        for (number, slot) in (records.start[FLOW_IMAGES]..gas).enumerate() {
-            let (source, sign) = self.flow_images.source(number);
-            records.shift[slot] = sign.component_mul(&records.shift[source]);
-        }
-        if self.arch.is_mixed() {
-            let Records { shift, rounded, .. } = &mut self.records;
-            rounded.round_shift(shift);
-        }
+/// Adds the drift to the shifts in the rates, and writes what the pairs read of them.
+pub fn shift<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    let gas = around.records.start[GHOSTS];
+    around.records.shift.clear();
+    around.records.shift.resize(gas, Vector::zeros());
+    let is_shielded = problem.scheme.shield;
+    let (near, state) = (&around.records.near, &around.records.state);
+    let Columns {
+        state: particles,
+        rates,
+        renormalisations,
+        ..
+    } = fluid.columns();
+    let shifts: Vec<_> = particles
+        .par_iter()
+        .zip(&*renormalisations)
+        .zip(near.par_iter().zip(state))
+        .zip(&*rates)
+        .map(|(((particle, renormalisation), (near, state)), rates)| {
+            let h = near.smoothing_length();
+            // The buffers beyond open sides do not shift.
+            let mut shift = if open_side_distance(&problem.domain, &near.position) < SUPPORT * h {
+                Vector::zeros()
+            } else {
+                drift(particle, renormalisation, 2.0 * state.half_sound, h)
+            };
+            if is_shielded {
+                shift += rates.shift;
+            }
+            shift
+        })
+        .collect();
+    let records = &mut around.records;
+    rates
+        .par_iter_mut()
+        .zip(&mut records.shift)
+        .zip(&*renormalisations)
+        .zip(shifts)
+        .for_each(|(((rates, renormalised), renormalisation), shift)| {
+            rates.shift = shift;
+            *renormalised = renormalisation.matrix * shift;
+        });
+    for (number, slot) in (records.start[FLOW_IMAGES]..gas).enumerate() {
+        let (source, sign) = around.copies.gas.source(number);
+        records.shift[slot] = sign.component_mul(&records.shift[source]);
     }
-
-    /// True within `reach` of an inlet, an outlet or a free stream, whose buffers do not shift.
-    fn is_near_open_side(&self, position: &Vector<D>, reach: f64) -> bool {
-        self.open_side_distance(position) < reach
+    if around.arch.is_mixed() {
+        let Records { shift, rounded, .. } = records;
+        rounded.round_shift(shift);
     }
 }
 

@@ -3,7 +3,7 @@
 
 use rayon::prelude::*;
 
-use super::particle::{Particle, Rates};
+use super::particles::{Particle, Rates};
 use super::rings::Rings;
 use crate::problem::{Equations, Problem};
 

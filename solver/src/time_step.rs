@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 
 use super::gas::Gas;
-use super::particle::{Particle, Rates};
-use crate::problem::Equations;
+use super::particles::{Particle, Rates};
+use crate::problem::{Equations, Problem};
 
 /// Factor of the force bound (Villodi & Ramachandran 2024, section 3.6).
 const C_FORCE: f64 = 0.5;
@@ -46,6 +46,16 @@ pub fn time_step<const D: usize>(
                 .step(cfl, gas)
         }
     }
+}
+
+/// The same for the scheme of `problem`.
+pub fn of_rates<const D: usize>(
+    problem: &Problem<D>,
+    particles: &[Particle<D>],
+    rates: &[Rates<D>],
+) -> f64 {
+    let scheme = &problem.scheme;
+    time_step(scheme.equations, scheme.cfl, &problem.gas, particles, rates)
 }
 
 /// What bounds the step of the conservative scheme, each over the Courant number.

@@ -1,4 +1,4 @@
-//! Packs bodies for their own sake: an STL file, or all bodies of a scene. Writes and prints nothing.
+//! Packs bodies for their own sake: a file of triangles, or all bodies of a scene. Writes and prints nothing.
 
 mod report;
 mod spacing;
@@ -7,9 +7,10 @@ pub use report::{BodyReport, PackFile};
 
 use std::path::Path;
 
+use aero_geometry::{Bounds, files};
 use aero_packer::{PackOptions, Packing};
 
-use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
+use crate::scene::shapes::{StlEntry, Unit, made};
 use crate::scene::{LAYERS, PackWishes, Scene, SceneError};
 
 /// A body longer than this, in metres, whose unit nobody has named is rather one in millimetres.
@@ -21,7 +22,7 @@ const SMALL: f64 = 2e-3;
 /// Packed bodies in `D` dimensions, and the name that their files carry.
 #[derive(Clone, Debug)]
 pub struct Packed<const D: usize> {
-    /// Name of the STL file or the scene, without its ending.
+    /// Name of the body's file or the scene, without its ending.
     pub name: String,
     /// Where the spacing comes from.
     pub spacing_reason: String,
@@ -39,7 +40,7 @@ pub enum AnyPacked {
 }
 
 impl AnyPacked {
-    /// Name of the STL file or the scene, without its ending.
+    /// Name of the body's file or the scene, without its ending.
     pub fn name(&self) -> &str {
         match self {
             Self::Two(packed) => &packed.name,
@@ -56,28 +57,31 @@ impl AnyPacked {
     }
 }
 
-/// Packs the body in an STL file.
-pub fn pack_mesh(
-    path: &Path,
-    unit: Option<Unit>,
-    wishes: &PackWishes,
-) -> Result<AnyPacked, SceneError> {
-    let name = path.file_stem().unwrap_or_default();
-    let name = name.to_string_lossy().into_owned();
+/// Packs the body in a file of triangles.
+pub fn pack_mesh(entry: &StlEntry, wishes: &PackWishes) -> Result<AnyPacked, SceneError> {
+    let name = files::body_name(&entry.file);
     let fail = |message: String| SceneError::body(&name, message);
-    let entry = ShapeEntry::Stl(StlEntry {
-        file: path.to_owned(),
-        unit,
-    });
-    let made = entry
-        .make::<3>(None, Path::new(""), false, &wishes.watch)
-        .map_err(fail)?;
-    let bounds = made.shape.bounds();
+    let soup = entry.read(Path::new(""), &wishes.watch);
+    let soup = soup.map_err(|error| fail(error.to_string()))?;
     let layers = wishes.layers.unwrap_or(LAYERS);
-    let (spacing, spacing_reason) = match wishes.spacing {
+    let spaced = |bounds: &Bounds<3>| match wishes.spacing {
         Some(spacing) => (spacing, "as asked for".to_owned()),
-        None => spacing::pick(&bounds, layers),
+        None => spacing::pick(bounds, layers),
     };
+    // A wrap follows the spacing, all else goes before it.
+    let rough = if entry.wraps() {
+        spaced(&files::bounds(&soup)).0
+    } else {
+        0.0
+    };
+    let solid = entry.solid(&soup, rough, &wishes.watch).map_err(fail)?;
+    drop(soup);
+    let made = made(solid, None).map_err(fail)?;
+    let bounds = made.shape.bounds();
+    let (mut spacing, spacing_reason) = spaced(&bounds);
+    if entry.wraps() {
+        spacing = rough;
+    }
     let options = PackOptions {
         layers,
         fluid_layers: wishes.fluid_layers,
@@ -88,7 +92,7 @@ pub fn pack_mesh(
     packing
         .report
         .warnings
-        .extend(odd_size(bounds.size().max(), unit));
+        .extend(odd_size(bounds.size().max(), entry.unit));
     Ok(AnyPacked::Three(Packed {
         name: name.clone(),
         spacing_reason,

@@ -17,7 +17,7 @@ use super::motion::motion;
 use super::number::Positive;
 use super::packed;
 use super::reference::{frontal_area, modelled_part};
-use super::shapes::Made;
+use super::shapes::{Made, Making};
 use super::side::WallWord;
 use aero_solver::method::Method;
 use aero_solver::problem::{Body, Domain, State};
@@ -85,9 +85,16 @@ pub(super) fn plans<const D: usize>(
                 ));
             }
             check_spacing(entry, file, wishes)?;
+            let own = entry.spacing.unwrap_or(file.spacing).get();
+            let making = Making {
+                folder,
+                axisymmetric: domain.is_axisymmetric(),
+                spacing: wishes.spacing.unwrap_or(own),
+                watch: &wishes.watch,
+            };
             let made = entry
                 .shape
-                .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric(), &wishes.watch)
+                .make::<D>(entry.place.as_ref(), &making)
                 .map_err(|message| SceneError::body(name, message))?;
             check_inside(name, &made.shape.bounds(), domain)?;
             Ok(BodyPlan {

@@ -57,6 +57,14 @@ impl Mesh {
         Self::make(soup, false, &Watch::default())
     }
 
+    /// As [`Mesh::new`], and tells `watch` how far it is.
+    ///
+    /// # Errors
+    /// See [`Mesh::from_facets`].
+    pub fn sound(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
+        Self::make(soup, false, watch)
+    }
+
     /// As [`Mesh::new`], with all holes closed by triangles that span their rims.
     ///
     /// # Errors
@@ -65,7 +73,16 @@ impl Mesh {
         Self::make(soup, true, watch)
     }
 
-    pub(crate) fn make(soup: &Soup, fill: bool, watch: &Watch) -> Result<Self, GeometryError> {
+    /// As [`Mesh::from_facets`], and tells `watch` how far it is.
+    pub(super) fn from_facets_watched(
+        facets: Vec<Facet>,
+        watch: &Watch,
+    ) -> Result<Self, GeometryError> {
+        let solids = Vec::new();
+        Self::make(&Soup { facets, solids }, false, watch)
+    }
+
+    fn make(soup: &Soup, fill: bool, watch: &Watch) -> Result<Self, GeometryError> {
         let not_finite = |facet: &Facet| !facet.iter().flatten().all(|x| x.is_finite());
         if let Some(index) = soup.facets.iter().position(not_finite) {
             return Err(GeometryError::Surface(format!(
@@ -134,7 +151,7 @@ impl Mesh {
 
 /// Sorts the triangles as the tree holds them, and the vertices as the triangles use them, so that
 /// what is near in space is near in memory.
-fn reorder(mesh: &Indexed, order: &[u32]) -> Indexed {
+pub(super) fn reorder(mesh: &Indexed, order: &[u32]) -> Indexed {
     let mut number = vec![u32::MAX; mesh.vertices.len()];
     let mut vertices = Vec::with_capacity(mesh.vertices.len());
     let facets = order

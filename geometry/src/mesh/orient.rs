@@ -41,7 +41,7 @@ pub(super) fn orient(
 
 /// Flips triangles that disagree with their neighbours, of each connected patch the smaller area; says
 /// which.
-fn agree(mesh: &mut Indexed, across: &[[u32; 3]]) -> Result<Vec<bool>, GeometryError> {
+pub(super) fn agree(mesh: &mut Indexed, across: &[[u32; 3]]) -> Result<Vec<bool>, GeometryError> {
     let mut flip: Vec<Option<bool>> = vec![None; mesh.facets.len()];
     let mut all_turned = vec![false; mesh.facets.len()];
     for seed in 0..mesh.facets.len() {

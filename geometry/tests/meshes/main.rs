@@ -2,6 +2,7 @@
 
 mod assemblies;
 mod distances;
+mod mended;
 mod parts;
 mod properties;
 mod refusals;

@@ -17,10 +17,11 @@ use std::sync::Arc;
 use aero_geometry::{Bounds, Shape, Vector};
 use serde::{Deserialize, Serialize};
 
-use super::rigid::Pose;
+use super::walls::Pose;
 use across::is_edge;
 use numbers::Numbers;
 
+pub use sights::part_thin_sides;
 pub use views::{ThinParts, View, thin_parts};
 
 /// A set of faces of thin parts, one bit each.

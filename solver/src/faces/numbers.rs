@@ -4,8 +4,8 @@ use aero_geometry::Vector;
 
 use super::across::Across;
 use super::{FaceSet, NOWHERE};
-use crate::curvature::tangents;
 use crate::records::Matrix;
+use crate::walls::tangents;
 
 /// A face of a body, and which part of it where a smooth face is its own opposite, as an ellipse's is: the side of
 /// the frame's axis along which its normal mostly points.

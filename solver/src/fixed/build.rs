@@ -7,9 +7,10 @@ use super::cells::{Cells, Face, SideFace, WallFace, WallOwner};
 use super::cloud::{Cloud, Plot, Site, steps};
 use super::cut::{Part, Whole};
 use super::merge::{Nodes, given};
+use super::polytope::Polytope;
 use super::voronoi::{IN_BODY, Link, Voronoi};
-use crate::curvature::shape_operator;
 use crate::problem::Side;
+use crate::walls::shape_operator;
 
 /// Faces smaller than this, in spacings to their power, are left out.
 const SMALLEST: f64 = 1e-13;
@@ -38,6 +39,61 @@ pub struct CutCell<const D: usize> {
     pub parts: Vec<Part<D>>,
 }
 
+/// What a cell looks like.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Outline<const D: usize> {
+    /// Its number; a cell may consist of several pieces.
+    pub cell: u32,
+    /// The polygon that it is, in the plane; in space those that bound it; on a line its ends.
+    pub rings: Vec<Vec<Vector<D>>>,
+}
+
+impl<const D: usize> Outline<D> {
+    fn move_by(&mut self, shift: &Vector<D>) {
+        let places = self.rings.iter_mut().flatten();
+        places.for_each(|place| *place += shift);
+    }
+}
+
+/// The outlines of all cells, for pictures.
+pub fn outlines<const D: usize>(plot: &Plot<'_, D>, cloud: &Cloud<D>) -> Vec<Outline<D>> {
+    let mut builder = Builder::new(*plot, cloud);
+    builder.keeps_rings = true;
+    let positions = cloud.positions();
+    let cut = builder.cut_cells(&positions);
+    let nodes = Nodes::new(&builder.is_plain, &cut);
+    let targets = given(&nodes, &cut);
+    let mut outlines = Vec::with_capacity(cloud.places.len());
+    for number in (0..cloud.places.len()).filter(|&number| builder.is_plain[number]) {
+        let [low, high] = builder.block(number);
+        let cell = Polytope::block(&low, &high);
+        let whole = Whole {
+            cell: &cell,
+            point: &positions[number],
+            unit: cloud.places[number].spacing,
+            about_axis: false,
+            keeps_rings: true,
+        };
+        let mut outline = Outline {
+            cell: number as u32,
+            rings: whole.uncut().rings,
+        };
+        outline.move_by(&positions[number]);
+        outlines.push(outline);
+    }
+    for (cell, targets) in cut.into_iter().zip(&targets.of_parts) {
+        for (part, target) in cell.parts.into_iter().zip(targets) {
+            let mut outline = Outline {
+                cell: target.map_or(cell.number, |target| target.cell),
+                rings: part.rings,
+            };
+            outline.move_by(&positions[cell.number as usize]);
+            outlines.push(outline);
+        }
+    }
+    outlines
+}
+
 /// Builds cells.
 #[derive(Debug)]
 pub struct Builder<'a, const D: usize> {
@@ -46,6 +102,7 @@ pub struct Builder<'a, const D: usize> {
     about_axis: bool,
     /// Which cells are boxes of the lattice.
     is_plain: Vec<bool>,
+    keeps_rings: bool,
 }
 
 /// The faces of some cells.
@@ -72,6 +129,7 @@ impl<'a, const D: usize> Builder<'a, D> {
             cloud,
             about_axis: plot.domain.is_axisymmetric(),
             is_plain: Vec::new(),
+            keeps_rings: false,
         };
         builder.is_plain = (0..cloud.places.len())
             .into_par_iter()
@@ -121,6 +179,11 @@ impl<'a, const D: usize> Builder<'a, D> {
         self.cloud.at(&there).map_or(Beside::Nothing, Beside::Point)
     }
 
+    /// True where a cell is a box of the lattice.
+    pub fn is_plain(&self, number: usize) -> bool {
+        self.is_plain[number]
+    }
+
     /// The box of a plain cell, from its point.
     pub fn block(&self, number: usize) -> [Vector<D>; 2] {
         let place = &self.cloud.places[number];
@@ -162,6 +225,7 @@ impl<'a, const D: usize> Builder<'a, D> {
             point: &place.position,
             unit: place.spacing,
             about_axis: self.about_axis,
+            keeps_rings: self.keeps_rings,
         };
         let parts = if place.distance > cell.reach_squared().sqrt() * (1.0 + 1e-9) {
             vec![whole.uncut()]

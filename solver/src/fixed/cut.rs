@@ -22,6 +22,8 @@ pub struct Whole<'a, const D: usize> {
     pub unit: f64,
     /// True where areas and volumes are per radian about the axis, at zero of the last coordinate.
     pub about_axis: bool,
+    /// True where the pieces are to be shown.
+    pub keeps_rings: bool,
 }
 
 /// One connected part of the gas in a cell.
@@ -35,6 +37,8 @@ pub struct Part<const D: usize> {
     pub faces: Vec<PartFace<D>>,
     /// Walls.
     pub walls: Vec<PartWall<D>>,
+    /// The polygons that bound it, in the plane the one that it is, from the cell's point; where they are kept.
+    pub rings: Vec<Vec<Vector<D>>>,
 }
 
 /// The gas in one facet of a cell.
@@ -79,14 +83,15 @@ impl<const D: usize> Whole<'_, D> {
     /// The cell as it is.
     pub fn uncut(&self) -> Part<D> {
         let mut part = Part::new();
-        for facet in &self.cell.facets {
+        for (number, facet) in self.cell.facets.iter().enumerate() {
             let face = match D {
                 1 => {
                     let place = self.cell.vertices[facet.corners[0] as usize];
-                    part.volume += place[0].abs();
+                    let outwards = if number == 0 { -1.0 } else { 1.0 };
+                    part.volume += place[0] * outwards;
                     PartFace {
                         label: facet.label,
-                        area: Vector::repeat(place[0].signum()),
+                        area: Vector::repeat(outwards),
                         centre: place,
                     }
                 }
@@ -105,10 +110,18 @@ impl<const D: usize> Whole<'_, D> {
                         .collect();
                     let face = polygon(facet.label, closed(&points));
                     part.volume += face.area.dot(&face.centre) / 3.0;
+                    if self.keeps_rings {
+                        part.rings.push(points);
+                    }
                     face
                 }
             };
             part.add_face(face);
+        }
+        if self.keeps_rings && D == 2 {
+            let outline = self.cell.outline();
+            let corners = outline.iter().map(|&(corner, _)| corner as usize);
+            part.rings = vec![corners.map(|corner| self.cell.vertices[corner]).collect()];
         }
         part
     }
@@ -206,6 +219,9 @@ impl<const D: usize> Whole<'_, D> {
                 }
             }
             part.is_own = is_seen(&section, piece.iter());
+            if self.keeps_rings {
+                part.rings.push(ring(piece));
+            }
             part
         });
         own_first(parts.collect())
@@ -247,6 +263,9 @@ impl<const D: usize> Whole<'_, D> {
                 let face = polygon(facet.label, outline);
                 part.volume += face.area.dot(&face.centre) / 3.0;
                 part.add_face(face);
+                if self.keeps_rings {
+                    part.rings.push(ring(piece));
+                }
                 rim.extend(piece.iter().filter(|s| matches!(s.along, Along::Wall(..))));
             }
             if !rim.is_empty() {
@@ -269,6 +288,9 @@ impl<const D: usize> Whole<'_, D> {
             let area = 0.5 * cross(&(stretch.to - apex), &(stretch.from - apex));
             let centre = (apex + stretch.from + stretch.to) / 3.0;
             part.volume += area.dot(&centre) / 3.0;
+            if self.keeps_rings {
+                part.rings.push(vec![apex, stretch.to, stretch.from]);
+            }
             part.add_wall(PartWall {
                 body,
                 facet,
@@ -322,18 +344,13 @@ impl<const D: usize> Part<D> {
             volume: 0.0,
             faces: Vec::new(),
             walls: Vec::new(),
+            rings: Vec::new(),
         }
     }
 
-    /// Adds to the face of the same label.
-    pub fn add_face(&mut self, face: PartFace<D>) {
-        let known = self.faces.iter_mut().find(|f| f.label == face.label);
-        if let Some(known) = known {
-            (known.area, known.centre) =
-                together((known.area, known.centre), (face.area, face.centre));
-        } else {
-            self.faces.push(face);
-        }
+    /// Adds a face. Those of one label stay apart: beyond them there may be different pieces.
+    fn add_face(&mut self, face: PartFace<D>) {
+        self.faces.push(face);
     }
 
     /// Adds to the wall of the same smooth face.
@@ -416,6 +433,7 @@ fn own_first<const D: usize>(mut parts: Vec<Part<D>>) -> Vec<Part<D>> {
         sum.volume += part.volume;
         part.faces.into_iter().for_each(|face| sum.add_face(face));
         part.walls.into_iter().for_each(|wall| sum.add_wall(wall));
+        sum.rings.extend(part.rings);
         sum
     });
     rest.splice(0..0, own);
@@ -433,6 +451,10 @@ fn is_seen<'a, const D: usize>(
     edges.sort_by(|a, b| b.length().total_cmp(&a.length()));
     let mut looks = edges.iter().take(LOOKS);
     looks.any(|edge| section.sees(&Vector::zeros(), &edge.middle()))
+}
+
+fn ring<const D: usize>(piece: &Piece<D>) -> Vec<Vector<D>> {
+    piece.iter().map(|stretch| stretch.from).collect()
 }
 
 /// To which piece, the first of them, each is connected over edges of the cell.

@@ -46,6 +46,11 @@ impl<'a, const D: usize> Candidates<'a, D> {
         }
     }
 
+    /// The same particles, which are ghosts.
+    pub fn of_ghosts(self) -> Self {
+        Self { wall: true, ..self }
+    }
+
     /// True of ghosts.
     pub fn is_wall(&self) -> bool {
         self.wall

@@ -7,7 +7,6 @@ use pulp::Simd;
 
 use super::rough::{BLOCK, Block, LOSS, Rough};
 use super::{Candidates, REACH, Seeker};
-use crate::calm::Calm;
 use crate::vectors::MAX_LANES;
 
 /// A cluster of seekers, and the box around it in space and in velocity.
@@ -71,11 +70,6 @@ impl<const D: usize> Hull<D> {
         let far = (hull.min - rough.origin).abs() + (hull.max - rough.origin).abs();
         hull.slack = LOSS * (far.sum() + hull.furthest);
         hull
-    }
-
-    /// True where the cluster sees nothing but the undisturbed free stream.
-    pub fn is_calm(&self, calm: Option<&Calm<D>>) -> bool {
-        calm.is_some_and(|calm| calm.covers(&self.min, &self.max))
     }
 
     /// Appends the members of `set` that any of the cluster may meet until the half-step; `runs`

@@ -20,7 +20,6 @@ pub use candidates::Candidates;
 use hull::Hull;
 pub use rough::Rough;
 
-use super::calm::Calm;
 use super::vectors::Arch;
 
 /// A smoothing length may grow by this factor in one step; the lists allow for it.
@@ -41,6 +40,15 @@ pub struct Seeker<const D: usize> {
     pub half_h: f64,
     /// Velocity.
     pub velocity: Vector<D>,
+}
+
+/// What the members of a cluster have in common.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Kind {
+    /// Level of smoothing lengths, each of which is sorted by itself.
+    pub level: u8,
+    /// Needs no neighbours: all sums are zero.
+    pub is_calm: bool,
 }
 
 /// The neighbours of one cluster, as ranges of its chunk's entries.
@@ -80,7 +88,8 @@ impl Lists {
     }
 
     /// Lists the neighbours of `count` seekers in clusters as wide as the processor's vectors,
-    /// for a step whose half is at most `half_step` long. In what is `calm` none are listed.
+    /// for a step whose half is at most `half_step` long. Clusters end where the `kind` of a particle is another; around calm
+    /// ones nothing is listed.
     pub fn build<const D: usize>(
         &mut self,
         arch: Arch,
@@ -88,7 +97,7 @@ impl Lists {
         seeker: impl Fn(usize) -> Seeker<D> + Sync,
         sets: &[Candidates<'_, D>],
         half_step: f64,
-        calm: Option<&Calm<D>>,
+        kind: impl Fn(usize) -> Kind + Sync,
     ) {
         let Some(rough) = sets.first().map(|set| set.rough) else {
             self.chunks.clear();
@@ -112,14 +121,14 @@ impl Lists {
                     sets,
                     rough,
                     half_step,
-                    calm,
+                    kind: &kind,
                 });
             });
     }
 }
 
 /// Fills one chunk.
-struct Build<'a, F, const D: usize> {
+struct Build<'a, F, K, const D: usize> {
     lanes: usize,
     chunk: &'a mut Chunk,
     targets: Range<usize>,
@@ -127,10 +136,14 @@ struct Build<'a, F, const D: usize> {
     sets: &'a [Candidates<'a, D>],
     rough: &'a Rough<D>,
     half_step: f64,
-    calm: Option<&'a Calm<D>>,
+    kind: &'a K,
 }
 
-impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
+impl<F, K, const D: usize> WithSimd for Build<'_, F, K, D>
+where
+    F: Fn(usize) -> Seeker<D>,
+    K: Fn(usize) -> Kind,
+{
     type Output = ();
 
     #[inline(always)]
@@ -139,11 +152,19 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
         entries.clear();
         clusters.clear();
         let mut runs = Vec::new();
-        for start in self.targets.clone().step_by(self.lanes) {
-            let targets = start..self.targets.end.min(start + self.lanes);
-            let hull = Hull::new(targets.len(), |l| (self.seeker)(start + l), self.rough);
+        let mut start = self.targets.start;
+        let mut full = start;
+        while start < self.targets.end {
+            if start == full {
+                full = self.targets.end.min(start + self.lanes);
+            }
+            let kind = (self.kind)(start);
+            let end = (start + 1..full).find(|&i| (self.kind)(i) != kind);
+            let targets = start..end.unwrap_or(full);
+            let first = start;
+            start = targets.end;
             let begin = entries.len();
-            let is_calm = hull.is_calm(self.calm);
+            let is_calm = kind.is_calm;
             if is_calm {
                 let (gas, wall) = (begin..begin, begin..begin);
                 clusters.push(Cluster {
@@ -154,6 +175,7 @@ impl<F: Fn(usize) -> Seeker<D>, const D: usize> WithSimd for Build<'_, F, D> {
                 });
                 continue;
             }
+            let hull = Hull::new(targets.len(), |l| (self.seeker)(first + l), self.rough);
             for set in self.sets.iter().filter(|set| !set.is_wall()) {
                 hull.collect(simd, set, self.half_step, &mut runs, entries);
             }

@@ -6,7 +6,7 @@ use crate::problem::Equations;
 
 use super::super::lanes::Lane;
 use super::super::neighbours::{Chunk, Lists};
-use super::super::particle::{ByPressure, Rates};
+use super::super::particles::{ByPressure, Rates};
 use super::super::records::{GHOSTS, Matrix, Number, Records};
 use super::super::vectors::{Arch, Pass, Vectors};
 use super::super::walls::even_renormalisation;

@@ -5,7 +5,7 @@ use aero_geometry::kernel::QuinticSpline;
 use rayon::prelude::*;
 
 use super::super::neighbours::Lists;
-use super::super::particle::{Particle, Rates};
+use super::super::particles::{Particle, Rates};
 use super::super::records::Near;
 
 /// Sets the transport shift of every particle that heads for a wall nearer than its own spacing:

@@ -10,7 +10,7 @@ fn against_a_wall(skips: bool) -> Vec<[f64; 5]> {
     advance(&mut simulation, 60);
     let calm = simulation.fluid.iter().filter(|p| p.is_calm).count();
     assert_eq!(calm > 200, skips, "{calm} particles are calm");
-    let mut particles = simulation.fluid.clone();
+    let mut particles = simulation.fluid.to_vec();
     particles.sort_by_key(|particle| particle.id);
     particles
         .iter()

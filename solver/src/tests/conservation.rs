@@ -8,7 +8,7 @@ fn pair_sums_balance<const D: usize>(cells: usize, shifting: bool) {
     let scale: f64 = simulation
         .fluid
         .iter()
-        .zip(&simulation.rates)
+        .zip(simulation.fluid.rates())
         .map(|(particle, rates)| particle.mass * rates.acceleration.norm())
         .sum();
     let rates = simulation.rates_of_totals();

@@ -11,14 +11,14 @@ fn cloud(cells: usize, precision: Precision) -> Simulation<2> {
     problem.scheme.equations = Equations::Paper;
     let centre = problem.domain.bounds.max * 0.5;
     let mut simulation = start(problem);
-    simulation
-        .fluid
-        .retain(|particle| (particle.position - centre).norm() < 0.9);
+    let outside = |i: &usize| (simulation.fluid[*i].position - centre).norm() >= 0.9;
+    let outside: Vec<_> = (0..simulation.fluid.len()).filter(outside).collect();
+    simulation.fluid.remove(outside.into_iter());
     simulation
 }
 
-fn by_id(simulation: &Simulation<2>) -> Vec<crate::particle::Particle<2>> {
-    let mut particles = simulation.fluid.clone();
+fn by_id(simulation: &Simulation<2>) -> Vec<crate::particles::Particle<2>> {
+    let mut particles = simulation.fluid.to_vec();
     particles.sort_by_key(|particle| particle.id);
     particles
 }
@@ -154,9 +154,9 @@ fn with_vectors(arch: pulp::Arch, precision: Precision) -> Vec<[f64; 5]> {
     let mut problem = stirred::<3>(12);
     problem.scheme.precision = precision;
     let mut simulation = start(problem);
-    simulation.arch = Arch::new(arch, precision);
+    simulation.around.arch = Arch::new(arch, precision);
     advance(&mut simulation, 5);
-    let mut particles = simulation.fluid.clone();
+    let mut particles = simulation.fluid.to_vec();
     particles.sort_by_key(|particle| particle.id);
     let numbers = particles.iter().map(|p| {
         let [x, y, z] = p.position.into();

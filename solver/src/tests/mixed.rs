@@ -1,7 +1,7 @@
 //! Pairs in `f32`: how far that is from `f64`. Bounds are two to four times what was measured.
 
 use super::*;
-use crate::particle::Particle;
+use crate::particles::Particle;
 use crate::problem::Precision;
 
 fn mixed<const D: usize>(mut problem: Problem<D>) -> Problem<D> {
@@ -10,7 +10,7 @@ fn mixed<const D: usize>(mut problem: Problem<D>) -> Problem<D> {
 }
 
 fn by_id<const D: usize>(simulation: &Simulation<D>) -> Vec<Particle<D>> {
-    let mut particles = simulation.fluid.clone();
+    let mut particles = simulation.fluid.to_vec();
     particles.sort_by_key(|particle| particle.id);
     particles
 }

@@ -73,7 +73,7 @@ fn a_particle_that_meets_its_own_image_is_pushed_back_gently() {
     let mut problem = cube::<2>(12, WALL);
     problem.domain.sides[1][0] = Side::Symmetry;
     let mut simulation = start(problem);
-    let near_plane = |p: &&mut crate::particle::Particle<2>| p.position[1] < 0.1;
+    let near_plane = |p: &&mut crate::particles::Particle<2>| p.position[1] < 0.1;
     for particle in simulation.fluid.iter_mut().filter(|p| near_plane(p)) {
         particle.position[1] = 1e-5;
         particle.velocity[1] = -0.3;

@@ -36,7 +36,7 @@ fn nothing_drifts_on_a_lattice_within_walls() {
     problem.scheme.shifting = true;
     let mut simulation = start(problem);
     advance(&mut simulation, 20);
-    for (particle, rates) in simulation.fluid.iter().zip(&simulation.rates) {
+    for (particle, rates) in simulation.fluid.iter().zip(simulation.fluid.rates()) {
         assert!(rates.shift.norm() < 1e-13, "drifts at {}", rates.shift);
         assert!(particle.velocity.norm() < 1e-12);
     }
@@ -50,7 +50,7 @@ fn nothing_drifts_in_a_uniform_stream() {
     problem.scheme.shifting = true;
     let mut simulation = start(problem);
     advance(&mut simulation, 40);
-    for (particle, rates) in simulation.fluid.iter().zip(&simulation.rates) {
+    for (particle, rates) in simulation.fluid.iter().zip(simulation.fluid.rates()) {
         assert!(rates.shift.norm() < 1e-12, "drifts at {}", rates.shift);
         assert!((particle.density / 1.4 - 1.0).abs() < 1e-11);
     }
@@ -121,7 +121,7 @@ fn next_to_a_wall_nothing_drifts_into_it_and_nowhere_faster_than_allowed() {
     advance(&mut simulation, 30);
     let end = simulation.problem.domain.bounds.max[0];
     let mut fastest = 0.0_f64;
-    for (particle, rates) in simulation.fluid.iter().zip(&simulation.rates) {
+    for (particle, rates) in simulation.fluid.iter().zip(simulation.fluid.rates()) {
         let sound = (1.4 * 0.4 * particle.energy).sqrt();
         // Rates and state are half a step apart.
         let mach = rates.shift.norm() / sound;

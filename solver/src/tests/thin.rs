@@ -165,7 +165,7 @@ fn a_cut_through_the_middle_of_a_thin_plate_changes_nothing() {
     let [pushed, lifted] = [&whole, &half].map(|simulation| simulation.loads()[0].force);
     assert!(pushed[1].abs() < 1e-9 && (pushed[0] - lifted[0]).abs() < 1e-9);
     for particle in &half.fluid {
-        let distance = |p: &crate::particle::Particle<2>| (p.position - particle.position).norm();
+        let distance = |p: &crate::particles::Particle<2>| (p.position - particle.position).norm();
         let twin = whole
             .fluid
             .iter()
@@ -216,7 +216,7 @@ fn turning_plate() -> Problem<2> {
 }
 
 fn bits(simulation: &Simulation<2>) -> Vec<u64> {
-    let numbers = |p: &crate::particle::Particle<2>| {
+    let numbers = |p: &crate::particles::Particle<2>| {
         [p.position[0], p.velocity[1], p.density, p.energy].map(f64::to_bits)
     };
     simulation.fluid.iter().flat_map(numbers).collect()

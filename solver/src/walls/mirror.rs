@@ -4,10 +4,9 @@ use rayon::prelude::*;
 
 use super::super::neighbours::GROWTH;
 use super::super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
-use super::super::particle::Ghost;
 use super::super::records::{Matrix, Records};
 use super::super::vectors::Arch;
-use super::{WallLists, Walls, mirror_seeker, seeker};
+use super::{Ghost, WallLists, Walls, mirror_seeker, seeker};
 use crate::gas::Gas;
 use crate::problem::{Equations, Extrapolation, WallKind};
 

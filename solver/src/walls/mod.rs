@@ -4,20 +4,31 @@ use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
+mod body;
+mod curvature;
+mod ghost;
+pub mod loads;
 mod mirror;
+mod plane;
+mod rigid;
 mod setup;
+mod turning;
+
+pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
+pub use curvature::{shape_operator, tangents};
+pub use ghost::Ghost;
+pub use plane::wall_sides;
+pub use rigid::{Pose, pad};
 
 use super::faces::Faces;
 use super::lattice;
-use super::neighbours::{Candidates, Lists, Seeker};
+use super::neighbourhood::Grid;
+use super::neighbours::{Candidates, Kind, Lists, Seeker};
 use super::pairs::extrapolation::Interpolated;
-use super::particle::Ghost;
 use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
-use super::rigid::Pose;
-use super::side_walls;
 use super::vectors::Arch;
 use crate::gas::Gas;
-use crate::problem::{Equations, Extrapolation, Motion, Problem, WallKind};
+use crate::problem::{Equations, Extrapolation, Problem};
 
 /// All ghosts, and what their bodies do.
 #[derive(Clone, Debug)]
@@ -36,7 +47,7 @@ pub struct Walls<const D: usize> {
     equations: Equations,
     constant_volume: bool,
     gas: Gas,
-    width: f64,
+    grid: Grid<D>,
     faces: Option<Faces<D>>,
     found: Vec<Option<Interpolated<D>>>,
     mirrored: Vec<Option<Interpolated<D>>>,
@@ -52,14 +63,14 @@ pub struct WallLists {
 }
 
 impl<const D: usize> Walls<D> {
-    /// The ghosts of all bodies and wall sides of `problem`; `width` is that of a pencil.
-    pub fn new(problem: &Problem<D>, width: f64) -> Self {
+    /// The ghosts of all bodies and wall sides of `problem`, sorted on `grid`.
+    pub fn new(problem: &Problem<D>, grid: &Grid<D>) -> Self {
         let mut bodies: Vec<_> = problem
             .bodies
             .iter()
             .map(|b| (b.motion.clone(), b.wall))
             .collect();
-        let sides = side_walls::side_walls(&problem.domain, problem.spacing);
+        let sides = plane::plane_walls(&problem.domain, problem.spacing);
         bodies.extend(sides.iter().map(|side| (side.motion.clone(), side.kind)));
         let (ghosts, faces) = setup::ghosts(problem, &sides);
         let mut walls = Self {
@@ -72,7 +83,7 @@ impl<const D: usize> Walls<D> {
             equations: problem.scheme.equations,
             constant_volume: problem.scheme.constant_ghost_volume,
             gas: problem.gas,
-            width,
+            grid: *grid,
             faces,
             found: Vec::new(),
             mirrored: Vec::new(),
@@ -120,8 +131,8 @@ impl<const D: usize> Walls<D> {
     /// Sorts the ghosts in space; needed after they have moved.
     pub fn sort(&mut self) {
         let (ghosts, views) = self.ghosts.split_at(self.own_count());
-        let mut all = sorted(ghosts, &mut self.pencils, self.width);
-        all.extend(sorted(views, &mut self.view_pencils, self.width));
+        let mut all = sorted(ghosts, &mut self.pencils, &self.grid);
+        all.extend(sorted(views, &mut self.view_pencils, &self.grid));
         self.ghosts = all;
     }
 
@@ -152,15 +163,21 @@ impl<const D: usize> Walls<D> {
         let arch = arch.double();
         let ghosts = &self.ghosts;
         let count = ghosts.len();
+        let everyone = |_| Kind::default();
         let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
-        lists
-            .near
-            .build(arch, count, |g| seeker(&ghosts[g]), &gas, half_step, None);
+        lists.near.build(
+            arch,
+            count,
+            |g| seeker(&ghosts[g]),
+            &gas,
+            half_step,
+            everyone,
+        );
         if self.extrapolation == Extrapolation::Wm {
             let seeker = |g: usize| mirror_seeker(&ghosts[g]);
             lists
                 .mirror
-                .build(arch, count, seeker, &gas, half_step, None);
+                .build(arch, count, seeker, &gas, half_step, everyone);
         }
     }
 
@@ -196,9 +213,10 @@ impl<const D: usize> Walls<D> {
 fn sorted<const D: usize>(
     ghosts: &[Ghost<D>],
     pencils: &mut Pencils<D>,
-    width: f64,
+    grid: &Grid<D>,
 ) -> Vec<Ghost<D>> {
-    pencils.rebuild_from(ghosts.len(), |g| ghosts[g].position, width);
+    let (place, rank) = (|g: usize| ghosts[g].position, |g| g as u64);
+    pencils.rebuild_on_grid(&grid.corner, grid.width, ghosts.len(), place, rank);
     let order = pencils.order().iter();
     order.map(|&g| ghosts[g as usize]).collect()
 }

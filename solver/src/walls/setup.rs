@@ -4,12 +4,12 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use rayon::prelude::*;
 
-use super::super::curvature::shape_operator;
 use super::super::faces::{Faces, Sight, ThinParts, View, thin_parts};
-use super::super::particle::Ghost;
 use super::super::records::Matrix;
-use super::super::side_walls::SideWall;
-use crate::problem::{Equations, Problem, Side};
+use super::Ghost;
+use super::curvature::shape_operator;
+use super::plane::SideWall;
+use crate::problem::{Equations, Problem};
 
 /// All ghosts of `problem` and its wall `sides`, views at the end; and the faces of thin parts.
 pub fn ghosts<const D: usize>(
@@ -85,8 +85,9 @@ fn blank<const D: usize>(
     depth: f64,
 ) -> Ghost<D> {
     let gas = &problem.free_stream;
-    let h = SMOOTHING_RATIO * problem.spacing;
-    let volume = problem.spacing.powi(D as i32);
+    let spacing = problem.spacing_at(&position);
+    let h = SMOOTHING_RATIO * spacing;
+    let volume = spacing.powi(D as i32);
     Ghost {
         position,
         normal,
@@ -117,19 +118,10 @@ fn blank<const D: usize>(
 /// The part of a ghost that belongs to the modelled side of all symmetry planes: one half of it for each plane that it
 /// lies on. Its images, at the same place, are the rest.
 fn modelled_share<const D: usize>(problem: &Problem<D>, position: &Vector<D>) -> f64 {
-    let bounds = &problem.domain.bounds;
-    let on = |side: Side, place: f64, plane: f64| {
-        side.is_mirror() && (place - plane).abs() < 1e-9 * problem.spacing
-    };
-    let planes = (0..D).flat_map(|k| {
-        let [low, high] = problem.domain.sides[k];
-        let place = position[k];
-        [
-            on(low, place, bounds.min[k]),
-            on(high, place, bounds.max[k]),
-        ]
+    let planes = problem.domain.each_side().filter(|(axis, _, side, plane)| {
+        side.is_mirror() && (position[*axis] - plane).abs() < 1e-9 * problem.spacing
     });
-    0.5_f64.powi(planes.filter(|&is_on| is_on).count() as i32)
+    0.5_f64.powi(planes.count() as i32)
 }
 
 /// `ghost` as another face sees it.

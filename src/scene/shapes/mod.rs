@@ -16,6 +16,7 @@ use super::file::PlaceEntry;
 use super::flow::vector;
 use super::spin::Rotation;
 
+pub(crate) use mesh::made;
 pub use mesh::{StlEntry, Tessellated, Unit};
 pub use plane::{
     Biconvex, BluntWedge, Circle, Corner, Duct, ForwardStep, HalfSpace, Polygon, PolygonFile,
@@ -67,6 +68,18 @@ pub enum ShapeEntry {
     Tessellated(Tessellated),
 }
 
+/// What a surface depends on beside its own entry.
+pub(crate) struct Making<'a> {
+    /// Where relative paths start.
+    pub folder: &'a Path,
+    /// In an axisymmetric flow a body of revolution is its section.
+    pub axisymmetric: bool,
+    /// Spacing at which it is packed, in the scene's unit.
+    pub spacing: f64,
+    /// Is told how far the reading of a mesh is.
+    pub watch: &'a Watch,
+}
+
 /// A surface in place, and what was done to its mesh.
 #[derive(Clone, Debug)]
 pub(crate) struct Made<const D: usize> {
@@ -105,23 +118,22 @@ impl<const D: usize> Made<D> {
 }
 
 impl ShapeEntry {
-    /// The surface in dimension `D`, in place; relative paths start at `folder`. In an `axisymmetric`
-    /// flow a body of revolution is its section. `watch` is told how far the reading of a mesh is.
+    /// The surface in dimension `D`, in place.
     pub(crate) fn make<const D: usize>(
         &self,
         place: Option<&PlaceEntry>,
-        folder: &Path,
-        axisymmetric: bool,
-        watch: &Watch,
+        making: &Making<'_>,
     ) -> Result<Made<D>, String> {
-        let made = if axisymmetric && let Some(round) = self.round() {
+        let made = if making.axisymmetric
+            && let Some(round) = self.round()
+        {
             let section = round.and_then(|body| body.section());
             let section = section.map_err(|error| error.to_string())?;
             Made::exact(section.placed(&place_in_plane(place)?)).cast()
         } else if D == 2 {
-            self.in_plane(place, folder)?.and_then(Made::cast)
+            self.in_plane(place, making.folder)?.and_then(Made::cast)
         } else {
-            self.in_space(place, folder, watch)?.and_then(Made::cast)
+            self.in_space(place, making)?.and_then(Made::cast)
         };
         made.ok_or_else(|| {
             let other = if D == 2 { 3 } else { 2 };
@@ -173,8 +185,7 @@ impl ShapeEntry {
     fn in_space(
         &self,
         place: Option<&PlaceEntry>,
-        folder: &Path,
-        watch: &Watch,
+        making: &Making<'_>,
     ) -> Result<Option<Made<3>>, String> {
         let round = match self {
             Self::Cuboid(entry) => {
@@ -184,8 +195,17 @@ impl ShapeEntry {
                     place_in_space(place)?,
                 ))));
             }
-            Self::Stl(entry) => return mesh::made(entry.mesh(folder, watch), place).map(Some),
-            Self::Tessellated(entry) => return mesh::made(entry.mesh(), place).map(Some),
+            Self::Stl(entry) => {
+                let soup = entry.read(making.folder, making.watch);
+                let soup = soup.map_err(|error| error.to_string())?;
+                let scale = place_in_space(place)?.scale();
+                let solid = entry.solid(&soup, making.spacing / scale, making.watch)?;
+                return mesh::made(solid, place).map(Some);
+            }
+            Self::Tessellated(entry) => {
+                let solid = entry.solid().map_err(|error| error.to_string())?;
+                return mesh::made(solid, place).map(Some);
+            }
             _ => match self.round() {
                 Some(round) => round,
                 None => return Ok(None),

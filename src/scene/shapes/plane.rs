@@ -14,6 +14,7 @@ type Made = Result<Outline, GeometryError>;
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Circle {
+    /// Radius.
     radius: Finite,
 }
 
@@ -27,8 +28,11 @@ impl Circle {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rectangle {
+    /// Extent along x.
     width: Finite,
+    /// Extent along y.
     height: Finite,
+    /// Radius of its corners; 0 unless given.
     corner_radius: Option<Finite>,
 }
 
@@ -43,6 +47,7 @@ impl Rectangle {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Polygon {
+    /// Corners in order, either way round; the last is joined to the first.
     points: Vec<[Finite; 2]>,
 }
 
@@ -60,6 +65,7 @@ impl Polygon {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PolygonFile {
+    /// The file; a relative path starts at the scene's folder.
     file: PathBuf,
 }
 
@@ -73,7 +79,9 @@ impl PolygonFile {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Biconvex {
+    /// Length.
     chord: Finite,
+    /// Thickness over chord.
     thickness_ratio: Finite,
 }
 
@@ -87,6 +95,7 @@ impl Biconvex {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HalfSpace {
+    /// Height of the wall; 0 unless given.
     height: Option<Finite>,
 }
 
@@ -101,7 +110,9 @@ impl HalfSpace {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Corner {
+    /// Degrees by which the wall turns.
     angle: Finite,
+    /// Where it turns; the origin unless given.
     corner: Option<[Finite; 2]>,
 }
 
@@ -128,7 +139,9 @@ impl Corner {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ForwardStep {
+    /// Where the step stands on the x axis.
     foot: Finite,
+    /// Its height.
     height: Finite,
 }
 
@@ -143,8 +156,11 @@ impl ForwardStep {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BluntWedge {
+    /// Radius of the nose.
     radius: Finite,
+    /// Degrees between a flank and the x axis.
     half_angle: Finite,
+    /// From the tip of the nose to the base; endless unless given.
     length: Option<Finite>,
 }
 
@@ -160,11 +176,17 @@ impl BluntWedge {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Duct {
+    /// Half-height of the inlet.
     inlet: Finite,
+    /// Half-height of the throat.
     throat: Finite,
+    /// Radius of the arc that leads into the contraction.
     contraction_radius: Finite,
+    /// Radius of the arc at the throat.
     throat_radius: Finite,
+    /// Half-angle of the divergent part, degrees.
     divergence: Finite,
+    /// The upper wall alone; off unless given.
     half: Option<bool>,
 }
 

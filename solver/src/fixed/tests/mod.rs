@@ -11,7 +11,12 @@ use super::levels::Levels;
 use super::solids::Solids;
 use crate::problem::{Domain, Side};
 
+mod jumps;
+pub(crate) mod lattice;
 mod plane;
+mod sides;
+mod space;
+mod tubes;
 
 /// A box with open sides.
 fn domain<const D: usize>(low: [f64; D], high: [f64; D]) -> Domain<D> {
