@@ -20,8 +20,7 @@ pub(super) trait Recorder<const D: usize> {
     fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError>;
 
     /// A step of length `dt` has been taken; a break asks the run to stop here.
-    fn step(&mut self, simulation: &Flow<D>, dt: f64)
-    -> Result<ControlFlow<()>, OutputError>;
+    fn step(&mut self, simulation: &Flow<D>, dt: f64) -> Result<ControlFlow<()>, OutputError>;
 
     /// True when the run should be remembered, after a step without a frame; after one with a
     /// frame it always is.
@@ -172,11 +171,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         self.history.flush()
     }
 
-    fn step(
-        &mut self,
-        simulation: &Flow<D>,
-        dt: f64,
-    ) -> Result<ControlFlow<()>, OutputError> {
+    fn step(&mut self, simulation: &Flow<D>, dt: f64) -> Result<ControlFlow<()>, OutputError> {
         self.background.check()?;
         let (step, time) = (simulation.steps(), simulation.time());
         if step.is_multiple_of(self.history_every) {

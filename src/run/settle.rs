@@ -7,10 +7,7 @@ use crate::output::Summary;
 
 impl<const D: usize> UnderWay<D> {
     /// Iterates until the flow has settled, or shows that it will not.
-    pub(super) fn settle(
-        &mut self,
-        recorder: &mut dyn Recorder<D>,
-    ) -> Result<Summary, RunError> {
+    pub(super) fn settle(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
         let reason = loop {
             let settling = match self.simulation.settle() {
                 Ok(settling) => settling,

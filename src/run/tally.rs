@@ -8,8 +8,8 @@ use super::steady::Window;
 use crate::case::RunPlan;
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_solver::Flow;
-use aero_solver::method::Method;
 use aero_solver::frame::{Load, Totals};
+use aero_solver::method::Method;
 use aero_solver::problem::{Body, Equations, Extrapolation, Precision, Problem};
 
 /// Part of the run, at its end, over which loads are averaged.

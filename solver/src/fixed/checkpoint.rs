@@ -41,6 +41,14 @@ impl<const D: usize> FixedSimulation<D> {
         }
     }
 
+    /// Goes on from `memory`, which a flow of the same `problem` on the cells of its lattice left.
+    ///
+    /// # Errors
+    /// As of [`Self::resume_on`].
+    pub fn resume(problem: Problem<D>, memory: FixedMemory<'_, D>) -> Result<Self, String> {
+        Self::resume_on(super::lattice_cells(&problem), problem, memory)
+    }
+
     /// Goes on from `memory`, which a flow of the same `problem` on the same `cells` left: every later step has the bits that it
     /// would have had there.
     ///

@@ -89,6 +89,18 @@ pub struct FixedSimulation<const D: usize> {
     min_energy: f64,
 }
 
+/// The cells of the lattice of `problem`.
+fn lattice_cells<const D: usize>(problem: &Problem<D>) -> Cells<D> {
+    let solids = Solids::new(problem.bodies.iter().map(|body| body.shape.clone()));
+    let plot = Plot {
+        domain: &problem.domain,
+        solids: &solids,
+        spacing: problem.spacing,
+    };
+    let cloud = Cloud::lattice(&plot, &Levels::default(), problem.disorder);
+    cells(&plot, &cloud).0
+}
+
 impl<const D: usize> FixedSimulation<D> {
     /// The flow of `problem` on `cells`, at its start.
     ///
@@ -112,15 +124,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// As of [`Self::on`].
     pub fn new(problem: Problem<D>) -> Result<Self, String> {
-        let solids = Solids::new(problem.bodies.iter().map(|body| body.shape.clone()));
-        let plot = Plot {
-            domain: &problem.domain,
-            solids: &solids,
-            spacing: problem.spacing,
-        };
-        let cloud = Cloud::lattice(&plot, &Levels::default(), problem.disorder);
-        let (cells, _) = cells(&plot, &cloud);
-        Self::on(cells, problem)
+        Self::on(lattice_cells(&problem), problem)
     }
 
     /// The same with a state in each cell.
