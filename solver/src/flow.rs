@@ -3,7 +3,7 @@
 use aero_geometry::Bounds;
 use serde::{Deserialize, Serialize};
 
-use crate::fixed::{FixedMemory, FixedSimulation};
+use crate::fixed::{FixedMemory, FixedSimulation, Settled};
 use crate::frame::{Frame, Load, SurfaceFrame, Totals};
 use crate::method::Method;
 use crate::problem::Problem;
@@ -22,9 +22,9 @@ pub enum Flow<const D: usize> {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum FlowMemory<'a, const D: usize> {
     /// Of particles.
-    WithTheGas(#[serde(borrow)] Memory<'a, D>),
+    WithTheGas(Memory<'a, D>),
     /// Of points.
-    Fixed(#[serde(borrow)] FixedMemory<'a, D>),
+    Fixed(FixedMemory<'a, D>),
 }
 
 /// Calls the method of the same name on whatever carries the gas.
@@ -93,6 +93,17 @@ impl<const D: usize> Flow<D> {
     /// Where the state stops making sense; the flow then stands at its last good state.
     pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
         of_either!(self, flow => flow.step(limit))
+    }
+
+    /// One iteration towards the steady flow, of points that stay; particles have none.
+    ///
+    /// # Errors
+    /// As of [`Self::step`].
+    pub fn settle_step(&mut self) -> Option<Result<Settled, Failure>> {
+        match self {
+            Self::WithTheGas(_) => None,
+            Self::Fixed(flow) => Some(flow.settle_step()),
+        }
     }
 
     /// All that carries gas now, with ghosts and buffers.

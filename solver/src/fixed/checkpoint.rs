@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::FixedSimulation;
 use super::cells::Cells;
+use super::settle::Settling;
 use super::state::Conserved;
 use crate::problem::Problem;
 
@@ -20,6 +21,7 @@ pub struct FixedMemory<'a, const D: usize> {
     held: Vec<f64>,
     received: Vec<f64>,
     pressures: Cow<'a, [Vec<f64>]>,
+    settling: Cow<'a, Settling>,
     updates: u64,
     min_density: f64,
     min_energy: f64,
@@ -35,18 +37,19 @@ impl<const D: usize> FixedSimulation<D> {
             held: self.held.iter().flat_map(numbers).collect(),
             received: numbers(&self.received).collect(),
             pressures: Cow::Borrowed(&self.pressures),
+            settling: Cow::Borrowed(&self.settling),
             updates: self.updates,
             min_density: self.min_density,
             min_energy: self.min_energy,
         }
     }
 
-    /// Goes on from `memory`, which a flow of the same `problem` on the cells of its lattice left.
+    /// Goes on from `memory`, which a flow of the same `problem` left, see [`Self::resume_on`].
     ///
     /// # Errors
-    /// As of [`Self::resume_on`].
+    /// A problem that gives other points.
     pub fn resume(problem: Problem<D>, memory: FixedMemory<'_, D>) -> Result<Self, String> {
-        Self::resume_on(super::lattice_cells(&problem), problem, memory)
+        Self::resume_on(Self::cells_of(&problem), problem, memory)
     }
 
     /// Goes on from `memory`, which a flow of the same `problem` on the same `cells` left: every later step has the bits that it
@@ -76,6 +79,7 @@ impl<const D: usize> FixedSimulation<D> {
         simulation.steps = memory.steps;
         simulation.received = received;
         simulation.pressures = memory.pressures.into_owned();
+        simulation.settling = memory.settling.into_owned();
         simulation.updates = memory.updates;
         simulation.min_density = memory.min_density;
         simulation.min_energy = memory.min_energy;

@@ -10,7 +10,7 @@ use super::hll::Jump;
 use super::net::{Block, Face, Net};
 use super::real::{Lane, Real};
 use super::reconstruction::{Neighbours, rise};
-use super::state::{Conserved, Primitive, dot};
+use super::state::{Conserved, Primitive, dot, scaled};
 use super::walls::push;
 
 /// Most lanes of any processor.
@@ -130,28 +130,36 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             array::from_fn(|l| face(l).i as usize),
             array::from_fn(|l| face(l).j as usize),
         ];
-        let states = numbers.map(|side| {
-            let states: [_; MAX_LANES] = array::from_fn(|l| &flow.states[side[l]]);
-            gather_state(simd, &states)
-        });
-        let cells = numbers.map(|side| {
-            let cells: [_; MAX_LANES] = array::from_fn(|l| &flow.slopes[side[l]]);
-            cells
-        });
-        let slopes = [0, 1].map(|side: usize| {
-            array::from_fn(|axis| {
-                let slopes: [_; MAX_LANES] = array::from_fn(|l| &cells[side][l].along[axis]);
-                gather_state(simd, &slopes)
-            })
-        });
-        let [first, second] = cells.map(|cells| gather(simd, |l| cells[l].calmness));
-        Self {
-            states,
-            slopes,
-            calmness: first.min(second),
-            area: array::from_fn(|k| gather(simd, |l| shapes[l].area[k])),
-            apart: array::from_fn(|k| gather(simd, |l| shapes[l].apart[k])),
+        let zero = Lane(simd, simd.splat_f64s(0.0));
+        let nothing = Primitive {
+            density: zero,
+            velocity: [zero; D],
+            pressure: zero,
+        };
+        let mut batch = Self {
+            states: [nothing; 2],
+            slopes: [[nothing; D]; 2],
+            calmness: zero,
+            area: [zero; D],
+            apart: [zero; D],
+        };
+        let mut calmness = [zero; 2];
+        for side in 0..2 {
+            let states: [_; MAX_LANES] = array::from_fn(|l| &flow.states[numbers[side][l]]);
+            let cells: [_; MAX_LANES] = array::from_fn(|l| &flow.slopes[numbers[side][l]]);
+            gather_state(simd, &states, &mut batch.states[side]);
+            for axis in 0..D {
+                let slopes: [_; MAX_LANES] = array::from_fn(|l| &cells[l].along[axis]);
+                gather_state(simd, &slopes, &mut batch.slopes[side][axis]);
+            }
+            calmness[side] = gather(simd, |l| cells[l].calmness);
         }
+        batch.calmness = calmness[0].min(calmness[1]);
+        for k in 0..D {
+            batch.area[k] = gather(simd, |l| shapes[l].area[k]);
+            batch.apart[k] = gather(simd, |l| shapes[l].apart[k]);
+        }
+        batch
     }
 
     /// Flux through the whole of each face.
@@ -159,7 +167,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
     fn flux<G: Gas>(&self, gas: &G) -> Conserved<D, Lane<S>> {
         let size = dot(&self.area, &self.area).sqrt();
         let share = size.like(1.0) / size;
-        let normal = self.area.map(|area| area * share);
+        let normal = scaled(&self.area, share);
         let smooth = smoothness(self.calmness);
         let [left, right] = Neighbours {
             means: self.states,
@@ -173,15 +181,35 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         .states();
         let jump = Jump::new(gas, left, right, normal);
         let (sharp, blunt) = (jump.hllc(), jump.hll());
-        let is_smooth = smooth - (1.0 - f64::EPSILON);
-        let mix = |sharp: Lane<S>, blunt: Lane<S>| {
-            is_smooth.select(sharp, blunt + smooth * (sharp - blunt)) * size
+        let mix = Mix {
+            is_smooth: smooth - (1.0 - f64::EPSILON),
+            smooth,
+            size,
         };
-        Conserved {
-            mass: mix(sharp.mass, blunt.mass),
-            momentum: array::from_fn(|k| mix(sharp.momentum[k], blunt.momentum[k])),
-            energy: mix(sharp.energy, blunt.energy),
+        let mut momentum = sharp.momentum;
+        for k in 0..D {
+            momentum[k] = mix.of(sharp.momentum[k], blunt.momentum[k]);
         }
+        Conserved {
+            mass: mix.of(sharp.mass, blunt.mass),
+            momentum,
+            energy: mix.of(sharp.energy, blunt.energy),
+        }
+    }
+}
+
+/// How much there is of the sharp and of the blunt flux, over the whole face.
+struct Mix<R> {
+    is_smooth: R,
+    smooth: R,
+    size: R,
+}
+
+impl<R: Real> Mix<R> {
+    #[inline(always)]
+    fn of(&self, sharp: R, blunt: R) -> R {
+        let mixed = blunt + self.smooth * (sharp - blunt);
+        self.is_smooth.select(sharp, mixed) * self.size
     }
 }
 
@@ -199,29 +227,36 @@ fn gather<S: Simd>(simd: S, value: impl Fn(usize) -> f64) -> Lane<S> {
 fn gather_state<S: Simd, const D: usize>(
     simd: S,
     states: &[&Primitive<D>; MAX_LANES],
-) -> Primitive<D, Lane<S>> {
-    Primitive {
-        density: gather(simd, |l| states[l].density),
-        velocity: array::from_fn(|k| gather(simd, |l| states[l].velocity[k])),
-        pressure: gather(simd, |l| states[l].pressure),
+    into: &mut Primitive<D, Lane<S>>,
+) {
+    into.density = gather(simd, |l| states[l].density);
+    for k in 0..D {
+        into.velocity[k] = gather(simd, |l| states[l].velocity[k]);
     }
+    into.pressure = gather(simd, |l| states[l].pressure);
+}
+
+#[inline(always)]
+fn store<S: Simd>(lane: Lane<S>) -> [f64; MAX_LANES] {
+    let mut buffer = [0.0; MAX_LANES];
+    let (vectors, _) = S::as_mut_simd_f64s(&mut buffer);
+    vectors[0] = lane.1;
+    buffer
 }
 
 /// Lane by lane.
 #[inline(always)]
 fn stored<S: Simd, const D: usize>(flux: &Conserved<D, Lane<S>>) -> [Conserved<D>; MAX_LANES] {
-    let store = |lane: Lane<S>| {
-        let mut buffer = [0.0; MAX_LANES];
-        let (vectors, _) = S::as_mut_simd_f64s(&mut buffer);
-        vectors[0] = lane.1;
-        buffer
-    };
-    let mass = store(flux.mass);
-    let momentum = flux.momentum.map(store);
-    let energy = store(flux.energy);
-    array::from_fn(|l| Conserved {
-        mass: mass[l],
-        momentum: array::from_fn(|k| momentum[k][l]),
-        energy: energy[l],
-    })
+    let mut all = [Conserved::ZERO; MAX_LANES];
+    let (mass, energy) = (store(flux.mass), store(flux.energy));
+    for l in 0..MAX_LANES {
+        (all[l].mass, all[l].energy) = (mass[l], energy[l]);
+    }
+    for k in 0..D {
+        let momentum = store(flux.momentum[k]);
+        for l in 0..MAX_LANES {
+            all[l].momentum[k] = momentum[l];
+        }
+    }
+    all
 }

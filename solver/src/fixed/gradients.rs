@@ -1,7 +1,5 @@
 //! How the gas changes about a cell: least squares over its neighbours, and how strong the shocks are that it is in.
 
-use std::array;
-
 use super::gas::Gas;
 use super::net::{Block, Net};
 use super::state::{Primitive, dot};
@@ -110,7 +108,9 @@ pub fn slopes<G: Gas, const D: usize>(
 impl<const D: usize> Sums<D> {
     #[inline(always)]
     fn add(&mut self, rise: &Primitive<D>, weight: &[f64; D]) {
-        self.slopes.along = array::from_fn(|k| self.slopes.along[k].plus(weight[k], rise));
+        for (along, weight) in self.slopes.along.iter_mut().zip(weight) {
+            *along = along.plus(*weight, rise);
+        }
     }
 
     fn meet(&mut self, cell: &Primitive<D>, image: &super::walls::Image<D>) {

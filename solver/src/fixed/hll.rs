@@ -2,8 +2,6 @@
 //!
 //! [Harten, Lax & van Leer 1983; speeds of Einfeldt 1988, SIAM J. Numer. Anal. 25, 294-318]
 
-use std::array;
-
 use super::gas::Gas;
 use super::real::Real;
 use super::state::{Conserved, Primitive, dot};
@@ -42,39 +40,29 @@ impl<const D: usize, R: Real> Jump<D, R> {
         right: Primitive<D, R>,
         normal: [R; D],
     ) -> Self {
-        let speeds = [dot(&left.velocity, &normal), dot(&right.velocity, &normal)];
+        let mut sides = [
+            Half::new(gas, left, &normal),
+            Half::new(gas, right, &normal),
+        ];
         let sounds = [
             gas.sound_square(left.density, left.pressure),
             gas.sound_square(right.density, right.pressure),
         ];
         let weights = [left.density.sqrt(), right.density.sqrt()];
-        let sum = weights[0] + weights[1];
-        let share = sum.like(1.0) / sum;
-        let [left_share, right_share] = weights.map(|weight| weight * share);
-        let mean = left_share * speeds[0] + right_share * speeds[1];
-        let apart = speeds[1] - speeds[0];
+        let share = weights[0].like(1.0) / (weights[0] + weights[1]);
+        let (left_share, right_share) = (weights[0] * share, weights[1] * share);
+        let mean = left_share * sides[0].speed + right_share * sides[1].speed;
+        let apart = sides[1].speed - sides[0].speed;
         let sound = (left_share * sounds[0]
             + right_share * sounds[1]
             + left_share * right_share * apart * apart * 0.5)
             .sqrt();
-        let half = |state: Primitive<D, R>, speed, wave| Half {
-            energy: gas.internal_energy(state.density, state.pressure)
-                + state.density * dot(&state.velocity, &state.velocity) * 0.5,
-            state,
-            speed,
-            wave,
-        };
+        sides[0].wave = (sides[0].speed - sounds[0].sqrt()).min(mean - sound);
+        sides[1].wave = (sides[1].speed + sounds[1].sqrt()).max(mean + sound);
+        let [left, right] = sides;
         Self {
-            left: half(
-                left,
-                speeds[0],
-                (speeds[0] - sounds[0].sqrt()).min(mean - sound),
-            ),
-            right: half(
-                right,
-                speeds[1],
-                (speeds[1] + sounds[1].sqrt()).max(mean + sound),
-            ),
+            left,
+            right,
             normal,
         }
     }
@@ -87,20 +75,37 @@ impl<const D: usize, R: Real> Jump<D, R> {
         let (slow, fast) = (left.wave.min(zero), right.wave.max(zero));
         let share = zero.like(1.0) / (fast - slow);
         let (from_left, from_right, both) = (fast * share, -slow * share, slow * fast * share);
-        let [a, b] =
-            [left, right].map(|half| half.state.flux(half.energy, half.speed, &self.normal));
-        let mix = |a: R, b: R, apart: R| from_left * a + from_right * b + both * apart;
-        let momentum = |half: &Half<D, R>, k: usize| half.state.density * half.state.velocity[k];
+        let a = left.state.flux(left.energy, left.speed, &self.normal);
+        let b = right.state.flux(right.energy, right.speed, &self.normal);
+        let mut momentum = a.momentum;
+        for k in 0..D {
+            let apart = right.state.density * right.state.velocity[k]
+                - left.state.density * left.state.velocity[k];
+            momentum[k] = from_left * a.momentum[k] + from_right * b.momentum[k] + both * apart;
+        }
         Conserved {
-            mass: mix(a.mass, b.mass, right.state.density - left.state.density),
-            momentum: array::from_fn(|k| {
-                mix(
-                    a.momentum[k],
-                    b.momentum[k],
-                    momentum(right, k) - momentum(left, k),
-                )
-            }),
-            energy: mix(a.energy, b.energy, right.energy - left.energy),
+            mass: from_left * a.mass
+                + from_right * b.mass
+                + both * (right.state.density - left.state.density),
+            momentum,
+            energy: from_left * a.energy
+                + from_right * b.energy
+                + both * (right.energy - left.energy),
+        }
+    }
+}
+
+impl<const D: usize, R: Real> Half<D, R> {
+    /// A side in this state; its wave is yet to be found.
+    #[inline(always)]
+    fn new<G: Gas>(gas: &G, state: Primitive<D, R>, normal: &[R; D]) -> Self {
+        let speed = dot(&state.velocity, normal);
+        Self {
+            state,
+            speed,
+            energy: gas.internal_energy(state.density, state.pressure)
+                + state.density * dot(&state.velocity, &state.velocity) * 0.5,
+            wave: speed,
         }
     }
 }

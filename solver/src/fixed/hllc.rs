@@ -2,9 +2,7 @@
 //!
 //! [Toro, Spruce & Speares 1994; Batten et al. 1997, SIAM J. Sci. Comput. 18, 1553-1570]
 
-use std::array;
-
-use super::hll::{Half, Jump};
+use super::hll::Jump;
 use super::real::Real;
 use super::state::Conserved;
 
@@ -17,34 +15,34 @@ impl<const D: usize, R: Real> Jump<D, R> {
     pub fn hllc(&self) -> Conserved<D, R> {
         let Self { left, right, .. } = self;
         let zero = left.wave.like(0.0);
-        let flow = |half: &Half<D, R>| half.state.density * (half.wave - half.speed);
-        let (from_left, from_right) = (flow(left), flow(right));
+        let from_left = left.state.density * (left.wave - left.speed);
+        let from_right = right.state.density * (right.wave - right.speed);
         let contact = (right.state.pressure - left.state.pressure + from_left * left.speed
             - from_right * right.speed)
             / (from_left - from_right);
         // The side of the contact that the face lies on; either one where the contact stands on the face.
-        let pick = |left: R, right: R| contact.select(left, right);
-        let density = pick(left.state.density, right.state.density);
-        let pressure = pick(left.state.pressure, right.state.pressure);
-        let speed = pick(left.speed, right.speed);
-        let energy = pick(left.energy, right.energy);
-        let wave = pick(left.wave, right.wave);
-        let flow = pick(from_left, from_right);
-        let ahead = pick(wave.min(zero), wave.max(zero));
+        let density = contact.select(left.state.density, right.state.density);
+        let pressure = contact.select(left.state.pressure, right.state.pressure);
+        let speed = contact.select(left.speed, right.speed);
+        let energy = contact.select(left.energy, right.energy);
+        let wave = contact.select(left.wave, right.wave);
+        let flow = contact.select(from_left, from_right);
+        let ahead = contact.select(wave.min(zero), wave.max(zero));
         let star = flow / (wave - contact);
         let push = contact - speed;
-        let mass = density * speed + ahead * (star - density);
+        let mut momentum = self.normal;
+        for k in 0..D {
+            let velocity = contact.select(left.state.velocity[k], right.state.velocity[k]);
+            let behind = star * (velocity + push * self.normal[k]);
+            momentum[k] = density * speed * velocity
+                + pressure * self.normal[k]
+                + ahead * (behind - density * velocity);
+        }
+        let behind = star * (energy / density + push * (contact + pressure / flow));
         Conserved {
-            mass,
-            momentum: array::from_fn(|k| {
-                let velocity = pick(left.state.velocity[k], right.state.velocity[k]);
-                let behind = star * (velocity + push * self.normal[k]);
-                density * speed * velocity
-                    + pressure * self.normal[k]
-                    + ahead * (behind - density * velocity)
-            }),
-            energy: (energy + pressure) * speed
-                + ahead * (star * (energy / density + push * (contact + pressure / flow)) - energy),
+            mass: density * speed + ahead * (star - density),
+            momentum,
+            energy: (energy + pressure) * speed + ahead * (behind - energy),
         }
     }
 }

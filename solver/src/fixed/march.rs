@@ -34,7 +34,7 @@ pub(super) struct Part<'a, const D: usize> {
     /// What each holds.
     pub held: &'a mut [Conserved<D>],
     /// What each held before the step.
-    pub before: &'a [Conserved<D>],
+    pub before: &'a mut [Conserved<D>],
 }
 
 /// What a pass over a block's states finds.
@@ -177,7 +177,7 @@ impl<const D: usize> FixedSimulation<D> {
         net.blocks
             .par_iter()
             .zip(held.par_chunks_mut(BLOCK))
-            .zip(before.par_chunks(BLOCK))
+            .zip(before.par_chunks_mut(BLOCK))
             .zip(pressures.par_iter_mut())
             .zip(&quiet.blocks)
             .map(|((((block, held), before), pressures), quiet)| {
@@ -210,7 +210,7 @@ impl<const D: usize> FixedSimulation<D> {
     fn stage(&mut self, stage: Stage) -> Conserved<D> {
         let Stage { new, step } = stage;
         self.exchange(|net, part, gains| {
-            let cells = part.held.iter_mut().zip(part.before).zip(&gains.cells);
+            let cells = part.held.iter_mut().zip(&*part.before).zip(&gains.cells);
             for (k, ((held, before), gain)) in cells.enumerate() {
                 let there = held.plus(step / net.cell(part.start + k).volume, gain);
                 *held = if new == 1.0 {
@@ -310,7 +310,7 @@ impl<const D: usize> FixedSimulation<D> {
         Ok(())
     }
 
-    fn failure(&self, cell: u32) -> Failure {
+    pub(super) fn failure(&self, cell: u32) -> Failure {
         let i = cell as usize;
         let Primitive {
             density, pressure, ..

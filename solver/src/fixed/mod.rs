@@ -27,10 +27,12 @@ mod reconstruction;
 pub mod refine;
 mod refusal;
 mod section;
+mod settle;
 mod sides;
 mod snapshot;
 pub mod solids;
 mod state;
+mod sweeps;
 #[cfg(test)]
 pub(crate) mod tests;
 mod voronoi;
@@ -42,6 +44,7 @@ use aero_geometry::Vector;
 
 pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
 pub use checkpoint::FixedMemory;
+pub use settle::{Settled, Settling};
 
 use crate::problem::{Precision, Problem};
 use crate::vectors::Arch;
@@ -56,6 +59,7 @@ use quiet::Quiet;
 use sides::Beyond;
 use solids::Solids;
 use state::{Conserved, Primitive};
+use sweeps::Sweeps;
 
 /// Courant number of a marching step.
 const CFL: f64 = 0.8;
@@ -84,21 +88,12 @@ pub struct FixedSimulation<const D: usize> {
     pressures: Vec<Vec<f64>>,
     /// What came in through walls and sides so far.
     received: Conserved<D>,
+    settling: Settling,
+    /// Links of the cells in the order of the flow, once it is to settle.
+    sweeps: Option<Sweeps>,
     updates: u64,
     min_density: f64,
     min_energy: f64,
-}
-
-/// The cells of the lattice of `problem`.
-fn lattice_cells<const D: usize>(problem: &Problem<D>) -> Cells<D> {
-    let solids = Solids::new(problem.bodies.iter().map(|body| body.shape.clone()));
-    let plot = Plot {
-        domain: &problem.domain,
-        solids: &solids,
-        spacing: problem.spacing,
-    };
-    let cloud = Cloud::lattice(&plot, &Levels::default(), problem.disorder);
-    cells(&plot, &cloud).0
 }
 
 impl<const D: usize> FixedSimulation<D> {
@@ -124,7 +119,20 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// As of [`Self::on`].
     pub fn new(problem: Problem<D>) -> Result<Self, String> {
-        Self::on(lattice_cells(&problem), problem)
+        let cells = Self::cells_of(&problem);
+        Self::on(cells, problem)
+    }
+
+    /// The cells of the lattice of `problem`.
+    fn cells_of(problem: &Problem<D>) -> Cells<D> {
+        let solids = Solids::new(problem.bodies.iter().map(|body| body.shape.clone()));
+        let plot = Plot {
+            domain: &problem.domain,
+            solids: &solids,
+            spacing: problem.spacing,
+        };
+        let cloud = Cloud::lattice(&plot, &Levels::default(), problem.disorder);
+        cells(&plot, &cloud).0
     }
 
     /// The same with a state in each cell.
@@ -161,6 +169,8 @@ impl<const D: usize> FixedSimulation<D> {
             held,
             states,
             received: Conserved::ZERO,
+            settling: Settling::default(),
+            sweeps: None,
             updates: 0,
             min_density: f64::INFINITY,
             min_energy: f64::INFINITY,

@@ -1,10 +1,8 @@
 //! The states on both sides of a face, from the cells' means and slopes.
 
-use std::array;
-
 use super::limiter::{minmod, van_leer};
 use super::real::Real;
-use super::state::{Primitive, dot};
+use super::state::{Primitive, scaled};
 
 /// Two cells that share a face, and how much they change towards each other.
 #[derive(Clone, Copy, Debug)]
@@ -26,45 +24,42 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
     #[inline(always)]
     pub fn states(&self) -> [Primitive<D, R>; 2] {
         let [first, second] = &self.means;
-        let [rise, other_rise] = &self.rises;
-        let sides = |a: R, b: R, rise: R, other_rise: R| {
-            let jump = b - a;
-            let step = |rise: R| {
-                let beyond = rise * 2.0 - jump;
-                let careful = minmod(beyond, jump);
-                (careful + self.smooth * (van_leer(beyond, jump) - careful)) * 0.5
-            };
-            [a + step(rise), b - step(other_rise)]
-        };
-        let density = sides(
-            first.density,
-            second.density,
-            rise.density,
-            other_rise.density,
-        );
-        let pressure = sides(
-            first.pressure,
-            second.pressure,
-            rise.pressure,
-            other_rise.pressure,
-        );
-        let velocity: [[R; 2]; D] = array::from_fn(|k| {
-            sides(
-                first.velocity[k],
-                second.velocity[k],
-                rise.velocity[k],
-                other_rise.velocity[k],
-            )
-        });
-        array::from_fn(|side| {
+        let [a, b] = &self.rises;
+        let mut sides = self.means;
+        let density = self.sides(first.density, second.density, a.density, b.density);
+        let pressure = self.sides(first.pressure, second.pressure, a.pressure, b.pressure);
+        let mut velocity = [first.velocity, second.velocity];
+        for k in 0..D {
+            let [u, v] = [first.velocity[k], second.velocity[k]];
+            [velocity[0][k], velocity[1][k]] = self.sides(u, v, a.velocity[k], b.velocity[k]);
+        }
+        for side in 0..2 {
             let mean = &self.means[side];
             let least = density[side].min(pressure[side]).min(self.order);
-            Primitive {
-                density: least.select(density[side], mean.density),
-                velocity: array::from_fn(|k| least.select(velocity[k][side], mean.velocity[k])),
-                pressure: least.select(pressure[side], mean.pressure),
+            sides[side].density = least.select(density[side], mean.density);
+            sides[side].pressure = least.select(pressure[side], mean.pressure);
+            for k in 0..D {
+                sides[side].velocity[k] = least.select(velocity[side][k], mean.velocity[k]);
             }
-        })
+        }
+        sides
+    }
+
+    /// One variable on both sides, `a` and `b` in the cells.
+    #[inline(always)]
+    fn sides(&self, a: R, b: R, rise: R, other_rise: R) -> [R; 2] {
+        let jump = b - a;
+        [
+            a + self.step(rise, jump) * 0.5,
+            b - self.step(other_rise, jump) * 0.5,
+        ]
+    }
+
+    #[inline(always)]
+    fn step(&self, rise: R, jump: R) -> R {
+        let beyond = rise * 2.0 - jump;
+        let careful = minmod(beyond, jump);
+        careful + self.smooth * (van_leer(beyond, jump) - careful)
     }
 }
 
@@ -74,14 +69,19 @@ pub fn rise<R: Real, const D: usize>(
     slopes: &[Primitive<D, R>; D],
     apart: &[R; D],
 ) -> Primitive<D, R> {
-    let [density, pressure] = [
-        array::from_fn(|k| slopes[k].density),
-        array::from_fn(|k| slopes[k].pressure),
-    ]
-    .map(|values| dot(&values, apart));
-    Primitive {
-        density,
-        velocity: array::from_fn(|k| dot(&array::from_fn(|axis| slopes[axis].velocity[k]), apart)),
-        pressure,
+    let first = &slopes[0];
+    let mut rise = Primitive {
+        density: first.density * apart[0],
+        velocity: scaled(&first.velocity, apart[0]),
+        pressure: first.pressure * apart[0],
+    };
+    for axis in 1..D {
+        let slope = &slopes[axis];
+        rise.density = rise.density + slope.density * apart[axis];
+        rise.pressure = rise.pressure + slope.pressure * apart[axis];
+        for k in 0..D {
+            rise.velocity[k] = rise.velocity[k] + slope.velocity[k] * apart[axis];
+        }
     }
+    rise
 }

@@ -1,7 +1,5 @@
 //! The state of the gas in a cell: what it holds, and what it feels like.
 
-use std::array;
-
 use super::gas::Gas;
 use super::real::Real;
 use crate::problem::State;
@@ -40,6 +38,29 @@ pub fn dot<R: Real, const D: usize>(a: &[R; D], b: &[R; D]) -> R {
     sum
 }
 
+/// `a + factor b`.
+#[inline(always)]
+fn plus<const D: usize>(a: &[f64; D], factor: f64, b: &[f64; D]) -> [f64; D] {
+    let mut sum = *a;
+    for k in 0..D {
+        sum[k] += factor * b[k];
+    }
+    sum
+}
+
+/// `factor a`.
+///
+/// A loop, as in all that is done lane by lane: the closures of `array::map` and `array::from_fn` are not compiled with the
+/// processor's vector instructions.
+#[inline(always)]
+pub fn scaled<R: Real, const D: usize>(a: &[R; D], factor: R) -> [R; D] {
+    let mut scaled = *a;
+    for k in 0..D {
+        scaled[k] = a[k] * factor;
+    }
+    scaled
+}
+
 impl<const D: usize, R: Real> Primitive<D, R> {
     /// Mass, momentum and energy per volume.
     #[inline(always)]
@@ -47,7 +68,7 @@ impl<const D: usize, R: Real> Primitive<D, R> {
         let kinetic = self.density * dot(&self.velocity, &self.velocity) * 0.5;
         Conserved {
             mass: self.density,
-            momentum: array::from_fn(|k| self.density * self.velocity[k]),
+            momentum: scaled(&self.velocity, self.density),
             energy: gas.internal_energy(self.density, self.pressure) + kinetic,
         }
     }
@@ -56,9 +77,13 @@ impl<const D: usize, R: Real> Primitive<D, R> {
     #[inline(always)]
     pub fn flux(&self, energy: R, speed: R, normal: &[R; D]) -> Conserved<D, R> {
         let mass = self.density * speed;
+        let mut momentum = self.velocity;
+        for k in 0..D {
+            momentum[k] = mass * self.velocity[k] + self.pressure * normal[k];
+        }
         Conserved {
             mass,
-            momentum: array::from_fn(|k| mass * self.velocity[k] + self.pressure * normal[k]),
+            momentum,
             energy: (energy + self.pressure) * speed,
         }
     }
@@ -67,10 +92,11 @@ impl<const D: usize, R: Real> Primitive<D, R> {
     #[inline(always)]
     pub fn mirrored(&self, normal: &[R; D]) -> Self {
         let twice = dot(&self.velocity, normal) * 2.0;
-        Self {
-            velocity: array::from_fn(|k| self.velocity[k] - twice * normal[k]),
-            ..*self
+        let mut velocity = self.velocity;
+        for k in 0..D {
+            velocity[k] = velocity[k] - twice * normal[k];
         }
+        Self { velocity, ..*self }
     }
 }
 
@@ -106,7 +132,7 @@ impl<const D: usize> Primitive<D> {
     pub fn plus(&self, factor: f64, other: &Self) -> Self {
         Self {
             density: self.density + factor * other.density,
-            velocity: array::from_fn(|k| self.velocity[k] + factor * other.velocity[k]),
+            velocity: plus(&self.velocity, factor, &other.velocity),
             pressure: self.pressure + factor * other.pressure,
         }
     }
@@ -124,7 +150,7 @@ impl<const D: usize> Conserved<D> {
     #[inline(always)]
     pub fn primitive<G: Gas>(&self, gas: &G) -> Primitive<D> {
         let volume = 1.0 / self.mass;
-        let velocity = array::from_fn(|k| self.momentum[k] * volume);
+        let velocity = scaled(&self.momentum, volume);
         let kinetic = 0.5 * dot(&self.momentum, &velocity);
         Primitive {
             density: self.mass,
@@ -139,7 +165,7 @@ impl<const D: usize> Conserved<D> {
     pub fn plus(&self, factor: f64, other: &Self) -> Self {
         Self {
             mass: self.mass + factor * other.mass,
-            momentum: array::from_fn(|k| self.momentum[k] + factor * other.momentum[k]),
+            momentum: plus(&self.momentum, factor, &other.momentum),
             energy: self.energy + factor * other.energy,
         }
     }

@@ -164,7 +164,7 @@ impl Ball {
         let middle = 0.5 * (ahead + top);
         let width = 0.01 * shock;
         let mut shells = vec![(0.0, 0_u32); 200];
-        for ((p, density), volume) in gas.position.iter().zip(&gas.density).zip(&gas.volume) {
+        for (p, density) in gas.position.iter().zip(&gas.density) {
             if let Some(shell) = shells.get_mut((radius(p) / width) as usize) {
                 *shell = (shell.0 + density, shell.1 + 1);
             }
@@ -212,7 +212,7 @@ impl Ball {
 /// Mean error over the volume inside `outer`, relative to the mean density.
 fn density_error(gas: &Frame, exact: &dyn Fn(f64) -> f64, outer: f64) -> f64 {
     let (mut error, mut size) = (0.0, 0.0);
-    for (p, density) in gas.position.iter().zip(&gas.density) {
+    for ((p, density), volume) in gas.position.iter().zip(&gas.density).zip(&gas.volume) {
         let r = radius(p);
         if r < outer {
             error += (density - exact(r)).abs() * volume;

@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 
 use super::lattice::{WALL, lattice, problem};
 use crate::fixed::FixedSimulation;
-use crate::problem::{Initial, Side, State};
+use crate::problem::{Initial, State};
 
 fn state(density: f64, velocity: f64, pressure: f64) -> State<1> {
     State {
