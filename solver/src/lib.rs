@@ -38,6 +38,7 @@ mod evaluation;
 mod faces;
 mod fill;
 pub mod fixed;
+mod flow;
 pub mod frame;
 pub mod gas;
 mod initial;
@@ -74,6 +75,7 @@ use sides::Buffers;
 use step::Clock;
 use walls::Walls;
 
+pub use flow::{Flow, FlowMemory};
 pub use passes::Pass;
 pub use show::{Memory, Statistics};
 pub use step::Failure;

@@ -110,12 +110,11 @@ fn wedge_density(outcome: &Outcome, _: u32) -> Result<f64, CompareError> {
     let shock = oblique_shock(FLOW.0, FLOW.1.to_radians(), GAMMA, Strength::Weak)?;
     let gas = &outcome.gas;
     let (mut departure, mut scale) = (0.0, 0.0);
-    for (place, density) in gas.position.iter().zip(&gas.density) {
+    for ((place, density), volume) in gas.position.iter().zip(&gas.density).zip(&gas.volume) {
         let behind = place[0] > 0.0 && place[1] < place[0] * shock.angle.tan();
         let exact = if behind { shock.density_ratio } else { 1.0 };
-        // All particles have the same mass, so that the area of each goes with one over its density.
-        departure += (density - exact).abs() / density;
-        scale += exact / density;
+        departure += (density - exact).abs() * volume;
+        scale += exact * volume;
     }
     if scale == 0.0 {
         return Err(unread("gas particles"));

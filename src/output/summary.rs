@@ -9,6 +9,8 @@ use serde::Serialize;
 pub struct Summary {
     /// Name of the scene.
     pub case: String,
+    /// What carried the gas: `with-the-gas` or `fixed`.
+    pub motion: String,
     /// Set of equations.
     pub scheme: String,
     /// How ghosts got their state.

@@ -8,12 +8,12 @@ use serde::{Deserialize, Serialize};
 use super::steady::Monitor;
 use super::tally::Sums;
 use crate::output::{self, CheckpointError};
-use aero_solver::Memory;
+use aero_solver::FlowMemory;
 
 /// A run between two steps.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub(super) struct Checkpoint<'a, const D: usize> {
-    pub(super) simulation: Memory<'a, D>,
+    pub(super) simulation: FlowMemory<'a, D>,
     pub(super) sums: Sums,
     pub(super) pace: Pace,
     pub(super) monitor: Option<Monitor>,

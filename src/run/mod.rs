@@ -6,6 +6,7 @@ mod error;
 mod outcome;
 mod progress;
 mod recorder;
+mod settle;
 mod steady;
 mod stopwatch;
 mod tally;

@@ -8,7 +8,7 @@ use super::stopwatch::Stopwatch;
 use super::under_way::simulate;
 use crate::case::{AnyCase, Case};
 use crate::output::{OutputError, Summary};
-use aero_solver::Simulation;
+use aero_solver::Flow;
 use aero_solver::frame::{Frame, Kind, Load, SurfaceFrame};
 
 /// The end of a run.
@@ -98,6 +98,7 @@ fn gas(frame: &Frame) -> Frame {
         energy: pick(&frame.energy, &chosen),
         mach: pick(&frame.mach, &chosen),
         smoothing_length: pick(&frame.smoothing_length, &chosen),
+        volume: pick(&frame.volume, &chosen),
         kind: pick(&frame.kind, &chosen),
         id: pick(&frame.id, &chosen),
     }
@@ -115,14 +116,14 @@ struct Keeper {
 }
 
 impl<const D: usize> Recorder<D> for Keeper {
-    fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError> {
+    fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError> {
         if self.keep == Keep::Frames && simulation.time() >= self.frames_from {
             self.history.frames.push(simulation.frame());
         }
         Ok(())
     }
 
-    fn step(&mut self, simulation: &Simulation<D>, _: f64) -> Result<ControlFlow<()>, OutputError> {
+    fn step(&mut self, simulation: &Flow<D>, _: f64) -> Result<ControlFlow<()>, OutputError> {
         if self.keep == Keep::Loads {
             self.history.time.push(simulation.time());
             let first = simulation.loads().first().copied();

@@ -11,16 +11,15 @@ use super::checkpoint::{Checkpoint, Written};
 use super::progress::Progress;
 use crate::case::Case;
 use crate::output::{self, Background, Collection, History, HistoryRow, OutputError};
-use aero_solver::{Simulation, wall_sides};
+use aero_solver::{Flow, wall_sides};
 
 /// Sees a run at its frames and steps.
 pub(super) trait Recorder<const D: usize> {
     /// A frame is due: at the start, at every frame time, at the end and after a failure.
-    fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError>;
+    fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError>;
 
     /// A step of length `dt` has been taken; a break asks the run to stop here.
-    fn step(&mut self, simulation: &Simulation<D>, dt: f64)
-    -> Result<ControlFlow<()>, OutputError>;
+    fn step(&mut self, simulation: &Flow<D>, dt: f64) -> Result<ControlFlow<()>, OutputError>;
 
     /// True when the run should be remembered, after a step without a frame; after one with a
     /// frame it always is.
@@ -135,7 +134,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
 }
 
 impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
-    fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError> {
+    fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError> {
         let number = self.written.times.len();
         let time = simulation.time();
         let region = self.region.as_ref();
@@ -162,11 +161,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         self.history.flush()
     }
 
-    fn step(
-        &mut self,
-        simulation: &Simulation<D>,
-        dt: f64,
-    ) -> Result<ControlFlow<()>, OutputError> {
+    fn step(&mut self, simulation: &Flow<D>, dt: f64) -> Result<ControlFlow<()>, OutputError> {
         self.background.check()?;
         let (step, time) = (simulation.steps(), simulation.time());
         if step.is_multiple_of(self.history_every) {

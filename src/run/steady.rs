@@ -7,7 +7,7 @@
 
 use serde::{Deserialize, Serialize};
 
-use aero_solver::Simulation;
+use aero_solver::Flow;
 use aero_solver::problem::Problem;
 
 /// Largest change of a mean from window to window, relative to the force on the body, the mass of the
@@ -85,7 +85,7 @@ impl Monitor {
     /// steady.
     pub(super) fn add<const D: usize>(
         &mut self,
-        simulation: &Simulation<D>,
+        simulation: &Flow<D>,
         dt: f64,
     ) -> Option<(String, Window)> {
         self.window.add(simulation, dt);
@@ -165,6 +165,13 @@ impl Monitor {
 }
 
 impl Window {
+    /// The loads now, for those of a window.
+    pub(super) fn now<const D: usize>(simulation: &Flow<D>, bodies: usize) -> Self {
+        let mut window = Self::new(simulation.time(), bodies);
+        window.add(simulation, 1.0);
+        window
+    }
+
     fn new(from: f64, bodies: usize) -> Self {
         Self {
             from,
@@ -174,7 +181,7 @@ impl Window {
         }
     }
 
-    fn add<const D: usize>(&mut self, simulation: &Simulation<D>, dt: f64) {
+    fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
         self.duration += dt;
         let sums = self.impulse.iter_mut().zip(&mut self.square);
         for ((impulse, square), load) in sums.zip(simulation.loads()) {

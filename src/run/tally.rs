@@ -7,8 +7,9 @@ use super::steady::Window;
 use super::stopwatch::Stopwatch;
 use crate::case::RunPlan;
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
-use aero_solver::Simulation;
+use aero_solver::Flow;
 use aero_solver::frame::{Load, Totals};
+use aero_solver::method::Method;
 use aero_solver::problem::{Body, Problem};
 use aero_solver::scheme::{Extrapolation, Precision};
 
@@ -50,7 +51,7 @@ impl Tally {
     /// Begins with the state at the start.
     pub(super) fn start<const D: usize>(
         plan: &RunPlan<D>,
-        simulation: &Simulation<D>,
+        simulation: &Flow<D>,
         stopwatch: Stopwatch,
     ) -> Self {
         let bodies = &simulation.problem().bodies;
@@ -97,7 +98,7 @@ impl Tally {
     }
 
     /// Adds a step of length `dt`.
-    pub(super) fn add<const D: usize>(&mut self, simulation: &Simulation<D>, dt: f64) {
+    pub(super) fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
         if simulation.time() < self.mean_from {
             return;
         }
@@ -122,7 +123,7 @@ impl Tally {
     /// The summary as of now.
     pub(super) fn summary<const D: usize>(
         &self,
-        simulation: &Simulation<D>,
+        simulation: &Flow<D>,
         stop_reason: &str,
     ) -> Summary {
         let problem = simulation.problem();
@@ -137,10 +138,20 @@ impl Tally {
         });
         Summary {
             case: self.name.clone(),
-            scheme: problem.scheme.name.into(),
-            extrapolation: match problem.scheme.wall.extrapolation {
-                Extrapolation::Wom => "wom",
-                Extrapolation::Wm => "wm",
+            motion: match problem.method {
+                Method::WithTheGas => "with-the-gas",
+                Method::Fixed(_) => "fixed",
+            }
+            .into(),
+            scheme: match problem.method {
+                Method::WithTheGas => problem.scheme.name,
+                Method::Fixed(_) => "muscl-hllc",
+            }
+            .into(),
+            extrapolation: match (problem.method, problem.scheme.wall.extrapolation) {
+                (Method::Fixed(_), _) => "none",
+                (_, Extrapolation::Wom) => "wom",
+                (_, Extrapolation::Wm) => "wm",
             }
             .into(),
             precision: match problem.scheme.precision {

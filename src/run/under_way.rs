@@ -8,7 +8,9 @@ use super::stopwatch::Stopwatch;
 use super::tally::Tally;
 use crate::case::{Case, RunPlan, Stop};
 use crate::output::Summary;
-use aero_solver::Simulation;
+use aero_solver::Flow;
+use aero_solver::method::Time;
+use aero_solver::problem::Problem;
 
 /// A step this short, as a part of the whole run, makes no headway: a thousand million would be
 /// needed.
@@ -23,7 +25,7 @@ pub(super) fn simulate<const D: usize>(
     case: Case<D>,
     recorder: &mut dyn Recorder<D>,
     stopwatch: Stopwatch,
-) -> Result<(Simulation<D>, Summary), RunError> {
+) -> Result<(Flow<D>, Summary), RunError> {
     let mut under_way = UnderWay::start(case, recorder, stopwatch)?;
     let summary = under_way.finish(recorder)?;
     Ok((under_way.simulation, summary))
@@ -32,8 +34,8 @@ pub(super) fn simulate<const D: usize>(
 /// A run between two steps.
 pub(super) struct UnderWay<const D: usize> {
     plan: RunPlan<D>,
-    simulation: Simulation<D>,
-    tally: Tally,
+    pub(super) simulation: Flow<D>,
+    pub(super) tally: Tally,
     pace: Pace,
     /// Only where the run may end early.
     monitor: Option<Monitor>,
@@ -47,13 +49,9 @@ impl<const D: usize> UnderWay<D> {
         stopwatch: Stopwatch,
     ) -> Result<Self, RunError> {
         let Case { problem, plan } = case;
-        if problem.method.fixed().is_some() {
-            return Err(RunError::SetUp(
-                "scheme.motion = \"fixed\" cannot be run yet; leave it out".into(),
-            ));
-        }
-        let monitor = (plan.stop == Stop::Steady).then(|| Monitor::new(&problem));
-        let simulation = Simulation::new(problem).map_err(RunError::SetUp)?;
+        let watches = plan.stop == Stop::Steady && !settles(&problem);
+        let monitor = watches.then(|| Monitor::new(&problem));
+        let simulation = Flow::new(problem).map_err(RunError::SetUp)?;
         recorder.frame(&simulation)?;
         let this = Self {
             tally: Tally::start(&plan, &simulation, stopwatch),
@@ -77,7 +75,7 @@ impl<const D: usize> UnderWay<D> {
         stopwatch: Stopwatch,
     ) -> Result<Self, String> {
         let Case { problem, plan } = case;
-        let simulation = Simulation::resume(problem, checkpoint.simulation)?;
+        let simulation = Flow::resume(problem, checkpoint.simulation)?;
         Ok(Self {
             tally: Tally::resume(&plan, checkpoint.sums, stopwatch),
             plan,
@@ -87,7 +85,7 @@ impl<const D: usize> UnderWay<D> {
         })
     }
 
-    fn checkpoint(&self) -> Checkpoint<'_, D> {
+    pub(super) fn checkpoint(&self) -> Checkpoint<'_, D> {
         Checkpoint {
             simulation: self.simulation.memory(),
             sums: self.tally.sums(),
@@ -96,8 +94,17 @@ impl<const D: usize> UnderWay<D> {
         }
     }
 
-    /// Steps to the end.
+    /// Goes on to the end.
     pub(super) fn finish(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
+        if settles(self.simulation.problem()) {
+            self.settle(recorder)
+        } else {
+            self.march(recorder)
+        }
+    }
+
+    /// Steps to the end time.
+    fn march(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
         let end = self.plan.end_time;
         let interval = self.plan.output.frame_interval;
         loop {
@@ -155,7 +162,7 @@ impl<const D: usize> UnderWay<D> {
     }
 
     /// Ends early, after the frame of where the run stands unless that was written already.
-    fn stop(&self, recorder: &mut dyn Recorder<D>, reason: String) -> RunError {
+    pub(super) fn stop(&self, recorder: &mut dyn Recorder<D>, reason: String) -> RunError {
         let is_framed = self.simulation.steps() == self.pace.framed_step;
         let frame = if is_framed {
             Ok(())
@@ -169,10 +176,16 @@ impl<const D: usize> UnderWay<D> {
         RunError::Stopped { reason, summary }
     }
 
-    fn moment(&self) -> String {
+    pub(super) fn moment(&self) -> String {
         let (step, time) = (self.simulation.steps(), self.simulation.time());
         format!("step {step}, time {time:.3e}")
     }
+}
+
+/// True where only the steady flow is wanted.
+fn settles<const D: usize>(problem: &Problem<D>) -> bool {
+    let points = problem.method.fixed();
+    points.is_some_and(|points| points.time == Time::Settle)
 }
 
 /// Time of frame `number`; the last one is at the end, and no frame comes so shortly before it

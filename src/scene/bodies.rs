@@ -20,6 +20,7 @@ use super::shapes::{Made, Making};
 use super::side::WallWord;
 use super::vector::{AXES, vector};
 use aero_solver::layers::GHOSTS;
+use aero_solver::method::Method;
 use aero_solver::problem::{Body, Domain, State};
 
 /// So many times finer than the flow's may a body's own spacing be. The gas feels ghosts through kernels of
@@ -231,8 +232,13 @@ impl<const D: usize> BodyPlan<D> {
         self,
         domain: &Domain<D>,
         free_stream: &State<D>,
+        method: Method,
     ) -> Result<Body<D>, SceneError> {
-        let packing = self.pack()?;
+        // Points that stay ask the shape itself: nobody feels ghosts.
+        let packing = match method {
+            Method::WithTheGas => self.pack()?,
+            Method::Fixed(_) => Packing::default(),
+        };
         let entry = &self.entry;
         let name = self.name();
         let part = modelled_part(&self.made.shape.bounds(), domain);

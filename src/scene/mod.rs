@@ -171,15 +171,15 @@ impl Scene {
         axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
         let output = output::plan(&file.output, file.end_time.get())?;
+        let stop = file.stop.map_or(Stop::EndTime, Into::into);
+        let method = method::method(&file.scheme, stop)?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
         let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;
         let bodies = plans
             .into_iter()
-            .map(|plan| plan.body(&domain, &free_stream))
+            .map(|plan| plan.body(&domain, &free_stream, method))
             .collect::<Result<Vec<_>, _>>()?;
         packed::check(&bodies, &domain, spacing)?;
-        let stop = file.stop.map_or(Stop::EndTime, Into::into);
-        let method = method::method(&file.scheme, stop)?;
         let problem = Problem {
             spacing,
             gas: Gas::ideal(flow::gamma(file)),

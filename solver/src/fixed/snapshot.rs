@@ -2,6 +2,7 @@
 
 use std::array;
 
+use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_geometry::{Bounds, Vector};
 
 use super::FixedSimulation;
@@ -42,7 +43,8 @@ impl<const D: usize> FixedSimulation<D> {
             frame.energy.push(energy);
             frame.mach.push(velocity.norm() / sound);
             let size = self.net.cell(i).volume.powf(1.0 / D as f64);
-            frame.smoothing_length.push(size);
+            frame.smoothing_length.push(SMOOTHING_RATIO * size);
+            frame.volume.push(self.around() * self.net.cell(i).volume);
             frame.kind.push(Kind::Fluid as u8);
             frame.id.push(i as u64);
         }

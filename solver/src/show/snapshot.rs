@@ -224,6 +224,7 @@ fn push<const D: usize>(frame: &mut Frame, particle: &Particle<D>, gas: &Gas, ki
         0.0
     });
     frame.smoothing_length.push(particle.smoothing_length);
+    frame.volume.push(particle.mass / particle.density);
     frame.kind.push(kind as u8);
     frame.id.push(particle.id);
 }

@@ -210,15 +210,14 @@ impl Ball {
     }
 }
 
-/// Mean error over the volume inside `outer`, relative to the mean density; particles have equal
-/// masses, so each stands for a volume of `1 / rho`.
+/// Mean error over the volume inside `outer`, relative to the mean density.
 fn density_error(gas: &Frame, exact: &dyn Fn(f64) -> f64, outer: f64) -> f64 {
     let (mut error, mut size) = (0.0, 0.0);
-    for (p, density) in gas.position.iter().zip(&gas.density) {
+    for ((p, density), volume) in gas.position.iter().zip(&gas.density).zip(&gas.volume) {
         let r = radius(p);
         if r < outer {
-            error += (density - exact(r)).abs() / density;
-            size += exact(r) / density;
+            error += (density - exact(r)).abs() * volume;
+            size += exact(r) * volume;
         }
     }
     error / size
