@@ -112,13 +112,12 @@ fn run_case(
 fn lines(summary: &Summary, out: &Path) -> String {
     use std::fmt::Write as _;
     let mut text = String::new();
-    let conservation = summary.conservation;
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
         "{}: {} steps to t = {:.6e}, {} fluid and {} ghost particles\n\
          {:.1} s on {} threads, {:.1} s of processor time, {:.0} particle updates per processor second\n\
-         {}drift: mass {:.1e}, momentum {:.1e}, energy {:.1e}; leaked {}",
+         {}{}leaked {}",
         summary.case,
         summary.steps,
         summary.end_time,
@@ -129,9 +128,7 @@ fn lines(summary: &Summary, out: &Path) -> String {
         summary.cpu_seconds,
         summary.particle_updates_per_cpu_second,
         memory(summary),
-        conservation.mass,
-        conservation.momentum,
-        conservation.energy,
+        drift(summary),
         summary.leaked,
     );
     for (name, body) in &summary.bodies {
@@ -144,6 +141,16 @@ fn lines(summary: &Summary, out: &Path) -> String {
     }
     let _ = writeln!(text, "results in `{}`", out.display());
     text
+}
+
+/// The drift of what is conserved, where the run went through time.
+fn drift(summary: &Summary) -> String {
+    summary.conservation.map_or(String::new(), |drift| {
+        format!(
+            "drift: mass {:.1e}, momentum {:.1e}, energy {:.1e}; ",
+            drift.mass, drift.momentum, drift.energy
+        )
+    })
 }
 
 /// The line about memory, where that is known.

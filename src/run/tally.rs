@@ -174,7 +174,8 @@ impl Tally {
             threads: rayon::current_num_threads(),
             particle_updates_per_cpu_second: statistics.particle_updates as f64 / stepping,
             neighbours_mean: statistics.neighbours_mean,
-            conservation: drift(&self.sums.start, &simulation.totals(), &simulation.inflow()),
+            conservation: (simulation.time() > 0.0)
+                .then(|| drift(&self.sums.start, &simulation.totals(), &simulation.inflow())),
             bodies: bodies.collect(),
             leaked: statistics.leaked,
             mirror_fallbacks: statistics.mirror_fallbacks,

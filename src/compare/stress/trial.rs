@@ -88,7 +88,9 @@ fn common(attempt: &Attempt) -> Vec<Row> {
     };
     let summary = attempt.summary();
     let drift = summary.conservation;
-    let drift = drift.mass.abs().max(drift.momentum).max(drift.energy.abs());
+    let drift = drift.map_or(f64::NAN, |drift| {
+        drift.mass.abs().max(drift.momentum).max(drift.energy.abs())
+    });
     vec![
         Row::at_most(end, "a run must", stopped, 0.0),
         Row::at_most(
