@@ -175,7 +175,7 @@ fn the_undisturbed_stream_is_left_out_and_nothing_changes() {
     };
     let (part, full) = (run(true), run(false));
     let updates = [&part, &full].map(|flow| flow.statistics().particle_updates as f64);
-    assert!(updates[0] < 0.5 * updates[1], "{updates:?}");
+    assert!(updates[0] < 0.6 * updates[1], "{updates:?}");
     let [part, full] = [part, full].map(|flow| flow.frame().density);
     let differences = part.iter().zip(&full).map(|(a, b)| (a - b).abs());
     assert!(differences.fold(0.0, f64::max) < 1e-8);
