@@ -198,7 +198,7 @@ fn a_flow_goes_on_from_its_memory_with_the_same_bits_on_any_number_of_threads() 
     first.install(|| {
         (0..6).for_each(|_| {
             whole.step(1e9).unwrap();
-        })
+        });
     });
     let mut begun = flow(start());
     let mut resumed = second.install(|| {
@@ -211,7 +211,7 @@ fn a_flow_goes_on_from_its_memory_with_the_same_bits_on_any_number_of_threads() 
     second.install(|| {
         (0..3).for_each(|_| {
             resumed.step(1e9).unwrap();
-        })
+        });
     });
     assert_eq!(whole.frame(), resumed.frame());
     assert_eq!(whole.loads(), resumed.loads());
