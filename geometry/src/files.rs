@@ -67,12 +67,13 @@ pub fn bounds(soup: &Soup) -> Bounds<3> {
 /// Name of the body in a file: the file's without its endings.
 pub fn body_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let lower = name.to_ascii_lowercase();
-    let packed = if lower.ends_with(".gz") { 3 } else { 0 };
-    let name = &name[..name.len() - packed];
-    match name.rsplit_once('.') {
-        Some((stem, _)) if !stem.is_empty() => stem.to_owned(),
-        _ => name.to_owned(),
+    let stem = |name: &str| match name.rsplit_once('.') {
+        Some((stem, ending)) if !stem.is_empty() => (stem.to_owned(), ending.to_ascii_lowercase()),
+        _ => (name.to_owned(), String::new()),
+    };
+    match stem(&name) {
+        (inner, ending) if ending == "gz" => stem(&inner).0,
+        (stem, _) => stem,
     }
 }
 
