@@ -171,10 +171,10 @@ fn what_cannot_be_packed_is_refused() {
     };
     refused("empty.stl", "", &[], &["empty.stl", "empty"]);
     refused(
-        "body.obj",
+        "body.txt",
         "v 0 0 0",
         &[],
-        &["body.obj", "neither an STL file"],
+        &["body.txt", "no format of bodies"],
     );
     refused("bare.toml", BOX, &[], &["the scene has no bodies"]);
     refused("scene.toml", BOX, &["--unit", "mm"], &["--unit", "STL"]);

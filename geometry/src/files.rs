@@ -67,17 +67,13 @@ pub fn bounds(soup: &Soup) -> Bounds<3> {
 /// Name of the body in a file: the file's without its endings.
 pub fn body_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let is_packed = path
-        .extension()
-        .is_some_and(|ending| ending.eq_ignore_ascii_case("gz"));
-    let name = if is_packed {
-        &name[..name.len() - ".gz".len()]
-    } else {
-        &name
+    let stem = |name: &str| match name.rsplit_once('.') {
+        Some((stem, ending)) if !stem.is_empty() => (stem.to_owned(), ending.to_ascii_lowercase()),
+        _ => (name.to_owned(), String::new()),
     };
-    match name.rsplit_once('.') {
-        Some((stem, _)) if !stem.is_empty() => stem.to_owned(),
-        _ => name.to_owned(),
+    match stem(&name) {
+        (inner, ending) if ending == "gz" => stem(&inner).0,
+        (stem, _) => stem,
     }
 }
 

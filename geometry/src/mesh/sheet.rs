@@ -17,6 +17,9 @@ use crate::{Bounds, Closest, Shape, Vector, Watch};
 /// Points nearer to the sheet than this part of its diagonal have no direction from it.
 const NO_DIRECTION: f64 = 1e-12;
 
+/// What lies deeper in the solid than this part of half its thickness is no part of its surface.
+const FOLDED: f64 = 1e-3;
+
 /// Triangles and the thickness that they are given.
 #[derive(Clone, Debug)]
 pub struct Sheet {
@@ -91,6 +94,18 @@ impl Sheet {
     /// What was done, in sentences without a subject.
     pub fn repairs(&self) -> &[String] {
         &self.repairs
+    }
+
+    /// Triangles of the solid's surface, both sides of each of the sheet's, counter-clockwise seen from
+    /// outside; round rims and what of a side lies inside of a fold are left out.
+    pub fn surface(&self) -> impl Iterator<Item = Facet> + '_ {
+        (0..self.facets.len() as u32)
+            .flat_map(|facet| {
+                let [a, b, c] = self.corners(facet);
+                let up = self.half * normal(&[a, b, c]);
+                [[a + up, b + up, c + up], [a - up, c - up, b - up]]
+            })
+            .filter(|[a, b, c]| self.nearest(&((a + b + c) / 3.0)).1 > (1.0 - FOLDED) * self.half)
     }
 
     fn corners(&self, facet: u32) -> Facet {

@@ -8,9 +8,10 @@ mod grid;
 
 use contour::{Vertices, contour};
 use field::Field;
-use grid::Nodes;
+use grid::{Nodes, extent};
 
 use super::Mesh;
+use super::weld::bounds;
 use crate::Watch;
 use crate::error::{GeometryError, positive};
 use crate::stl::Soup;
@@ -27,6 +28,8 @@ impl Mesh {
     /// A spacing that is not above zero, too fine for memory or so coarse that nothing is left.
     pub fn wrapped(soup: &Soup, spacing: f64, watch: &Watch) -> Result<Self, GeometryError> {
         let spacing = positive("wrap", "spacing", spacing)?;
+        let points = soup.facets.iter().flatten().copied();
+        extent(&bounds(points), spacing / FINENESS)?;
         watch.begin("sorting parts");
         let mut repairs = Vec::new();
         let field = Field::new(soup, spacing, &mut repairs)?;

@@ -2,9 +2,10 @@
 
 use rayon::prelude::*;
 
+use super::FINENESS;
 use super::field::Field;
-use crate::Vector;
 use crate::error::GeometryError;
+use crate::{Bounds, Vector};
 
 /// Empty cells around the body.
 const MARGIN: f64 = 3.0;
@@ -17,6 +18,24 @@ const NEAR: u8 = 1;
 const SOLID: u8 = 2;
 const REACHED: u8 = 4;
 
+/// The lowest node of a grid around a body, and how many cells it has along the axes.
+pub(super) fn extent(
+    bounds: &Bounds<3>,
+    step: f64,
+) -> Result<(Vector<3>, Vector<3>), GeometryError> {
+    let bounds = bounds.grown((MARGIN + 1.0) * step);
+    // Off round numbers, on which bodies' faces lie.
+    let origin = bounds.min - step * Vector::<3>::new(0.137, 0.291, 0.413);
+    let size = (bounds.max - origin) / step;
+    if size.map(|cells| cells + 2.0).product() > MOST {
+        let finest = FINENESS * step * (size.product() / MOST).cbrt();
+        return Err(GeometryError::Surface(format!(
+            "is too large to be wrapped at this spacing; choose {finest:.1e} or more"
+        )));
+    }
+    Ok((origin, size))
+}
+
 /// Nodes of a grid around the body, row by row.
 pub(super) struct Nodes {
     origin: Vector<3>,
@@ -27,16 +46,7 @@ pub(super) struct Nodes {
 
 impl Nodes {
     pub fn new(field: &Field, step: f64) -> Result<Self, GeometryError> {
-        let bounds = field.bounds.grown((MARGIN + 1.0) * step);
-        // Off round numbers, on which bodies' faces lie.
-        let origin = bounds.min - step * Vector::<3>::new(0.137, 0.291, 0.413);
-        let size = (bounds.max - origin) / step;
-        if size.map(|cells| cells + 2.0).product() > MOST {
-            let finest = 2.0 * step * (size.product() / MOST).cbrt();
-            return Err(GeometryError::Surface(format!(
-                "is too large to be wrapped at this spacing; choose {finest:.1e} or more"
-            )));
-        }
+        let (origin, size) = extent(&field.bounds, step)?;
         let count = [0, 1, 2].map(|k| size[k].ceil() as usize + 2);
         let mut nodes = Self {
             origin,
