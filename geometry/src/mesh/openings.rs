@@ -22,8 +22,14 @@ const SLIGHT: f64 = 0.01;
 /// Most places of one triangle that are asked what is around them.
 const MOST_PLACES: usize = 256;
 
+/// An opening with more corners than this is closed only where that is asked for: it costs the square of their number.
+const MOST_CORNERS: usize = 5000;
+
 /// More holes than one in so many triangles: these were never a surface.
 const SOUP: usize = 8;
+
+/// So many holes at least make a soup.
+const FEW: usize = 1000;
 
 /// A hole wider than this part of the diagonal makes the surface a sheet.
 const SHEET: f64 = 0.5;
@@ -39,20 +45,33 @@ pub(super) struct Caps {
 
 impl Caps {
     /// Closes all openings.
-    pub fn new(mesh: &mut Indexed, half_edges: &[HalfEdge]) -> Self {
+    ///
+    /// # Errors
+    /// A soup, and openings with more than [`MOST_CORNERS`], where `fill` does not ask to close them.
+    pub fn new(
+        mesh: &mut Indexed,
+        half_edges: &[HalfEdge],
+        fill: bool,
+    ) -> Result<Self, GeometryError> {
         let rims = rims(half_edges);
         let mut caps = Self {
             first: mesh.facets.len(),
             hole_of: Vec::new(),
             holes: rims.iter().map(|rim| Hole::of(mesh, rim)).collect(),
         };
+        let is_soup = rims.len() > FEW && rims.len() * SOUP > caps.first;
+        if !fill && (is_soup || rims.iter().any(|rim| rim.len() > MOST_CORNERS)) {
+            let vertices = mesh.facets.iter().flatten();
+            let extent = bounds(vertices.map(|&v| mesh.vertices[v as usize]));
+            return Err(caps.refusal(&caps.holes, extent.size().norm()));
+        }
         for (number, rim) in rims.iter().enumerate() {
             let (_, patch) = span(mesh, rim);
             caps.hole_of
                 .resize(caps.hole_of.len() + patch.len(), number);
             mesh.facets.extend(patch);
         }
-        caps
+        Ok(caps)
     }
 
     pub fn is_empty(&self) -> bool {

@@ -29,7 +29,7 @@ pub(super) fn orient(
     if holes::fill(mesh, &half_edges, repairs) {
         half_edges = self::half_edges(&mesh.facets);
     }
-    let caps = Caps::new(mesh, &half_edges);
+    let caps = Caps::new(mesh, &half_edges, fill)?;
     if !caps.is_empty() {
         half_edges = self::half_edges(&mesh.facets);
     }
