@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use aero_geometry::{Bounds, Shape, Vector};
-use aero_packer::{Ghosts, PackReport};
+use aero_packer::{Ghosts, PackReport, Warning};
 
 /// A flow problem ready to run, in `D` dimensions.
 #[derive(Clone, Debug)]
@@ -34,6 +34,19 @@ pub struct Case<const D: usize> {
     pub bodies: Vec<Body<D>>,
     /// When to write what.
     pub output: OutputPlan<D>,
+}
+
+impl<const D: usize> Case<D> {
+    /// What the user should know about the bodies.
+    pub fn warnings(&self) -> Vec<Warning> {
+        let of_body = |body: &Body<D>| {
+            let warnings = body.report.warnings.iter();
+            warnings
+                .map(|warning| warning.of(&body.name))
+                .collect::<Vec<_>>()
+        };
+        self.bodies.iter().flat_map(of_body).collect()
+    }
 }
 
 /// When a run ends.

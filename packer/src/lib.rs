@@ -2,15 +2,20 @@
 
 mod cloud;
 mod contour;
+mod cover;
 mod error;
 mod finish;
 mod fluid;
+mod gaps;
 mod ghosts;
 mod grid;
 mod lanes;
 mod lattice;
 mod level;
+mod limits;
+mod midway;
 mod mirror;
+mod nearest;
 mod on_sheet;
 mod options;
 mod pack;
@@ -23,11 +28,14 @@ mod schedule;
 mod seeds;
 mod sheets;
 mod sources;
+mod surface;
 mod target;
 mod thin;
+mod warning;
 
 pub use error::PackError;
 pub use ghosts::{Ghosts, Packing};
 pub use options::{MAX_PARTICLES, PackOptions};
 pub use pack::pack;
 pub use report::PackReport;
+pub use warning::{About, Warning};

@@ -3,13 +3,16 @@
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 
+use crate::cover::{cover, volume};
 use crate::finish::Finished;
 use crate::fluid::Fluid;
+use crate::gaps::LEAST_GAP;
 use crate::mirror::{Mirrors, reflect};
 use crate::plan::Plan;
 use crate::sources::Sources;
+use crate::surface::Sample;
 use crate::thin::Thinnest;
-use crate::{Ghosts, PackReport};
+use crate::{About, Ghosts, PackReport, Warning};
 
 /// What is measured.
 pub(crate) struct Quality<'a, const D: usize> {
@@ -23,7 +26,12 @@ pub(crate) struct Quality<'a, const D: usize> {
 
 impl<const D: usize> Quality<'_, D> {
     /// The report on the ghosts alone.
-    pub fn of_ghosts(&self, target: &Sources<D>, thinnest: Option<Thinnest>) -> PackReport {
+    pub fn of_ghosts(
+        &self,
+        target: &Sources<D>,
+        surface: &[Sample<D>],
+        thinnest: Option<Thinnest>,
+    ) -> PackReport {
         let plan = self.plan;
         let all = &self.ghosts.all;
         let spacing = plan.options.spacing;
@@ -46,16 +54,29 @@ impl<const D: usize> Quality<'_, D> {
         let (density_std_percent, density_max_percent) = spread(&errors);
         let thin = self.kept.iter().filter(|&&n| self.ghosts.thin[n]).count();
         let positions: Vec<Vector<D>> = self.kept.iter().map(|&n| all.position[n]).collect();
+        let above: Vec<Vector<D>> = particles(all)
+            .map(|(point, _)| point)
+            .filter(|point| plan.mirrors.above(point))
+            .collect();
+        let cover = cover(plan, surface, &above).unwrap_or_default();
+        let gaps = sources.nearest(&positions, 2.0 * spacing, true);
+        let close = |&&gap: &&f64| gap < LEAST_GAP * (1.0 - 1e-9) * spacing;
         PackReport {
             spacing,
+            uncovered_area_percent: cover.uncovered_percent,
+            hole_max: cover.hole,
+            hole_at: cover.hole_at,
+            surface_area: cover.area,
+            volume_error_percent: self.whole_volume_error(surface),
+            coincident_ghosts: gaps.iter().filter(close).count(),
             ghosts: self.kept.len(),
             layer_counts,
             density_std_percent,
             density_max_percent,
             shell_volume_error_percent: self.volume_error(),
             wall_offset_max,
-            min_gap: least(&sources.nearest(&positions, 2.0 * spacing, true)) / spacing,
-            hole_max: self.largest_hole(),
+            min_gap: least(&gaps) / spacing,
+            layer_hole_max: self.largest_hole(),
             thin,
             mirror_error_max: self.mirror_error(&positions),
             warnings: thinnest.map(|found| found.warning()).into_iter().collect(),
@@ -78,11 +99,11 @@ impl<const D: usize> Quality<'_, D> {
         errors.extend(self.at_wall(all_fluid, &sources, one));
         (report.density_std_percent, report.density_max_percent) = spread(&errors);
         if fluid.plan.mirrors.planes().len() < self.plan.mirrors.planes().len() {
-            report.warnings.push(
+            report.warnings.push(Warning::new(
+                About::Symmetry,
                 "the lattice is not symmetric about all of the body's mirror planes, nor is the \
-                 packed fluid; move the lattice by a quarter of a spacing or less to mend that"
-                    .to_owned(),
-            );
+                 packed fluid; move the lattice by a quarter of a spacing or less to mend that",
+            ));
         }
     }
 
@@ -120,6 +141,23 @@ impl<const D: usize> Quality<'_, D> {
             .sum();
         let exact = self.plan.shell_volume();
         100.0 * (packed - exact).abs() / exact
+    }
+
+    /// The volume of ghosts and core against that of the body itself, in per cent; against that of the layers where a region cuts the
+    /// body off or where the body shows no surface.
+    fn whole_volume_error(&self, surface: &[Sample<D>]) -> f64 {
+        let plan = self.plan;
+        let body = plan.shape.bounds();
+        let is_whole = (plan.options.region)
+            .is_none_or(|region| region.contains(&body.min) && region.contains(&body.max));
+        if !is_whole || surface.is_empty() {
+            return self.volume_error();
+        }
+        let mirrors = &plan.mirrors;
+        let copies = 2.0_f64.powi(mirrors.planes().len() as i32);
+        let exact = (plan.shape.measure()).unwrap_or(copies * volume(mirrors, surface));
+        let ghosts: f64 = particles(&self.ghosts.all).map(|(_, volume)| volume).sum();
+        100.0 * (ghosts + copies * plan.core_volume() - exact) / exact
     }
 
     /// Largest distance from a place on the wall layer's middle to the nearest ghost, in spacings.

@@ -86,7 +86,7 @@ pub(crate) fn relax<const D: usize>(
             .into_par_iter()
             .map(|n| {
                 let point = cloud.position[n];
-                if cloud.lock[n] == Lock::Frozen {
+                if matches!(cloud.lock[n], Lock::Frozen | Lock::Row) {
                     return (point, normals[n]);
                 }
                 let slope = slopes[n] - wanted[n];
@@ -108,6 +108,13 @@ pub(crate) fn relax<const D: usize>(
                             moved
                         };
                         (inside, normals[n])
+                    }
+                    // Those next to the wall layer must not slip through it.
+                    Lock::Free if settle != Settle::Not && cloud.layer[n] == 1 => {
+                        let nearest = plan.level(0);
+                        let distance = shape.signed_distance(&moved);
+                        let is_near = distance * nearest.signum() < nearest.abs();
+                        (if is_near { point } else { moved }, normals[n])
                     }
                     _ => (moved, normals[n]),
                 }

@@ -47,7 +47,7 @@ impl<const D: usize> Sheets<'_, D> {
             .band
             .par_iter()
             .filter(|cell| cell.distance >= level - half && cell.distance < level + half)
-            .filter(|cell| cell.room != Room::Thin)
+            .filter(|cell| layer < cell.full)
             .filter_map(|cell| {
                 let mirrors = &self.plan.mirrors;
                 let centre = mirrors.snapped(cell.centre, 1e-6 * self.step());
@@ -236,9 +236,9 @@ impl<const D: usize> BlockVolumes<D> {
                 volume: HashMap::new(),
             })
             .collect();
-        for cell in plan.cells().iter().filter(|cell| cell.room != Room::Thin) {
+        for cell in plan.cells() {
             let block = block_of(&cell.index);
-            for (layer, volume) in plan.parts(cell) {
+            for (layer, volume) in plan.parts(cell).filter(|part| part.0 < cell.full) {
                 let blocks = &mut layers[layer];
                 let sum = blocks.volume.entry(block).or_insert_with(|| {
                     blocks.order.push(block);
@@ -257,13 +257,13 @@ impl<const D: usize> BlockVolumes<D> {
 }
 
 /// Places that a round of repairs has changed.
-struct Touched<const D: usize> {
+pub(crate) struct Touched<const D: usize> {
     width: f64,
     cells: HashSet<[i64; D]>,
 }
 
 impl<const D: usize> Touched<D> {
-    fn new(width: f64) -> Self {
+    pub fn new(width: f64) -> Self {
         Self {
             width,
             cells: HashSet::new(),
@@ -271,7 +271,7 @@ impl<const D: usize> Touched<D> {
     }
 
     /// Marks a place, unless one beside it is marked.
-    fn claim(&mut self, place: &Vector<D>) -> bool {
+    pub fn claim(&mut self, place: &Vector<D>) -> bool {
         let cell: [i64; D] = std::array::from_fn(|k| (place[k] / self.width).floor() as i64);
         if around(cell, 1).any(|other| self.cells.contains(&other)) {
             return false;

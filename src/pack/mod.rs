@@ -9,7 +9,7 @@ pub use report::{BodyReport, PackFile};
 
 use std::path::{Path, PathBuf};
 
-use aero_packer::{Ghosts, PackOptions, Packing};
+use aero_packer::{About, Ghosts, PackOptions, Packing, Warning};
 
 use crate::output::{self, OutputError};
 use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
@@ -57,6 +57,7 @@ pub fn pack_mesh(
     let options = PackOptions {
         layers,
         fluid_layers: wishes.fluid_layers,
+        allow_loss: wishes.allow_loss,
         watch: wishes.watch.clone(),
         ..PackOptions::new(spacing)
     };
@@ -73,16 +74,17 @@ pub fn pack_mesh(
 }
 
 /// A question for whoever named no unit for a house, or one for a grain of sand.
-fn odd_size(size: f64, unit: Option<Unit>) -> Option<String> {
-    match unit {
-        None if size > LARGE => Some(format!(
-            "the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`"
-        )),
-        Some(Unit::Mm | Unit::In) if size < SMALL => Some(format!(
-            "the body is {size:.1e} m long: if its file is in metres, leave out `--unit`"
-        )),
-        _ => None,
-    }
+fn odd_size(size: f64, unit: Option<Unit>) -> Option<Warning> {
+    let text = match unit {
+        None if size > LARGE => {
+            format!("the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`")
+        }
+        Some(Unit::Mm | Unit::In) if size < SMALL => {
+            format!("the body is {size:.1e} m long: if its file is in metres, leave out `--unit`")
+        }
+        _ => return None,
+    };
+    Some(Warning::new(About::Unit, text))
 }
 
 /// Packs all bodies of a scene.

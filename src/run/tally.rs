@@ -165,6 +165,7 @@ impl Tally {
             mirror_fallbacks: statistics.mirror_fallbacks,
             min_density: statistics.min_density,
             min_energy: statistics.min_energy,
+            warnings: case.warnings(),
         }
     }
 
@@ -209,6 +210,7 @@ impl Tally {
             mean_from: self.mean_from,
             reference_area: body.reference_area,
             reference_length: body.reference_length,
+            uncovered_area_percent: body.report.uncovered_area_percent,
         }
     }
 }

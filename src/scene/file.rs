@@ -280,6 +280,8 @@ pub struct BodyEntry {
     pub wall: Option<WallWord>,
     /// Ghost spacing; that of the scene unless given.
     pub spacing: Option<Positive>,
+    /// Fly it all the same where more than two per cent of its surface have no ghosts; off unless given.
+    pub allow_loss: Option<bool>,
     /// Conforming fluid around it at the start, in place of the lattice; off unless given.
     pub packed_fluid: Option<bool>,
     /// Where it stands.

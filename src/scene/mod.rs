@@ -101,12 +101,15 @@ impl AnyCase {
 }
 
 fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let of_body = |body: &crate::case::Body<D>| {
-        let lines = body.report.repairs.iter().chain(&body.report.warnings);
+    let repaired = |body: &crate::case::Body<D>| {
         let remark = |line: &String| format!("body `{}`: {line}", body.name);
-        lines.map(remark).collect::<Vec<_>>()
+        body.report.repairs.iter().map(remark).collect::<Vec<_>>()
     };
-    case.bodies.iter().flat_map(of_body).collect()
+    let repairs = case.bodies.iter().flat_map(repaired);
+    let warnings = case.warnings().into_iter();
+    repairs
+        .chain(warnings.map(|warning| format!("warning: {warning}")))
+        .collect()
 }
 
 impl Scene {

@@ -9,7 +9,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use aero_geometry::{GeometryError, Placed, Placement, Revolution, Shape, Watch};
-use aero_packer::{PackOptions, Packing, pack};
+use aero_packer::{PackOptions, Packing, Warning, pack};
 use serde::Deserialize;
 
 use super::file::PlaceEntry;
@@ -75,7 +75,7 @@ pub(crate) struct Made<const D: usize> {
     /// What was wrong with its mesh and what was done.
     pub repairs: Vec<String>,
     /// What the user should know about its mesh.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl<const D: usize> Made<D> {
