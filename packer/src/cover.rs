@@ -3,7 +3,6 @@
 use aero_geometry::Vector;
 
 use crate::cloud::{Cloud, Lock};
-use crate::mirror::Mirrors;
 use crate::nearest::Nearest;
 use crate::plan::Plan;
 use crate::sheets::Touched;
@@ -14,7 +13,7 @@ use crate::surface::Sample;
 pub(crate) const COVERED: f64 = 1.25;
 
 /// Farther than this, in spacings, a place gets a ghost of its own: samples stand a third of a spacing apart.
-const MENDED: f64 = 1.15;
+const MENDED: f64 = 1.22;
 
 /// Rounds of mending.
 const MENDINGS: usize = 6;
@@ -159,13 +158,4 @@ fn depth_below<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> f64 {
         .map(|n| half * f64::from(n) / 8.0)
         .max_by(|&a, &b| deep(a).total_cmp(&deep(b)))
         .unwrap_or(half)
-}
-
-/// Volume of the body from samples of its surface above the mirror planes, by Gauss's theorem.
-pub(crate) fn volume<const D: usize>(mirrors: &Mirrors, samples: &[Sample<D>]) -> f64 {
-    let origin = Vector::<D>::from_fn(|k, _| mirrors.plane(k).unwrap_or(0.0));
-    let flux = samples
-        .iter()
-        .map(|sample| (sample.point - origin).dot(&sample.normal) * sample.area);
-    flux.sum::<f64>() / D as f64
 }

@@ -30,6 +30,7 @@ mod sheets;
 mod sources;
 mod surface;
 mod target;
+mod thickness;
 mod thin;
 mod warning;
 
@@ -38,4 +39,5 @@ pub use ghosts::{Ghosts, Packing};
 pub use options::{MAX_PARTICLES, PackOptions};
 pub use pack::pack;
 pub use report::PackReport;
+pub use thickness::thinnest_part;
 pub use warning::{About, Warning};

@@ -3,7 +3,7 @@
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 
-use crate::cover::{cover, volume};
+use crate::cover::cover;
 use crate::finish::Finished;
 use crate::fluid::Fluid;
 use crate::gaps::LEAST_GAP;
@@ -144,18 +144,20 @@ impl<const D: usize> Quality<'_, D> {
     }
 
     /// The volume of ghosts and core against that of the body itself, in per cent; against that of the layers where a region cuts the
-    /// body off or where the body shows no surface.
+    /// body off or where its own volume is not known.
     fn whole_volume_error(&self, surface: &[Sample<D>]) -> f64 {
         let plan = self.plan;
         let body = plan.shape.bounds();
         let is_whole = (plan.options.region)
             .is_none_or(|region| region.contains(&body.min) && region.contains(&body.max));
-        if !is_whole || surface.is_empty() {
+        let exact = plan
+            .shape
+            .measure()
+            .filter(|_| is_whole && !surface.is_empty());
+        let Some(exact) = exact else {
             return self.volume_error();
-        }
-        let mirrors = &plan.mirrors;
-        let copies = 2.0_f64.powi(mirrors.planes().len() as i32);
-        let exact = (plan.shape.measure()).unwrap_or(copies * volume(mirrors, surface));
+        };
+        let copies = 2.0_f64.powi(plan.mirrors.planes().len() as i32);
         let ghosts: f64 = particles(&self.ghosts.all).map(|(_, volume)| volume).sum();
         100.0 * (ghosts + copies * plan.core_volume() - exact) / exact
     }

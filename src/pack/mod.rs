@@ -9,7 +9,7 @@ pub use report::{BodyReport, PackFile};
 
 use std::path::{Path, PathBuf};
 
-use aero_packer::{About, Ghosts, PackOptions, Packing, Warning};
+use aero_packer::{About, Ghosts, PackOptions, Packing, Warning, thinnest_part};
 
 use crate::output::{self, OutputError};
 use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
@@ -52,7 +52,10 @@ pub fn pack_mesh(
     let layers = wishes.layers.unwrap_or(LAYERS);
     let (spacing, spacing_reason) = match wishes.spacing {
         Some(spacing) => (spacing, "as asked for".to_owned()),
-        None => spacing::pick(&bounds, layers),
+        None => {
+            let thin = thinnest_part(made.shape.as_ref(), &bounds);
+            spacing::pick(&bounds, thin, layers)
+        }
     };
     let options = PackOptions {
         layers,

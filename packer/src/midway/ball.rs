@@ -79,7 +79,7 @@ const AT_THE_END: f64 = 1e-3;
 const CHORD_STEPS: usize = 48;
 
 /// Length of the way from a place of the surface straight through the body; none where it is longer than `longest`.
-pub(super) fn chord<const D: usize>(
+pub(crate) fn chord<const D: usize>(
     shape: &dyn Shape<D>,
     (point, normal): (&Vector<D>, &Vector<D>),
     longest: f64,

@@ -14,6 +14,7 @@ mod spread;
 use aero_geometry::Vector;
 use rayon::prelude::*;
 
+pub(crate) use ball::chord;
 pub(crate) use room::room_inside;
 
 use crate::PackError;
