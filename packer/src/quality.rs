@@ -8,11 +8,15 @@ use crate::finish::Finished;
 use crate::fluid::Fluid;
 use crate::gaps::LEAST_GAP;
 use crate::mirror::{Mirrors, reflect};
+use crate::nearest::Nearest;
 use crate::plan::Plan;
 use crate::sources::Sources;
 use crate::surface::Sample;
 use crate::thin::Thinnest;
 use crate::{About, Ghosts, PackReport, Warning};
+
+/// Ghosts nearer than this, in spacings, to those of parts thinner than two spacings are beside a thin part.
+const NEAR_ROWS: f64 = 2.0;
 
 /// What is measured.
 pub(crate) struct Quality<'a, const D: usize> {
@@ -51,7 +55,16 @@ impl<const D: usize> Quality<'_, D> {
             let folded: Vec<Vector<D>> = points.iter().map(|p| plan.mirrors.folded(*p)).collect();
             target.densities(&folded, smoothing)
         });
-        let (density_std_percent, density_max_percent) = spread(&errors);
+        let (density_max_percent, density_max_at) = self.worst(&errors);
+        let away = self.away_from_rows();
+        let (density_std_percent, _) = spread(
+            &errors
+                .iter()
+                .zip(away)
+                .filter(|entry| entry.1)
+                .map(|entry| *entry.0)
+                .collect::<Vec<_>>(),
+        );
         let thin = self.kept.iter().filter(|&&n| self.ghosts.thin[n]).count();
         let positions: Vec<Vector<D>> = self.kept.iter().map(|&n| all.position[n]).collect();
         let above: Vec<Vector<D>> = particles(all)
@@ -73,6 +86,7 @@ impl<const D: usize> Quality<'_, D> {
             layer_counts,
             density_std_percent,
             density_max_percent,
+            density_max_at,
             shell_volume_error_percent: self.volume_error(),
             wall_offset_max,
             min_gap: least(&gaps) / spacing,
@@ -129,6 +143,37 @@ impl<const D: usize> Quality<'_, D> {
         sums.iter()
             .zip(wanted(&wall, smoothing))
             .map(|(sum, wanted)| sum - wanted)
+            .collect()
+    }
+
+    /// Numbers of the wall ghosts inside the region, in the order of [`Self::at_wall`].
+    fn wall(&self) -> impl Iterator<Item = usize> {
+        let all = &self.ghosts.all;
+        (0..all.position.len()).filter(|&n| all.layer[n] == 0 && self.plan.keeps(&all.position[n]))
+    }
+
+    /// The largest of the wall ghosts' errors, per cent, and its place.
+    fn worst(&self, errors: &[f64]) -> (f64, Vec<f64>) {
+        let all = self.wall().zip(errors);
+        let worst = all.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()).then(b.0.cmp(&a.0)));
+        worst.map_or((0.0, Vec::new()), |(n, error)| {
+            let place = &self.ghosts.all.position[n];
+            (100.0 * error.abs(), place.iter().copied().collect())
+        })
+    }
+
+    /// For each wall ghost whether it is away from the rows of thin parts in space, beside which a whole ghost more or less
+    /// decides the density.
+    fn away_from_rows(&self) -> Vec<bool> {
+        let all = &self.ghosts.all;
+        let rows: Vec<Vector<D>> = (0..all.position.len())
+            .filter(|&n| D == 3 && self.ghosts.thin[n])
+            .map(|n| all.position[n])
+            .collect();
+        let reach = NEAR_ROWS * self.plan.options.spacing;
+        let nearest = Nearest::new(&Mirrors::default(), &rows, reach);
+        self.wall()
+            .map(|n| nearest.find(&all.position[n], reach, |_| true).is_none())
             .collect()
     }
 

@@ -21,10 +21,12 @@ pub struct PackReport {
     pub fluid: usize,
     /// Ghosts per layer, wall layer first.
     pub layer_counts: Vec<usize>,
-    /// Standard deviation of the summed density, per cent.
+    /// Standard deviation of the summed density, per cent; in space, without fluid, away from parts thinner than two spacings.
     pub density_std_percent: f64,
-    /// Largest deviation of the summed density, per cent.
+    /// Largest deviation of the summed density, per cent, thin parts included.
     pub density_max_percent: f64,
+    /// Where that is, where no fluid was packed.
+    pub density_max_at: Vec<f64>,
     /// Ghosts' summed volume against the exact shell volume, per cent; ghosts at the region's
     /// border count with the part of their cell that is inside.
     pub shell_volume_error_percent: f64,

@@ -73,6 +73,11 @@ fn worse(a: PackReport, b: PackReport) -> PackReport {
         fluid: a.fluid + b.fluid,
         layer_counts,
         density_std_percent: a.density_std_percent.max(b.density_std_percent),
+        density_max_at: if b.density_max_percent > a.density_max_percent {
+            b.density_max_at
+        } else {
+            a.density_max_at
+        },
         density_max_percent: a.density_max_percent.max(b.density_max_percent),
         shell_volume_error_percent: farther(
             a.shell_volume_error_percent,
