@@ -90,13 +90,12 @@ fn site<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Site<D
     let filled = full as f64 * spacing;
     let widest = 2.0 * (filled + spacing);
     let chord = chord(plan.shape, seen, widest, spacing);
-    let (whole, faces) = match chord {
-        Some(chord) => (chord, 1.0),
+    let (whole, faces) = if let Some(chord) = chord {
+        (chord, 1.0)
+    } else {
         // On the rim of a plate, which has no area of its own.
-        None => {
-            let radius = climbed(plan.shape, &sample.point, (spacing, 0.5 * widest));
-            (2.0 * radius, 0.0)
-        }
+        let radius = climbed(plan.shape, &sample.point, (spacing, 0.5 * widest));
+        (2.0 * radius, 0.0)
     };
     let left = whole - 2.0 * filled;
     if full > 0 && left < NO_ROW * spacing {
