@@ -7,23 +7,24 @@
 use std::sync::Arc;
 use std::time::Duration;
 
-use aero::case::{Case, Domain, Field, Initial, OutputPlan, Scheme, Side, State, Stop};
 use aero::output::write_frame;
-use aero::solver::{Pass, Simulation};
 use aero_geometry::bodies::{circle, sphere};
 use aero_geometry::{Bounds, Vector};
 use aero_packer::{PackOptions, pack};
+use aero_solver::gas::Gas;
+use aero_solver::method::Method;
+use aero_solver::problem::{Domain, Field, Initial, Problem, Side, State};
+use aero_solver::scheme::Scheme;
+use aero_solver::{Pass, Simulation};
 use criterion::{BenchmarkId, Criterion, Throughput};
 
 /// A periodic box of disordered gas in gentle motion.
-fn stirred<const D: usize>(cells: usize) -> Case<D> {
+fn stirred<const D: usize>(cells: usize) -> Problem<D> {
     let wave = std::f64::consts::TAU;
-    Case {
-        name: "stirred".into(),
+    Problem {
         spacing: 1.0 / cells as f64,
-        stop: Stop::EndTime,
-        end_time: 1.0,
-        gamma: 1.4,
+        gas: Gas::ideal(1.4),
+        method: Method::default(),
         scheme: Scheme::default(),
         domain: Domain {
             bounds: Bounds::new(Vector::zeros(), Vector::repeat(1.0)),
@@ -41,13 +42,6 @@ fn stirred<const D: usize>(cells: usize) -> Case<D> {
         }))),
         disorder: 0.2,
         bodies: Vec::new(),
-        output: OutputPlan {
-            frame_interval: 1.0,
-            region: None,
-            is_compressed: false,
-            history_every: 1,
-            checkpoint_seconds: 60.0,
-        },
     }
 }
 

@@ -1,11 +1,10 @@
-//! Compressible flow around real bodies without a mesh.
+//! Compressible flow around real bodies without a mesh: scenes, how they are run, and what they write.
+//!
+//! Every public function takes a scene of any dimension, so that the solver is compiled here and
+//! nowhere above. The command line, the comparisons and the charts stand on it.
 
 pub mod case;
-pub mod chart;
-pub mod frame;
 pub mod output;
 pub mod pack;
 pub mod run;
 pub mod scene;
-pub mod solver;
-pub mod validate;

@@ -1,6 +1,8 @@
-//! The command line and nothing else.
+//! The `aero` command: the command line, the comparisons with theory, and the charts.
 
+mod chart;
 mod cli;
+mod compare;
 
 use std::process::ExitCode;
 

@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 14] = [
+const SMALL: [(&str, &[&str]); 15] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     (
@@ -37,6 +37,10 @@ const SMALL: [(&str, &[&str]); 14] = [
     ("square", &["end_time=0.00005"]),
     ("step", &["end_time=0.05", "spacing=0.05"]),
     ("wedge", &["end_time=0.1", "spacing=0.125"]),
+    (
+        "wedge-fixed",
+        &["end_time=0.1", "spacing=0.125", "stop=end-time"],
+    ),
 ];
 
 fn folder() -> std::path::PathBuf {

@@ -11,6 +11,7 @@ const PARTICLE_ARRAYS: [&str; 8] = [
     "energy",
     "mach",
     "smoothing_length",
+    "volume",
     "kind",
     "id",
 ];

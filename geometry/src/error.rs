@@ -27,6 +27,14 @@ pub enum GeometryError {
     /// An STL file cannot be read.
     #[error("stl: {0}")]
     Stl(String),
+    /// A file of another format cannot be read, or is of one that is not read.
+    #[error("{format}: {reason}")]
+    File {
+        /// The format.
+        format: &'static str,
+        /// What is wrong, and what to do.
+        reason: String,
+    },
     /// Triangles do not enclose a solid.
     #[error("surface: {0}")]
     Surface(String),
@@ -52,6 +60,13 @@ pub enum GeometryError {
 }
 
 impl GeometryError {
+    pub(crate) fn file(format: &'static str, reason: impl Into<String>) -> Self {
+        Self::File {
+            format,
+            reason: reason.into(),
+        }
+    }
+
     pub(crate) fn dimension(body: &'static str, reason: impl Into<String>) -> Self {
         Self::Dimension {
             body,
@@ -60,9 +75,22 @@ impl GeometryError {
     }
 }
 
+/// What closes holes.
+pub(crate) const FILL: &str = "`--fill` (in a scene, `fill = true`) closes every hole";
+
+/// What makes a solid of a sheet.
+pub(crate) const THICKEN: &str =
+    "`--thicken T` (in a scene, `thicken = T`) makes a solid T thick of a sheet";
+
+/// What makes a solid of anything.
+pub(crate) const WRAP: &str =
+    "`--wrap` (in a scene, `wrap = true`) lays a closed surface around whatever it is";
+
 /// Refuses triangles that are closed, but around nothing.
 pub(crate) fn no_volume() -> GeometryError {
-    GeometryError::Surface("encloses no volume; give a closed surface around a solid".into())
+    GeometryError::Surface(format!(
+        "encloses no volume; give a closed surface around a solid, or {THICKEN}"
+    ))
 }
 
 /// Refuses a number that is not finite and above zero.

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use crate::Real;
+
 /// Support radius in smoothing lengths: the kernel is zero beyond `3 h`.
 pub const SUPPORT: f64 = 3.0;
 
@@ -25,23 +27,53 @@ impl<const D: usize> QuinticSpline<D> {
     /// `W(r, h)`, unit 1 / length^D.
     #[inline]
     pub fn value(r: f64, h: f64) -> f64 {
-        let q = r / h;
-        let (a, b, c) = brackets(q);
-        Self::NORMALISATION / h.powi(D as i32) * (a.powi(5) - 6.0 * b.powi(5) + 15.0 * c.powi(5))
+        Self::NORMALISATION / h.powi(D as i32) * shape(r / h)
     }
 
     /// `(dW/dr) / r`, never positive, unit 1 / length^(D+2): the gradient is this times `r_i - r_j`.
     #[inline]
     pub fn gradient_factor(r: f64, h: f64) -> f64 {
-        let q = r / h;
-        let (a, b, c) = brackets(q);
-        let slope = -5.0 * (a.powi(4) - 6.0 * b.powi(4) + 15.0 * c.powi(4));
+        let slope = -5.0 * steepness(r / h);
         Self::NORMALISATION / h.powi(D as i32 + 1) * slope / r.max(1e-12 * h)
     }
 }
 
-fn brackets(q: f64) -> (f64, f64, f64) {
-    ((3.0 - q).max(0.0), (2.0 - q).max(0.0), (1.0 - q).max(0.0))
+/// The spline but for its scale: `(3-q)^5 - 6 (2-q)^5 + 15 (1-q)^5`.
+#[inline(always)]
+pub fn shape<R: Real>(q: R) -> R {
+    let [a, b, c] = brackets(q);
+    alternating([fourth(a) * a, fourth(b) * b, fourth(c) * c])
+}
+
+/// Its slope over minus five: `(3-q)^4 - 6 (2-q)^4 + 15 (1-q)^4`.
+#[inline(always)]
+pub fn steepness<R: Real>(q: R) -> R {
+    let [a, b, c] = brackets(q);
+    alternating([fourth(a), fourth(b), fourth(c)])
+}
+
+/// The positive parts of `3 - q`, `2 - q`, `1 - q`: beyond the support all are exactly zero.
+#[inline(always)]
+fn brackets<R: Real>(q: R) -> [R; 3] {
+    // No closure: what is not inlined is not compiled for the wide vectors.
+    let zero = q.constant(0.0);
+    [
+        (q.constant(3.0) - q).at_least(zero),
+        (q.constant(2.0) - q).at_least(zero),
+        (q.constant(1.0) - q).at_least(zero),
+    ]
+}
+
+/// `a - 6 b + 15 c`.
+#[inline(always)]
+fn alternating<R: Real>([a, b, c]: [R; 3]) -> R {
+    c.times_plus(c.constant(15.0), b.times_plus(b.constant(-6.0), a))
+}
+
+#[inline(always)]
+fn fourth<R: Real>(a: R) -> R {
+    let squared = a * a;
+    squared * squared
 }
 
 #[cfg(test)]

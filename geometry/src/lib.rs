@@ -6,11 +6,14 @@
 pub mod bodies;
 mod bounds;
 mod error;
+pub mod files;
 pub mod kernel;
+mod mending;
 mod mesh;
 pub mod outline;
 mod pencils;
 mod placement;
+mod real;
 mod revolution;
 mod shape;
 pub mod stl;
@@ -19,10 +22,12 @@ mod watch;
 
 pub use bounds::Bounds;
 pub use error::GeometryError;
-pub use mesh::Mesh;
+pub use mending::{Mending, Solid};
+pub use mesh::{Mesh, Sheet};
 pub use outline::Outline;
 pub use pencils::Pencils;
 pub use placement::{Placed, Placement};
+pub use real::Real;
 pub use revolution::Revolution;
 pub use shape::{Closest, Shape};
 pub use watch::Watch;

@@ -5,14 +5,19 @@
 
 mod build;
 mod buried;
+mod caps;
+mod cuts;
 mod edges;
 mod exposed;
 mod facing;
 mod holes;
 mod nest;
+mod openings;
 mod orient;
 mod patches;
 mod pinches;
+mod rims;
+mod sheet;
 mod slivers;
 mod smooth;
 mod symmetry;
@@ -21,6 +26,11 @@ mod triangle;
 mod wedges;
 mod weld;
 mod winding;
+mod wrap;
+
+pub(crate) use caps::triangulate;
+pub use sheet::Sheet;
+pub(crate) use weld::bounds;
 
 use edges::NONE;
 use exposed::Exposed;
@@ -29,6 +39,7 @@ use tree::Tree;
 use triangle::{Feature, OnTriangle, closest_on};
 use winding::winding_number;
 
+use crate::stl::Facet;
 use crate::{Bounds, Closest, Shape, Vector};
 
 /// Sine of the angle between the way to the closest point and the normal above which that point is
@@ -81,14 +92,29 @@ impl Mesh {
         self.smooth.patch_count
     }
 
-    /// Volume that the triangles enclose; what solids share counts more than once.
+    /// The triangles that bound the solid, those that others cut as their pieces, counter-clockwise
+    /// seen from outside. What lies inside of the solid is left out.
+    pub fn surface(&self) -> Box<dyn Iterator<Item = Facet> + '_> {
+        match &self.exposed {
+            Some(exposed) => Box::new(exposed.corners()),
+            None => Box::new((0..self.facets.len() as u32).map(|f| self.corners(f))),
+        }
+    }
+
+    /// Volume of the solid, cubic metres; what solids share counts once.
     pub fn volume(&self) -> f64 {
         let middle = 0.5 * (self.bounds.min + self.bounds.max);
-        let doubled = |f: u32| {
-            let [a, b, c] = self.corners(f).map(|v| v - middle);
+        let sixfold = |facet: Facet| {
+            let [a, b, c] = facet.map(|v| v - middle);
             a.dot(&b.cross(&c))
         };
-        (0..self.facets.len() as u32).map(doubled).sum::<f64>() / 6.0
+        self.surface().map(sixfold).sum::<f64>() / 6.0
+    }
+
+    /// Area of the surface, square metres.
+    pub fn area(&self) -> f64 {
+        let doubled = |[a, b, c]: Facet| (b - a).cross(&(c - a)).norm();
+        0.5 * self.surface().map(doubled).sum::<f64>()
     }
 
     /// How many times the surface winds around `p`: a whole number, above zero inside of the body.
@@ -162,16 +188,21 @@ impl Shape<3> for Mesh {
         let outward = self.outward(facet, &corners, on.feature);
         let offset = p - on.point;
         let length = offset.norm();
-        let inside = if self.simple && !self.is_pinched(facet, on.feature) {
+        // The border of what is exposed is a crease, unless it is one between pieces of a triangle.
+        let aslant = cut && offset.cross(&outward).norm() > ASLANT * length * outward.norm();
+        // Straight above or below the inside of an exposed piece its triangle tells the side.
+        let told = match self.exposed {
+            Some(_) => on.feature == Feature::Face && !aslant,
+            None => self.simple && !self.is_pinched(facet, on.feature),
+        };
+        let inside = if told {
             offset.dot(&outward) < 0.0
         } else {
             self.winding_number(p) > 0.5
         };
         let sign = if inside { -1.0 } else { 1.0 };
         let size = self.bounds.size().max();
-        // The border of what is exposed is a crease, unless it is one between pieces of a triangle.
-        let aslant = || offset.cross(&outward).norm() > ASLANT * length * outward.norm();
-        let creased = self.smooth.on_crease(facet, on.feature) || cut && aslant();
+        let creased = self.smooth.on_crease(facet, on.feature) || aslant;
         let normal = if creased && length > 1e-9 * size {
             sign / length * offset
         } else if creased {
@@ -199,6 +230,6 @@ impl Shape<3> for Mesh {
     }
 
     fn measure(&self) -> Option<f64> {
-        self.simple.then(|| self.volume())
+        Some(self.volume())
     }
 }

@@ -14,6 +14,8 @@ use crate::Vector;
 #[derive(Clone, Debug)]
 pub struct Pencils<const D: usize> {
     origin: [f64; D],
+    /// Cell of the first column per axis, counted from the origin.
+    first: [i64; D],
     inverse_width: f64,
     /// Number of columns per axis; one for the last axis.
     columns: [usize; D],
@@ -37,6 +39,7 @@ impl<const D: usize> Default for Pencils<D> {
     fn default() -> Self {
         Self {
             origin: [0.0; D],
+            first: [0; D],
             inverse_width: 0.0,
             columns: [1; D],
             start: vec![0, 0],
@@ -68,18 +71,44 @@ impl<const D: usize> Pencils<D> {
         position: impl Fn(usize) -> Vector<D> + Sync,
         width: f64,
     ) {
-        self.frame(count, &position, width);
+        self.frame(None, count, &position, width);
+        self.sort(count, &position, |point| point as u64);
+    }
+
+    /// As [`Self::rebuild_from`], in cells that are counted from `corner`, and with ties, where points share a column and the
+    /// coordinate along it, by `rank`: the order of any of the points depends on no other point, nor on the order in which
+    /// they are given.
+    pub fn rebuild_on_grid(
+        &mut self,
+        corner: &Vector<D>,
+        width: f64,
+        count: usize,
+        position: impl Fn(usize) -> Vector<D> + Sync,
+        rank: impl Fn(usize) -> u64 + Sync,
+    ) {
+        self.frame(Some(corner), count, &position, width);
+        self.sort(count, &position, rank);
+    }
+
+    /// Sorts the points into the columns that there are.
+    fn sort(
+        &mut self,
+        count: usize,
+        position: &(impl Fn(usize) -> Vector<D> + Sync),
+        rank: impl Fn(usize) -> u64 + Sync,
+    ) {
         let mut keys = std::mem::take(&mut self.keys);
         let key = |point| self.key(point, &position(point));
         (0..count)
             .into_par_iter()
             .map(key)
             .collect_into_vec(&mut keys);
-        // The point's number breaks ties, so the order is unique for any number of threads.
+        // The point's number breaks what ties are left, so the order is unique for any number of threads.
         keys.par_sort_unstable_by(|a, b| {
             a.column
                 .cmp(&b.column)
                 .then(a.along.total_cmp(&b.along))
+                .then_with(|| rank(a.point as usize).cmp(&rank(b.point as usize)))
                 .then(a.point.cmp(&b.point))
         });
         let sorted = keys.par_iter();
@@ -110,7 +139,7 @@ impl<const D: usize> Pencils<D> {
         mut visit: impl FnMut(Range<usize>),
     ) {
         self.for_each_column(min, max, |this, cell| {
-            let run = this.run(this.column(cell), min[D - 1], max[D - 1]);
+            let run = this.run(cell, min[D - 1], max[D - 1]);
             if !run.is_empty() {
                 visit(run);
             }
@@ -132,7 +161,8 @@ impl<const D: usize> Pencils<D> {
         self.for_each_column(&low, &high, |this, cell| {
             let mut across = 0.0;
             for k in 0..D - 1 {
-                let begin = this.origin[k] + cell[k] as f64 / this.inverse_width;
+                let number = this.first[k] + cell[k] as i64;
+                let begin = this.origin[k] + number as f64 / this.inverse_width;
                 let end = begin + 1.0 / this.inverse_width;
                 let gap = (begin - max[k]).max(min[k] - end).max(0.0);
                 across += gap * gap;
@@ -142,7 +172,7 @@ impl<const D: usize> Pencils<D> {
                 return;
             }
             let along = along.sqrt();
-            let run = this.run(this.column(cell), min[D - 1] - along, max[D - 1] + along);
+            let run = this.run(cell, min[D - 1] - along, max[D - 1] + along);
             if !run.is_empty() {
                 visit(run);
             }
@@ -164,8 +194,9 @@ impl<const D: usize> Pencils<D> {
         let mut high = [0; D];
         for k in 0..D - 1 {
             let last = self.columns[k] as f64 - 1.0;
-            let from = (min[k] - self.origin[k]) * self.inverse_width;
-            let to = (max[k] - self.origin[k]) * self.inverse_width;
+            let first = self.first[k] as f64;
+            let from = (min[k] - self.origin[k]) * self.inverse_width - first;
+            let to = (max[k] - self.origin[k]) * self.inverse_width - first;
             if to < 0.0 || from >= last + 1.0 {
                 return;
             }
@@ -191,8 +222,15 @@ impl<const D: usize> Pencils<D> {
         }
     }
 
-    /// Places the origin and chooses the number of columns, no more than a few per point.
-    fn frame(&mut self, count: usize, position: &(impl Fn(usize) -> Vector<D> + Sync), width: f64) {
+    /// Places the origin, at `corner` or at the lowest coordinates of all points, and chooses the number of columns, no more
+    /// than a few per point.
+    fn frame(
+        &mut self,
+        corner: Option<&Vector<D>>,
+        count: usize,
+        position: &(impl Fn(usize) -> Vector<D> + Sync),
+        mut width: f64,
+    ) {
         let nowhere = [[f64::INFINITY; D], [f64::NEG_INFINITY; D]];
         let wider = |[a, b]: [[f64; D]; 2], [c, d]: [[f64; D]; 2]| {
             [
@@ -205,40 +243,57 @@ impl<const D: usize> Pencils<D> {
             .map(|point| [position(point).into(); 2])
             .reduce(|| nowhere, wider);
         self.columns = [1; D];
-        self.origin = [0.0; D];
+        self.first = [0; D];
+        self.origin = corner.map_or(min, |&corner| corner.into());
         self.inverse_width = 1.0 / width;
         if count == 0 {
+            self.origin = [0.0; D];
             return;
         }
-        self.origin = min;
-        let mut width = width;
         let most = 4.0 * count as f64 + 64.0;
         loop {
+            let first = |k: usize| match corner {
+                Some(_) => self.cell(k, min[k]).clamp(-FURTHEST, FURTHEST),
+                None => 0.0,
+            };
+            let span = |k: usize| match corner {
+                Some(_) => self.cell(k, max[k]) - first(k),
+                None => ((max[k] - min[k]) / width).floor(),
+            };
             // One where coordinates that are not finite leave no number at all.
-            let count = |k: usize| (((max[k] - min[k]) / width).floor() + 1.0).max(1.0);
+            let count = |k: usize| (span(k) + 1.0).max(1.0);
             let total: f64 = (0..D - 1).map(count).product();
             if total <= most {
-                for k in 0..D - 1 {
-                    self.columns[k] = count(k) as usize;
-                }
-                self.inverse_width = 1.0 / width;
+                let columns =
+                    std::array::from_fn(|k| if k < D - 1 { count(k) as usize } else { 1 });
+                self.first = std::array::from_fn(|k| if k < D - 1 { first(k) as i64 } else { 0 });
+                self.columns = columns;
                 return;
             }
             width *= 2.0;
+            self.inverse_width = 1.0 / width;
         }
+    }
+
+    /// Cell of a coordinate along axis `k`, counted from the origin.
+    fn cell(&self, k: usize, coordinate: f64) -> f64 {
+        ((coordinate - self.origin[k]) * self.inverse_width).floor()
     }
 
     fn key(&self, point: usize, position: &Vector<D>) -> Key {
         let mut cell = [0; D];
         for k in 0..D - 1 {
-            let across = ((position[k] - self.origin[k]) * self.inverse_width).floor();
+            let across = self.cell(k, position[k]) - self.first[k] as f64;
             cell[k] = (across.max(0.0) as usize).min(self.columns[k] - 1);
         }
-        let column = self.column(&cell);
         let along = position[D - 1];
         Key {
-            column: column as u32,
-            along: if column % 2 == 1 { -along } else { along },
+            column: self.column(&cell) as u32,
+            along: if self.is_backwards(&cell) {
+                -along
+            } else {
+                along
+            },
             point: point as u32,
         }
     }
@@ -248,7 +303,7 @@ impl<const D: usize> Pencils<D> {
         if D < 3 {
             return if D == 2 { cell[0] } else { 0 };
         }
-        let across = if cell[0] % 2 == 1 {
+        let across = if self.is_odd(0, cell) {
             self.columns[1] - 1 - cell[1]
         } else {
             cell[1]
@@ -256,11 +311,22 @@ impl<const D: usize> Pencils<D> {
         cell[0] * self.columns[1] + across
     }
 
-    /// Slots of `column` whose coordinate along the pencil lies in `from..=to`.
-    fn run(&self, column: usize, from: f64, to: f64) -> Range<usize> {
+    /// True where the cell's number along axis `k` is odd.
+    fn is_odd(&self, k: usize, cell: &[usize; D]) -> bool {
+        (self.first[k] + cell[k] as i64) % 2 != 0
+    }
+
+    /// True of columns that run backwards, every other one.
+    fn is_backwards(&self, cell: &[usize; D]) -> bool {
+        (0..D - 1).fold(false, |odd, k| odd != self.is_odd(k, cell))
+    }
+
+    /// Slots of the column of `cell` whose coordinate along the pencil lies in `from..=to`.
+    fn run(&self, cell: &[usize; D], from: f64, to: f64) -> Range<usize> {
+        let column = self.column(cell);
         let first = self.start[column] as usize;
         let along = &self.along[first..self.start[column + 1] as usize];
-        let (from, to) = if column % 2 == 1 {
+        let (from, to) = if self.is_backwards(cell) {
             (-to, -from)
         } else {
             (from, to)
@@ -275,6 +341,9 @@ impl<const D: usize> Pencils<D> {
         first + low..first + high
     }
 }
+
+/// Cells are numbered exactly up to here.
+const FURTHEST: f64 = (1_u64 << 52) as f64;
 
 /// Usual length of a run.
 const RUN: usize = 32;
@@ -369,6 +438,37 @@ mod tests {
             let expected: Vec<u32> = (0..500).filter(|&p| near(&points[p as usize])).collect();
             assert_eq!(found, expected);
         }
+    }
+
+    #[test]
+    fn on_a_grid_the_order_of_points_depends_on_no_others() {
+        let points = scattered::<3>(600);
+        let corner = Vector::repeat(-0.37);
+        let mut pencils = Pencils::default();
+        let mut order = |kept: &[usize]| -> Vec<usize> {
+            let rank = |n: usize| kept[n] as u64;
+            // Ties everywhere: all points of a column at few heights.
+            let place = |n: usize| {
+                points[kept[n]].map_with_location(
+                    |k, _, x: f64| {
+                        if k == 2 { (x * 4.0).floor() } else { x }
+                    },
+                )
+            };
+            pencils.rebuild_on_grid(&corner, 0.13, kept.len(), place, rank);
+            pencils.order().iter().map(|&n| kept[n as usize]).collect()
+        };
+        let all: Vec<usize> = (0..600).collect();
+        let whole = order(&all);
+        let backwards: Vec<usize> = all.iter().rev().copied().collect();
+        assert_eq!(order(&backwards), whole);
+        let part: Vec<usize> = all
+            .iter()
+            .copied()
+            .filter(|&n| points[n][0] > 0.5)
+            .collect();
+        let expected: Vec<usize> = whole.iter().copied().filter(|n| part.contains(n)).collect();
+        assert_eq!(order(&part), expected);
     }
 
     #[test]

@@ -50,7 +50,7 @@ pub struct Soup {
 
 impl Soup {
     /// Begins a solid; one without a name is called by its number.
-    fn begin(&mut self, name: &str) {
+    pub(crate) fn begin(&mut self, name: &str) {
         let name = if name.is_empty() {
             format!("solid {}", self.solids.len() + 1)
         } else {

@@ -141,7 +141,7 @@ fn errors_name_the_file() {
     std::fs::write(&path, format!("solid a\n{FACET}endsolid\n")).unwrap();
     let message = Mesh::read(&path, Unit::Metre).unwrap_err().to_string();
     assert!(
-        message.contains("open.stl`: surface: is open at 3 edges"),
+        message.contains("open.stl`: surface: is open at 1 hole"),
         "{message}"
     );
 }

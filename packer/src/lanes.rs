@@ -4,8 +4,10 @@
 use std::ops::Range;
 
 use aero_geometry::Vector;
-use aero_geometry::kernel::{QuinticSpline, SUPPORT};
+use aero_geometry::kernel::{QuinticSpline, SUPPORT, shape, steepness};
 use pulp::{Simd, WithSimd};
+
+use crate::wide::Wide;
 
 /// Points that are worked on together: the lanes of the widest vectors.
 pub(crate) const CLUSTER: usize = 8;
@@ -90,48 +92,18 @@ impl<const D: usize> WithSimd for KernelSum<'_, D> {
     }
 }
 
-/// `(end - q)`, or zero where that is negative. No closures here: what is not inlined is not
-/// compiled for the wide vectors.
-#[inline(always)]
-fn bracket<S: Simd>(simd: S, end: f64, q: S::f64s) -> S::f64s {
-    simd.max_f64s(simd.sub_f64s(simd.splat_f64s(end), q), simd.splat_f64s(0.0))
-}
-
-#[inline(always)]
-fn fourth<S: Simd>(simd: S, x: S::f64s) -> S::f64s {
-    let square = simd.mul_f64s(x, x);
-    simd.mul_f64s(square, square)
-}
-
-/// `a - 6 b + 15 c`.
-#[inline(always)]
-fn spline<S: Simd>(simd: S, a: S::f64s, b: S::f64s, c: S::f64s) -> S::f64s {
-    let b = simd.mul_f64s(simd.splat_f64s(6.0), b);
-    let c = simd.mul_f64s(simd.splat_f64s(15.0), c);
-    simd.add_f64s(simd.sub_f64s(a, b), c)
-}
-
 /// `(3-q)^5 - 6 (2-q)^5 + 15 (1-q)^5`, each bracket only where positive.
 #[inline(always)]
 fn value<S: Simd>(simd: S, r: S::f64s, smoothing: f64) -> S::f64s {
     let q = simd.mul_f64s(r, simd.splat_f64s(1.0 / smoothing));
-    let a = bracket(simd, 3.0, q);
-    let b = bracket(simd, 2.0, q);
-    let c = bracket(simd, 1.0, q);
-    let a = simd.mul_f64s(fourth(simd, a), a);
-    let b = simd.mul_f64s(fourth(simd, b), b);
-    let c = simd.mul_f64s(fourth(simd, c), c);
-    spline(simd, a, b, c)
+    shape(Wide(simd, q)).1
 }
 
 /// `((3-q)^4 - 6 (2-q)^4 + 15 (1-q)^4) / r`, each bracket only where positive.
 #[inline(always)]
 fn slope<S: Simd>(simd: S, r: S::f64s, smoothing: f64) -> S::f64s {
     let q = simd.mul_f64s(r, simd.splat_f64s(1.0 / smoothing));
-    let a = fourth(simd, bracket(simd, 3.0, q));
-    let b = fourth(simd, bracket(simd, 2.0, q));
-    let c = fourth(simd, bracket(simd, 1.0, q));
-    let sum = spline(simd, a, b, c);
+    let sum = steepness(Wide(simd, q)).1;
     simd.div_f64s(sum, simd.max_f64s(r, simd.splat_f64s(1e-12 * smoothing)))
 }
 
@@ -139,6 +111,7 @@ fn slope<S: Simd>(simd: S, r: S::f64s, smoothing: f64) -> S::f64s {
 #[inline(always)]
 fn closeness<S: Simd>(simd: S, r: S::f64s, reach: f64) -> S::f64s {
     let part = simd.mul_f64s(r, simd.splat_f64s(1.0 / reach));
-    let part = bracket(simd, 1.0, part);
+    let one = simd.splat_f64s(1.0);
+    let part = simd.max_f64s(simd.sub_f64s(one, part), simd.splat_f64s(0.0));
     simd.div_f64s(part, simd.max_f64s(r, simd.splat_f64s(1e-12 * reach)))
 }

@@ -33,6 +33,7 @@ mod target;
 mod thickness;
 mod thin;
 mod warning;
+mod wide;
 
 pub use error::PackError;
 pub use ghosts::{Ghosts, Packing};

@@ -1,6 +1,6 @@
 //! Speed against accuracy: a case at several spacings and in each variant of scheme and extrapolation,
 //! its error over the processor time of the run alone, peers beside it. Measures with what
-//! [`crate::validate`] compares with.
+//! [`crate::compare`] compares with.
 
 mod pysph;
 mod studies;
@@ -11,15 +11,16 @@ use aero_validation::metrics::MetricError;
 use aero_validation::pictures::PictureError;
 use aero_validation::pictures::speed::{SpeedChart, SpeedPoint, SpeedSeries};
 
-use crate::output::{self, OutputError};
-use crate::validate::outcome::{Outcome, Source, run};
-use crate::validate::{Context, Level, ValidateError};
+use aero::output::{self, OutputError};
+use aero::run::{Keep, Outcome};
+
+use crate::compare::scenes::Source;
+use crate::compare::{CompareError, Context, Level, Scheme};
 
 /// One line of a chart.
 #[derive(Clone, Copy)]
-struct Variant {
-    equations: &'static str,
-    extrapolation: &'static str,
+struct Line {
+    scheme: Scheme,
     shifted: bool,
     /// Each spacing starts from the flow that twice the spacing has found.
     coarse_start: bool,
@@ -27,36 +28,35 @@ struct Variant {
     mixed: bool,
 }
 
-/// The variants, in the order of their lines.
-const VARIANTS: [Variant; 7] = {
-    const fn plain(equations: &'static str, extrapolation: &'static str) -> Variant {
-        Variant {
-            equations,
-            extrapolation,
+/// The lines, in their order.
+const LINES: [Line; 7] = {
+    const fn plain(scheme: Scheme) -> Line {
+        Line {
+            scheme,
             shifted: false,
             coarse_start: false,
             mixed: false,
         }
     }
-    let usual = plain("conservative", "wom");
+    let usual = plain(Scheme::USUAL);
     [
         usual,
-        plain("conservative", "wm"),
-        Variant {
+        plain(Scheme::USUAL.wm()),
+        Line {
             shifted: true,
             ..usual
         },
-        Variant {
+        Line {
             coarse_start: true,
             ..usual
         },
-        Variant {
+        Line {
             coarse_start: true,
             mixed: true,
             ..usual
         },
-        plain("paper", "wom"),
-        plain("paper", "wm"),
+        plain(Scheme::USUAL.paper()),
+        plain(Scheme::USUAL.paper().wm()),
     ]
 };
 
@@ -80,7 +80,7 @@ struct Study {
     /// What a spacing asks of the scene.
     settings: fn(u32) -> Vec<String>,
     /// The size of the error.
-    measure: fn(&Outcome, u32) -> Result<f64, ValidateError>,
+    measure: fn(&Outcome, u32) -> Result<f64, CompareError>,
     /// Other codes' points.
     peers: fn(&[SpeedSeries], &Costs) -> Vec<SpeedSeries>,
 }
@@ -91,7 +91,7 @@ struct Study {
 struct Costs(Vec<Cost>);
 
 struct Cost {
-    variant: String,
+    line: String,
     label: String,
     particles: f64,
     updates: f64,
@@ -123,12 +123,12 @@ impl std::fmt::Debug for Wishes<'_> {
 /// # Errors
 /// A name that is not a case, before anything runs; a scene of the project that is wrong; files that
 /// cannot be written. A run that stops, or whose flow does not show what is to be measured, has no point.
-pub fn chart(names: &[String], wishes: Wishes<'_>) -> Result<Vec<PathBuf>, ValidateError> {
+pub fn chart(names: &[String], wishes: Wishes<'_>) -> Result<Vec<PathBuf>, CompareError> {
     let studies = studies::all();
     let known = |name: &str| studies.iter().any(|study| study.scene.name == name);
     if let Some(name) = names.iter().find(|name| !known(name)) {
         let all: Vec<&str> = studies.iter().map(|study| study.scene.name).collect();
-        return Err(ValidateError::Unknown {
+        return Err(CompareError::Unknown {
             name: name.clone(),
             known: all.join(", "),
         });
@@ -143,11 +143,11 @@ pub fn chart(names: &[String], wishes: Wishes<'_>) -> Result<Vec<PathBuf>, Valid
 }
 
 impl Study {
-    fn draw(&self, wishes: Wishes<'_>) -> Result<[PathBuf; 2], ValidateError> {
+    fn draw(&self, wishes: Wishes<'_>) -> Result<[PathBuf; 2], CompareError> {
         let mut costs = Costs::default();
         let mut series = Vec::new();
-        for variant in VARIANTS.into_iter().filter(|v| self.has(v)) {
-            series.push(self.line(variant, wishes, &mut costs)?);
+        for line in LINES.into_iter().filter(|line| self.has(line)) {
+            series.push(self.measure_line(line, wishes, &mut costs)?);
         }
         let peers = (self.peers)(&series, &costs);
         series.extend(peers);
@@ -167,29 +167,29 @@ impl Study {
         Ok(files)
     }
 
-    fn has(&self, variant: &Variant) -> bool {
-        (self.shifted || !variant.shifted) && (self.settles_in.is_some() || !variant.coarse_start)
+    fn has(&self, line: &Line) -> bool {
+        (self.shifted || !line.shifted) && (self.settles_in.is_some() || !line.coarse_start)
     }
 
-    /// All spacings of one variant.
-    fn line(
+    /// All spacings of one line.
+    fn measure_line(
         &self,
-        variant: Variant,
+        line: Line,
         wishes: Wishes<'_>,
         costs: &mut Costs,
-    ) -> Result<SpeedSeries, ValidateError> {
-        let name = variant.name();
+    ) -> Result<SpeedSeries, CompareError> {
+        let name = line.name();
         let more: &[u32] = if wishes.full { self.cells[1] } else { &[] };
         let cells = self.cells[0].iter().chain(more).copied();
         let mut points = Vec::new();
         for cells in cells.take(wishes.spacings.unwrap_or(usize::MAX)) {
             let label = format!("{}/{cells}", self.unit);
             let found = self
-                .run(variant, cells, wishes)
+                .run(line, cells, wishes)
                 .and_then(|runs| Ok(((self.measure)(&runs.last, cells)?, runs)));
             let (error, runs) = match found {
                 Ok(found) => found,
-                Err(error @ (ValidateError::Run { .. } | ValidateError::Metric { .. })) => {
+                Err(error @ (CompareError::Run { .. } | CompareError::Metric(_))) => {
                     (wishes.announce)(&format!("no point for {name}, {label}: {error}"));
                     continue;
                 }
@@ -197,7 +197,7 @@ impl Study {
             };
             let summary = &runs.last.summary;
             costs.0.push(Cost {
-                variant: name.clone(),
+                line: name.clone(),
                 label: label.clone(),
                 particles: summary.particles.fluid as f64,
                 updates: summary.particle_updates_per_cpu_second * summary.cpu_seconds,
@@ -215,8 +215,8 @@ impl Study {
         })
     }
 
-    /// One spacing of one variant, after the coarser ones that it starts from.
-    fn run(&self, variant: Variant, cells: u32, wishes: Wishes<'_>) -> Result<Runs, ValidateError> {
+    /// One spacing of one line, after the coarser ones that it starts from.
+    fn run(&self, line: Line, cells: u32, wishes: Wishes<'_>) -> Result<Runs, CompareError> {
         let context = Context {
             level: Level::Quick,
             settings: &[],
@@ -224,23 +224,23 @@ impl Study {
             announce: wishes.announce,
         };
         let mut settings = (self.settings)(cells);
-        settings.extend(variant.settings());
+        settings.extend(line.settings());
         let half = cells / 2;
-        let settles_in = self.settles_in.filter(|_| variant.coarse_start);
+        let settles_in = self.settles_in.filter(|_| line.coarse_start);
         let Some(time) = settles_in.filter(|_| cells.is_multiple_of(2) && half >= COARSEST) else {
-            let last = run(self.scene, &settings, &context)?;
+            let last = self.scene.run(&settings, Keep::End, &context)?;
             return Ok(Runs {
                 cpu_seconds: last.summary.cpu_seconds,
                 last,
             });
         };
-        let before = self.run(variant, half, wishes)?;
+        let before = self.run(line, half, wishes)?;
         let frame = wishes.out.join(format!("{}-start.vtp", self.scene.name));
         output::make_folder(wishes.out)?;
         output::write_frame(&frame, &before.last.frame, false)?;
         settings.push(format!("initial.frame={}", frame.display()));
         settings.push(format!("end_time={time}"));
-        let last = run(self.scene, &settings, &context);
+        let last = self.scene.run(&settings, Keep::End, &context);
         std::fs::remove_file(&frame).map_err(|source| OutputError::new(&frame, source))?;
         let last = last?;
         Ok(Runs {
@@ -256,7 +256,7 @@ struct Runs {
     cpu_seconds: f64,
 }
 
-impl Variant {
+impl Line {
     fn name(&self) -> String {
         let shifted = if self.shifted { ", shifted" } else { "" };
         let start = if self.coarse_start {
@@ -265,24 +265,25 @@ impl Variant {
             ""
         };
         let mixed = if self.mixed { ", mixed" } else { "" };
-        let (equations, extrapolation) = (self.equations, self.extrapolation);
+        let Scheme {
+            equations,
+            extrapolation,
+        } = self.scheme;
         format!("{equations}, {extrapolation}{shifted}{start}{mixed}")
     }
 
-    fn settings(&self) -> [String; 4] {
+    fn settings(&self) -> Vec<String> {
         let precision = if self.mixed { "mixed" } else { "double" };
-        [
-            format!("scheme.equations={}", self.equations),
-            format!("scheme.extrapolation={}", self.extrapolation),
-            format!("scheme.shifting={}", self.shifted),
-            format!("scheme.precision={precision}"),
-        ]
+        let mut settings = self.scheme.settings().to_vec();
+        settings.push(format!("scheme.shifting={}", self.shifted));
+        settings.push(format!("scheme.precision={precision}"));
+        settings
     }
 }
 
 /// The error of a flow that does not show what was to be measured.
-fn unread(scene: Source, what: &'static str) -> ValidateError {
-    scene.unread(MetricError::TooFew {
+fn unread(what: &'static str) -> CompareError {
+    CompareError::Metric(MetricError::TooFew {
         what,
         found: 0,
         needed: 1,

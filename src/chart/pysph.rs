@@ -18,7 +18,7 @@ pub(super) fn line(series: &[SpeedSeries], costs: &Costs) -> Option<SpeedSeries>
     let rate =
         |particles: f64| table.interpolate("particles", "rate", particles.clamp(fewest, most));
     let point = |own: &SpeedPoint| {
-        let same = |cost: &&super::Cost| cost.variant == SAME && cost.label == own.label;
+        let same = |cost: &&super::Cost| cost.line == SAME && cost.label == own.label;
         let cost = costs.0.iter().find(same)?;
         Some(SpeedPoint {
             label: own.label.clone(),

@@ -8,8 +8,8 @@ use aero_validation::pictures::speed::peers;
 use aero_validation::reference::wedge_peers;
 
 use super::{Study, pysph, unread};
-use crate::validate::outcome::Outcome;
-use crate::validate::{ValidateError, biconvex, cone, cylinder, sod, wedge};
+use crate::compare::{CompareError, biconvex, cone, cylinder, sod, wedge};
+use aero::run::Outcome;
 
 const GAMMA: f64 = 1.4;
 
@@ -104,33 +104,32 @@ pub(super) fn all() -> [Study; 5] {
 
 /// Departure of the density from oblique shock theory, over the area of the flow, as the peers have it:
 /// per cent of the mean density.
-fn wedge_density(outcome: &Outcome, _: u32) -> Result<f64, ValidateError> {
+fn wedge_density(outcome: &Outcome, _: u32) -> Result<f64, CompareError> {
     /// Mach number and angle of the scene, which the peers have too.
     const FLOW: (f64, f64) = (2.5, 20.0);
     let shock = oblique_shock(FLOW.0, FLOW.1.to_radians(), GAMMA, Strength::Weak)?;
     let gas = &outcome.gas;
     let (mut departure, mut scale) = (0.0, 0.0);
-    for (place, density) in gas.position.iter().zip(&gas.density) {
+    for ((place, density), volume) in gas.position.iter().zip(&gas.density).zip(&gas.volume) {
         let behind = place[0] > 0.0 && place[1] < place[0] * shock.angle.tan();
         let exact = if behind { shock.density_ratio } else { 1.0 };
-        // All particles have the same mass, so that the area of each goes with one over its density.
-        departure += (density - exact).abs() / density;
-        scale += exact / density;
+        departure += (density - exact).abs() * volume;
+        scale += exact * volume;
     }
     if scale == 0.0 {
-        return Err(unread(wedge::SCENE, "gas particles"));
+        return Err(unread("gas particles"));
     }
     Ok(100.0 * departure / scale)
 }
 
 /// Mean departure of the surface pressure from Taylor and Maccoll, per cent.
-fn cone_pressure(outcome: &Outcome, _: u32) -> Result<f64, ValidateError> {
+fn cone_pressure(outcome: &Outcome, _: u32) -> Result<f64, CompareError> {
     let theory = cone_flow(cone::MACH, cone::HALF_ANGLE.to_radians(), GAMMA)?;
     let departures: Vec<f64> = cone::surface_pressures(outcome)
         .map(|pressure| (GAMMA * pressure / theory.pressure_ratio - 1.0).abs())
         .collect();
     if departures.is_empty() {
-        return Err(unread(cone::SCENE, "points of the surface"));
+        return Err(unread("points of the surface"));
     }
     Ok(100.0 * departures.iter().sum::<f64>() / departures.len() as f64)
 }

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
-use aero::chart::{self, Wishes};
 use aero::output;
-use aero::validate::ValidateError;
 use clap::Args;
 
 use super::CommandError;
+use crate::chart::{self, Wishes};
+use crate::compare::CompareError;
 
 /// What `aero chart` takes.
 #[derive(Args, Debug)]
@@ -36,7 +36,7 @@ pub fn chart(args: &ChartArgs) -> Result<(), CommandError> {
         announce: &|line| eprintln!("{line}"),
     };
     let files = chart::chart(&args.cases, wishes).map_err(|error| match error {
-        ValidateError::Unknown { .. } => CommandError::wrong(error),
+        CompareError::Unknown { .. } => CommandError::wrong(error),
         _ => CommandError::failed(error),
     })?;
     for path in files {

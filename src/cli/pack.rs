@@ -3,9 +3,10 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use aero::pack::{PackFile, Packed, pack_mesh, pack_scene};
+use aero::output::write_packing;
+use aero::pack::{AnyPacked, PackFile, pack_mesh, pack_scene};
 use aero::scene::number::Positive;
-use aero::scene::shapes::Unit;
+use aero::scene::shapes::{StlEntry, Unit};
 use aero::scene::{PackWishes, Scene};
 use aero_geometry::Watch;
 use clap::{Args, ValueEnum};
@@ -16,7 +17,7 @@ use super::progress::watched;
 /// What `aero pack` takes.
 #[derive(Args, Debug)]
 pub struct PackArgs {
-    /// STL file, or scene file (TOML) whose bodies are packed
+    /// STL, OBJ or PLY file, packed as .gz or not, or scene file (TOML) whose bodies are packed
     #[arg(value_name = "BODY|SCENE")]
     input: PathBuf,
     /// Spacing of the ghosts, in metres or in the scene's unit; picked unless given
@@ -31,16 +32,25 @@ pub struct PackArgs {
     /// Pack all the same where more than two per cent of the surface would have no ghosts
     #[arg(long)]
     allow_loss: bool,
-    /// Unit of length of the STL file [default: m]
+    /// Unit of length of the body's file [default: m]
     #[arg(long)]
     unit: Option<UnitWord>,
+    /// Close all holes of the body's surface
+    #[arg(long, conflicts_with_all = ["thicken", "wrap"])]
+    fill: bool,
+    /// Make a solid so many metres thick of a sheet: terrain, a sail, panels
+    #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "wrap")]
+    thicken: Option<f64>,
+    /// Lay a closed surface around whatever the file holds, as fine as the spacing
+    #[arg(long)]
+    wrap: bool,
     /// Folder for the results; `out/NAME` unless given
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
 }
 
 /// The report and the files that were written.
-type Made = (PackFile, Vec<PathBuf>);
+type ReportAndFiles = (PackFile, Vec<PathBuf>);
 
 /// A unit of length.
 #[derive(Clone, Copy, Debug, ValueEnum)]
@@ -71,7 +81,7 @@ pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
 }
 
 /// Packs and writes the files; gives their names and the report.
-fn make(args: &PackArgs, watch: Watch) -> Result<Made, CommandError> {
+fn make(args: &PackArgs, watch: Watch) -> Result<ReportAndFiles, CommandError> {
     let wishes = PackWishes {
         spacing: args.spacing,
         layers: args.layers.map(usize::from),
@@ -81,54 +91,49 @@ fn make(args: &PackArgs, watch: Watch) -> Result<Made, CommandError> {
     };
     let path = &args.input;
     let ending = path.extension().unwrap_or_default().to_ascii_lowercase();
-    match ending.to_str() {
-        Some("stl") => {
-            let packed = pack_mesh(path, args.unit.map(Unit::from), &wishes);
-            write(&packed.map_err(CommandError::wrong)?, args, &wishes.watch)
-        }
-        Some("toml") => {
-            if args.unit.is_some() {
-                return Err(CommandError::wrong(
-                    "`--unit` goes with an STL file; a scene says `unit` in the body's shape",
-                ));
-            }
-            let scene = Scene::load(path).map_err(CommandError::wrong)?;
-            match scene.dimension() {
-                2 => scene_bodies::<2>(&scene, args, &wishes),
-                3 => scene_bodies::<3>(&scene, args, &wishes),
-                _ => Err(CommandError::wrong(format!(
-                    "`{}` has dimension 1 and so no bodies to pack",
-                    path.display()
-                ))),
-            }
-        }
-        _ => Err(CommandError::wrong(format!(
-            "`{}` is neither an STL file (.stl) nor a scene (.toml)",
-            path.display()
-        ))),
+    if ending != "toml" {
+        let packed = pack_mesh(&body(args), &wishes);
+        return write(&packed.map_err(CommandError::wrong)?, args, &wishes.watch);
+    }
+    let flags = [
+        ("unit", args.unit.is_some()),
+        ("fill", args.fill),
+        ("thicken", args.thicken.is_some()),
+        ("wrap", args.wrap),
+    ];
+    if let Some((flag, _)) = flags.iter().find(|(_, given)| *given) {
+        return Err(CommandError::wrong(format!(
+            "`--{flag}` goes with a body's file, as an STL; a scene says `{flag}` in the body's shape"
+        )));
+    }
+    let scene = Scene::load(path).map_err(CommandError::wrong)?;
+    let packed = pack_scene(&scene, &wishes);
+    write(&packed.map_err(CommandError::wrong)?, args, &wishes.watch)
+}
+
+/// The body's file as a scene would have it.
+fn body(args: &PackArgs) -> StlEntry {
+    StlEntry {
+        file: args.input.clone(),
+        unit: args.unit.map(Unit::from),
+        fill: Some(args.fill),
+        // Checked when it was read.
+        thicken: args.thicken.and_then(|t| Positive::try_from(t).ok()),
+        wrap: Some(args.wrap),
     }
 }
 
-fn scene_bodies<const D: usize>(
-    scene: &Scene,
-    args: &PackArgs,
-    wishes: &PackWishes,
-) -> Result<Made, CommandError> {
-    let packed = pack_scene::<D>(scene, wishes).map_err(CommandError::wrong)?;
-    write(&packed, args, &wishes.watch)
-}
-
-fn write<const D: usize>(
-    packed: &Packed<D>,
+fn write(
+    packed: &AnyPacked,
     args: &PackArgs,
     watch: &Watch,
-) -> Result<Made, CommandError> {
+) -> Result<ReportAndFiles, CommandError> {
     watch.begin("writing");
     let folder = match &args.out {
         Some(folder) => folder.clone(),
-        None => Path::new("out").join(&packed.name),
+        None => Path::new("out").join(packed.name()),
     };
-    let files = packed.write(&folder).map_err(CommandError::wrong)?;
+    let files = write_packing(packed, &folder).map_err(CommandError::wrong)?;
     Ok((packed.report(), files))
 }
 

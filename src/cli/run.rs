@@ -2,9 +2,10 @@
 
 use std::path::{Path, PathBuf};
 
+use aero::case::AnyCase;
 use aero::output::{CHECKPOINT, Summary};
-use aero::run::{Place, RunError, Stopwatch, run_any};
-use aero::scene::{AnyCase, Scene};
+use aero::run::{Destination, RunError, Stopwatch, run_any};
+use aero::scene::Scene;
 use clap::Args;
 
 use super::interrupt::Interrupt;
@@ -55,44 +56,48 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
         );
     }
     let scene_lines = scene.lines();
-    let place = Place {
+    let destination = Destination {
         folder: &out,
         scene: &scene_lines,
         resume: args.resume,
     };
     on_threads(args.threads, || {
         let case = scene.build_any().map_err(CommandError::wrong)?;
-        run_case(case, place, stopwatch)
+        run_case(case, destination, stopwatch)
     })
 }
 
-fn run_case(case: AnyCase, place: Place<'_>, stopwatch: Stopwatch) -> Result<(), CommandError> {
+fn run_case(
+    case: AnyCase,
+    destination: Destination<'_>,
+    stopwatch: Stopwatch,
+) -> Result<(), CommandError> {
     for line in case.remarks() {
         eprintln!("{line}");
     }
     let interrupt = Interrupt::listen()?;
     let mut display = Display::of_run();
-    let result = run_any(case, place, stopwatch, &mut |progress| {
+    let result = run_any(case, destination, stopwatch, &mut |progress| {
         display.show(progress);
         interrupt.wish()
     });
     display.finish();
-    let folder = place.folder.display();
-    let go_on = if place.folder.join(CHECKPOINT).exists() {
+    let folder = destination.folder.display();
+    let go_on = if destination.folder.join(CHECKPOINT).exists() {
         "; the last checkpoint is kept: go on from it with `--resume`"
     } else {
         ""
     };
     match result {
         Ok(summary) => {
-            print!("{}", lines(&summary, place.folder));
+            print!("{}", lines(&summary, destination.folder));
             if summary.stop_reason != "end time reached" {
                 println!("{}", summary.stop_reason);
             }
             Ok(())
         }
         Err(RunError::Stopped { reason, summary }) => {
-            print!("{}", lines(&summary, place.folder));
+            print!("{}", lines(&summary, destination.folder));
             let go_on = if interrupt.came() { go_on } else { "" };
             Err(CommandError::failed(format!(
                 "the run stopped: {reason}; its last frame and summary are in `{folder}`{go_on}"
@@ -107,13 +112,12 @@ fn run_case(case: AnyCase, place: Place<'_>, stopwatch: Stopwatch) -> Result<(),
 fn lines(summary: &Summary, out: &Path) -> String {
     use std::fmt::Write as _;
     let mut text = String::new();
-    let conservation = summary.conservation;
     // Writing to a string cannot fail.
     let _ = writeln!(
         text,
         "{}: {} steps to t = {:.6e}, {} fluid and {} ghost particles\n\
          {:.1} s on {} threads, {:.1} s of processor time, {:.0} particle updates per processor second\n\
-         {}drift: mass {:.1e}, momentum {:.1e}, energy {:.1e}; leaked {}",
+         {}{}leaked {}",
         summary.case,
         summary.steps,
         summary.end_time,
@@ -124,9 +128,7 @@ fn lines(summary: &Summary, out: &Path) -> String {
         summary.cpu_seconds,
         summary.particle_updates_per_cpu_second,
         memory(summary),
-        conservation.mass,
-        conservation.momentum,
-        conservation.energy,
+        drift(summary),
         summary.leaked,
     );
     for (name, body) in &summary.bodies {
@@ -139,6 +141,16 @@ fn lines(summary: &Summary, out: &Path) -> String {
     }
     let _ = writeln!(text, "results in `{}`", out.display());
     text
+}
+
+/// The drift of what is conserved, where the run went through time.
+fn drift(summary: &Summary) -> String {
+    summary.conservation.map_or(String::new(), |drift| {
+        format!(
+            "drift: mass {:.1e}, momentum {:.1e}, energy {:.1e}; ",
+            drift.mass, drift.momentum, drift.energy
+        )
+    })
 }
 
 /// The line about memory, where that is known.

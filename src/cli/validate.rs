@@ -7,8 +7,8 @@ use clap::Args;
 use aero_validation::table;
 
 use super::CommandError;
+use crate::compare::{CompareError, Context, Level, compare};
 use aero::output;
-use aero::validate::{self, Context, Level, ValidateError};
 
 /// What `aero validate` takes.
 #[derive(Args, Debug)]
@@ -44,8 +44,8 @@ pub fn validate(args: &ValidateArgs) -> Result<(), CommandError> {
         out: &out,
         announce: &|run| eprintln!("running {run}"),
     };
-    let checks = validate::validate(&args.cases, &context).map_err(|error| match error {
-        ValidateError::Unknown { .. } | ValidateError::Scene(_) => CommandError::wrong(error),
+    let checks = compare(&args.cases, &context).map_err(|error| match error {
+        CompareError::Unknown { .. } | CompareError::Scene(_) => CommandError::wrong(error),
         _ => CommandError::failed(error),
     })?;
     print!("{}", table::to_text(&checks));

@@ -6,7 +6,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
-use super::OutputError;
+use super::error::OutputError;
 
 /// Writes the file at `path` through `fill`; a reader never sees half of it.
 pub(super) fn write(

@@ -7,7 +7,7 @@ use std::fmt;
 use std::sync::mpsc::{SyncSender, sync_channel};
 use std::thread::JoinHandle;
 
-use super::OutputError;
+use super::error::OutputError;
 
 /// Something to be written.
 type Job = Box<dyn FnOnce() -> Result<(), OutputError> + Send>;

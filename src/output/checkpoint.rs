@@ -9,13 +9,14 @@ use std::path::{Path, PathBuf};
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::{OutputError, atomic};
+use super::atomic;
+use super::error::OutputError;
 
 /// Name of a checkpoint in the folder of its run.
 pub const CHECKPOINT: &str = "checkpoint";
 
 /// Changes whenever the content does.
-const FORMAT: &str = concat!("aero checkpoint 3, version ", env!("CARGO_PKG_VERSION"));
+const FORMAT: &str = concat!("aero checkpoint 4, version ", env!("CARGO_PKG_VERSION"));
 
 /// Why a checkpoint is of no use.
 #[derive(Debug, thiserror::Error)]
@@ -69,12 +70,23 @@ pub fn read_checkpoint<T: DeserializeOwned>(folder: &Path) -> Result<Option<T>, 
         return Err(if header.starts_with(FORMAT.as_bytes()) {
             damaged()
         } else {
-            fail(format!("it is not a file of this program ({FORMAT})"))
+            fail(foreign(header))
         });
     }
     match postcard::take_from_bytes(content) {
         Ok((content, [])) => Ok(Some(content)),
         _ => Err(damaged()),
+    }
+}
+
+/// What is wrong with a file that begins with another line than those of this program.
+fn foreign(header: &[u8]) -> String {
+    let line = String::from_utf8_lossy(header);
+    match line.trim_end().rsplitn(3, ", ").last() {
+        Some(format) if format.starts_with("aero checkpoint ") => {
+            format!("another version of this program wrote it ({format}; this one writes {FORMAT})")
+        }
+        _ => format!("it is not a file of this program ({FORMAT})"),
     }
 }
 
@@ -141,6 +153,10 @@ mod tests {
             (&flipped[..], "damaged"),
             (&good[..3], "damaged"),
             (&b"# a text\n"[..], "not a file of this program"),
+            (
+                &b"aero checkpoint 3, version 0.1.0, 1 bytes, af63bd4c8601b7df\n\0"[..],
+                "another version of this program wrote it (aero checkpoint 3, version 0.1.0;",
+            ),
         ] {
             std::fs::write(&path, bytes).unwrap();
             let error = read_checkpoint::<Vec<f64>>(folder.path()).unwrap_err();

@@ -5,7 +5,7 @@ use std::path::Path;
 use aero_geometry::Vector;
 use aero_packer::Ghosts;
 
-use super::OutputError;
+use super::error::OutputError;
 use super::vtp::Cloud;
 
 /// Writes what was packed for several bodies, ghosts or conforming fluid, into one file, with the

@@ -5,8 +5,8 @@ use std::fs::File;
 use std::io::{self, BufWriter, Seek, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
-use super::OutputError;
-use crate::frame::{Load, Totals};
+use super::error::OutputError;
+use aero_solver::frame::{Load, Totals};
 
 /// One row.
 #[derive(Clone, Copy, Debug)]

@@ -4,9 +4,12 @@
 mod atomic;
 mod background;
 mod checkpoint;
+mod error;
 mod ghosts;
 mod history;
 mod memory;
+mod packing;
+mod packing_picture;
 mod particles;
 mod pvd;
 mod summary;
@@ -19,34 +22,11 @@ pub use checkpoint::{
     CHECKPOINT, CheckpointError, checkpoint_bytes, read_checkpoint, remove_checkpoint,
     write_checkpoint,
 };
-pub use ghosts::write_ghosts;
+pub use error::{OutputError, make_folder};
 pub use history::{History, HistoryRow};
 pub use memory::peak_memory;
+pub use packing::write_packing;
 pub use particles::write_frame;
 pub use pvd::Collection;
 pub use summary::{BodySummary, Conservation, Particles, Summary};
 pub use surface::write_surface;
-
-use std::path::{Path, PathBuf};
-
-/// A file that could not be written.
-#[derive(Debug, thiserror::Error)]
-#[error("cannot write `{}`: {source}", path.display())]
-pub struct OutputError {
-    path: PathBuf,
-    source: std::io::Error,
-}
-
-impl OutputError {
-    pub(crate) fn new(path: &Path, source: std::io::Error) -> Self {
-        Self {
-            path: path.to_owned(),
-            source,
-        }
-    }
-}
-
-/// Makes the folder for output, and those above it.
-pub fn make_folder(path: &Path) -> Result<(), OutputError> {
-    std::fs::create_dir_all(path).map_err(|source| OutputError::new(path, source))
-}

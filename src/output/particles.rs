@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::OutputError;
+use super::error::OutputError;
 use super::vtp::Cloud;
-use crate::frame::Frame;
+use aero_solver::frame::Frame;
 
 /// Writes a snapshot of all particles, compressed if so wished.
 pub fn write_frame(path: &Path, frame: &Frame, is_compressed: bool) -> Result<(), OutputError> {
@@ -15,6 +15,7 @@ pub fn write_frame(path: &Path, frame: &Frame, is_compressed: bool) -> Result<()
         .scalars("energy", &frame.energy[..])
         .scalars("mach", &frame.mach[..])
         .scalars("smoothing_length", &frame.smoothing_length[..])
+        .scalars("volume", &frame.volume[..])
         .scalars("kind", &frame.kind[..])
         .scalars("id", &frame.id[..])
         .compressed(is_compressed)

@@ -4,7 +4,8 @@ use std::fmt::Write as _;
 use std::io::Write as _;
 use std::path::{Path, PathBuf};
 
-use super::{OutputError, atomic};
+use super::atomic;
+use super::error::OutputError;
 
 /// A collection that grows file by file.
 #[derive(Clone, Debug)]

@@ -10,6 +10,8 @@ use serde::Serialize;
 pub struct Summary {
     /// Name of the scene.
     pub case: String,
+    /// What carried the gas: `with-the-gas` or `fixed`.
+    pub motion: String,
     /// Set of equations.
     pub scheme: String,
     /// How ghosts got their state.
@@ -40,8 +42,8 @@ pub struct Summary {
     pub particle_updates_per_cpu_second: f64,
     /// Mean number of neighbours within the support.
     pub neighbours_mean: f64,
-    /// Drift of the conserved totals.
-    pub conservation: Conservation,
+    /// Drift of the conserved totals; none of a flow that was settled, which went through no time.
+    pub conservation: Option<Conservation>,
     /// Loads by name of the body.
     pub bodies: BTreeMap<String, BodySummary>,
     /// Fluid particles inside a body or behind a wall at the end.

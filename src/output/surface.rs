@@ -2,9 +2,9 @@
 
 use std::path::Path;
 
-use super::OutputError;
+use super::error::OutputError;
 use super::vtp::Cloud;
-use crate::frame::SurfaceFrame;
+use aero_solver::frame::SurfaceFrame;
 
 /// Writes the state on the surfaces.
 pub fn write_surface(path: &Path, surface: &SurfaceFrame) -> Result<(), OutputError> {

@@ -11,7 +11,8 @@ use vtkio::model::{
 };
 use vtkio::xml::Compressor;
 
-use super::{OutputError, atomic};
+use super::atomic;
+use super::error::OutputError;
 
 /// Effort that zlib spends, of 9: more takes longer and hardly saves.
 const LEVEL: u32 = 4;

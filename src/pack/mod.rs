@@ -1,19 +1,18 @@
-//! Packs bodies for their own sake: an STL file, or all bodies of a scene. Writes what came of it;
-//! prints nothing.
+//! Packs bodies for their own sake: a file of triangles, or all bodies of a scene. Writes and prints nothing.
 
-mod picture;
 mod report;
 mod spacing;
 
 pub use report::{BodyReport, PackFile};
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
-use aero_packer::{About, Ghosts, PackOptions, Packing, Warning, thinnest_part};
+use aero_geometry::{Bounds, files};
+use aero_packer::{About, PackOptions, Packing, Warning, thinnest_part};
 
-use crate::output::{self, OutputError};
-use crate::scene::shapes::{ShapeEntry, StlEntry, Unit};
-use crate::scene::{LAYERS, PackWishes, Scene, SceneError};
+use crate::scene::shapes::{StlEntry, Unit, made};
+use crate::scene::{PackWishes, Scene, SceneError};
+use aero_solver::layers;
 
 /// A body longer than this, in metres, whose unit nobody has named is rather one in millimetres.
 const LARGE: f64 = 10.0;
@@ -21,10 +20,10 @@ const LARGE: f64 = 10.0;
 /// A body smaller than this, in metres, was rather not in the unit that was named.
 const SMALL: f64 = 2e-3;
 
-/// Packed bodies and the name that their files carry.
+/// Packed bodies in `D` dimensions, and the name that their files carry.
 #[derive(Clone, Debug)]
 pub struct Packed<const D: usize> {
-    /// Name of the STL file or the scene, without its ending.
+    /// Name of the body's file or the scene, without its ending.
     pub name: String,
     /// Where the spacing comes from.
     pub spacing_reason: String,
@@ -32,31 +31,59 @@ pub struct Packed<const D: usize> {
     pub bodies: Vec<(String, Packing<D>)>,
 }
 
-/// Packs the body in an STL file.
-pub fn pack_mesh(
-    path: &Path,
-    unit: Option<Unit>,
-    wishes: &PackWishes,
-) -> Result<Packed<3>, SceneError> {
-    let name = path.file_stem().unwrap_or_default();
-    let name = name.to_string_lossy().into_owned();
-    let fail = |message: String| SceneError::body(&name, message);
-    let entry = ShapeEntry::Stl(StlEntry {
-        file: path.to_owned(),
-        unit,
-    });
-    let made = entry
-        .make::<3>(None, Path::new(""), false, &wishes.watch)
-        .map_err(fail)?;
-    let bounds = made.shape.bounds();
-    let layers = wishes.layers.unwrap_or(LAYERS);
-    let (spacing, spacing_reason) = match wishes.spacing {
-        Some(spacing) => (spacing, "as asked for".to_owned()),
-        None => {
-            let thin = thinnest_part(made.shape.as_ref(), &bounds);
-            spacing::pick(&bounds, thin, layers)
+/// Packed bodies of a plane or of space.
+#[derive(Clone, Debug)]
+pub enum AnyPacked {
+    /// In a plane.
+    Two(Packed<2>),
+    /// In space.
+    Three(Packed<3>),
+}
+
+impl AnyPacked {
+    /// Name of the body's file or the scene, without its ending.
+    pub fn name(&self) -> &str {
+        match self {
+            Self::Two(packed) => &packed.name,
+            Self::Three(packed) => &packed.name,
         }
+    }
+
+    /// The report of the bodies, one by one and together.
+    pub fn report(&self) -> PackFile {
+        match self {
+            Self::Two(packed) => PackFile::new(&packed.spacing_reason, &packed.bodies),
+            Self::Three(packed) => PackFile::new(&packed.spacing_reason, &packed.bodies),
+        }
+    }
+}
+
+/// Packs the body in a file of triangles.
+pub fn pack_mesh(entry: &StlEntry, wishes: &PackWishes) -> Result<AnyPacked, SceneError> {
+    let name = files::body_name(&entry.file);
+    let fail = |message: String| SceneError::body(&name, message);
+    let soup = entry.read(Path::new(""), &wishes.watch);
+    let soup = soup.map_err(|error| fail(error.to_string()))?;
+    let layers = wishes.layers.unwrap_or(layers::GHOSTS);
+    let spaced = |bounds: &Bounds<3>, thin: &dyn Fn() -> Option<f64>| match wishes.spacing {
+        Some(spacing) => (spacing, "as asked for".to_owned()),
+        None => spacing::pick(bounds, thin(), layers),
     };
+    // A wrap follows the spacing, all else goes before it.
+    let rough = if entry.wraps() {
+        spaced(&files::bounds(&soup), &|| None).0
+    } else {
+        0.0
+    };
+    let solid = entry.solid(&soup, rough, &wishes.watch).map_err(fail)?;
+    drop(soup);
+    let made = made(solid, None).map_err(fail)?;
+    let bounds = made.shape.bounds();
+    let thin = || thinnest_part(made.shape.as_ref(), &bounds);
+    let (mut spacing, spacing_reason) = spaced(&bounds, &thin);
+    if entry.wraps() {
+        spacing = rough;
+    }
     let options = PackOptions {
         layers,
         fluid_layers: wishes.fluid_layers,
@@ -68,12 +95,12 @@ pub fn pack_mesh(
     packing
         .report
         .warnings
-        .extend(odd_size(bounds.size().max(), unit));
-    Ok(Packed {
+        .extend(odd_size(bounds.size().max(), entry.unit));
+    Ok(AnyPacked::Three(Packed {
         name: name.clone(),
         spacing_reason,
         bodies: vec![(name, packing)],
-    })
+    }))
 }
 
 /// A question for whoever named no unit for a house, or one for a grain of sand.
@@ -91,10 +118,21 @@ fn odd_size(size: f64, unit: Option<Unit>) -> Option<Warning> {
 }
 
 /// Packs all bodies of a scene.
-pub fn pack_scene<const D: usize>(
-    scene: &Scene,
-    wishes: &PackWishes,
-) -> Result<Packed<D>, SceneError> {
+///
+/// # Errors
+/// A scene without bodies, and a body that cannot be packed.
+pub fn pack_scene(scene: &Scene, wishes: &PackWishes) -> Result<AnyPacked, SceneError> {
+    match scene.dimension() {
+        2 => bodies(scene, wishes).map(AnyPacked::Two),
+        3 => bodies(scene, wishes).map(AnyPacked::Three),
+        _ => Err(SceneError::value(
+            "dimension",
+            "is 1, where there are no bodies to pack",
+        )),
+    }
+}
+
+fn bodies<const D: usize>(scene: &Scene, wishes: &PackWishes) -> Result<Packed<D>, SceneError> {
     let plans = scene.body_plans::<D>(wishes)?;
     if plans.is_empty() {
         return Err(SceneError::value(
@@ -116,30 +154,4 @@ pub fn pack_scene<const D: usize>(
         spacing_reason: reason.to_owned(),
         bodies,
     })
-}
-
-impl<const D: usize> Packed<D> {
-    /// The report of the bodies, one by one and together.
-    pub fn report(&self) -> PackFile {
-        PackFile::new(&self.spacing_reason, &self.bodies)
-    }
-
-    /// Writes ghosts, conforming fluid if there is any, report and pictures into `folder`; returns
-    /// the files.
-    pub fn write(&self, folder: &Path) -> Result<Vec<PathBuf>, OutputError> {
-        output::make_folder(folder)?;
-        let file = |ending: &str| folder.join(format!("{}-{ending}", self.name));
-        let mut files = vec![file("ghosts.vtp")];
-        let ghosts: Vec<&Ghosts<D>> = self.bodies.iter().map(|(_, p)| &p.ghosts).collect();
-        output::write_ghosts(&files[0], &ghosts)?;
-        let fluid: Vec<&Ghosts<D>> = self.bodies.iter().map(|(_, p)| &p.fluid).collect();
-        if fluid.iter().any(|fluid| !fluid.position.is_empty()) {
-            files.push(file("fluid.vtp"));
-            output::write_ghosts(&files[1], &fluid)?;
-        }
-        files.push(file("pack.json"));
-        output::write_json(&files[files.len() - 1], &self.report())?;
-        files.extend(picture::draw(&self.bodies, &folder.join(&self.name))?);
-        Ok(files)
-    }
 }

@@ -5,19 +5,27 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
-use super::recorder::Written;
 use super::steady::Monitor;
 use super::tally::Sums;
 use crate::output::{self, CheckpointError};
-use crate::solver::Memory;
+use aero_solver::FlowMemory;
 
 /// A run between two steps.
 #[derive(Clone, Debug, Serialize, Deserialize)]
-pub struct Checkpoint<'a, const D: usize> {
-    pub(super) simulation: Memory<'a, D>,
+pub(super) struct Checkpoint<'a, const D: usize> {
+    pub(super) simulation: FlowMemory<'a, D>,
     pub(super) sums: Sums,
     pub(super) pace: Pace,
     pub(super) monitor: Option<Monitor>,
+}
+
+/// What has been written up to a checkpoint.
+#[derive(Clone, Debug, Default, Serialize, Deserialize)]
+pub(super) struct Written {
+    /// Time of each frame.
+    pub(super) times: Vec<f64>,
+    /// Length of the history.
+    pub(super) history: u64,
 }
 
 /// How far the loop over the steps is.

@@ -5,22 +5,21 @@ use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 
-use serde::{Deserialize, Serialize};
+use aero_geometry::Bounds;
 
-use super::Progress;
-use super::checkpoint::Checkpoint;
+use super::checkpoint::{Checkpoint, Written};
+use super::progress::Progress;
 use crate::case::Case;
 use crate::output::{self, Background, Collection, History, HistoryRow, OutputError};
-use crate::solver::{Simulation, wall_sides};
+use aero_solver::{Flow, wall_sides};
 
 /// Sees a run at its frames and steps.
-pub trait Recorder<const D: usize> {
+pub(super) trait Recorder<const D: usize> {
     /// A frame is due: at the start, at every frame time, at the end and after a failure.
-    fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError>;
+    fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError>;
 
     /// A step of length `dt` has been taken; a break asks the run to stop here.
-    fn step(&mut self, simulation: &Simulation<D>, dt: f64)
-    -> Result<ControlFlow<()>, OutputError>;
+    fn step(&mut self, simulation: &Flow<D>, dt: f64) -> Result<ControlFlow<()>, OutputError>;
 
     /// True when the run should be remembered, after a step without a frame; after one with a
     /// frame it always is.
@@ -39,23 +38,15 @@ pub trait Recorder<const D: usize> {
     }
 }
 
-/// What has been written up to a checkpoint.
-#[derive(Clone, Debug, Default, Serialize, Deserialize)]
-pub(super) struct Written {
-    /// Time of each frame.
-    times: Vec<f64>,
-    /// Length of the history.
-    history: u64,
-}
-
 /// Writes frames, surfaces, history and checkpoints into a folder; all but the history while the solver
 /// goes on.
-pub struct FileRecorder<'a> {
+pub(super) struct FileRecorder<'a, const D: usize> {
     folder: PathBuf,
     written: Written,
     particles: Collection,
     surfaces: Option<Collection>,
     background: Background,
+    region: Option<Bounds<D>>,
     is_compressed: bool,
     history: History,
     history_every: u64,
@@ -67,7 +58,7 @@ pub struct FileRecorder<'a> {
     watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
 }
 
-impl fmt::Debug for FileRecorder<'_> {
+impl<const D: usize> fmt::Debug for FileRecorder<'_, D> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.debug_struct("FileRecorder")
             .field("folder", &self.folder)
@@ -76,13 +67,13 @@ impl fmt::Debug for FileRecorder<'_> {
     }
 }
 
-impl<'a> FileRecorder<'a> {
+impl<'a, const D: usize> FileRecorder<'a, D> {
     /// Starts to record `case`, which is what `scene` means, into `folder`, which exists; `watch`
     /// is called after every step.
     ///
     /// # Errors
     /// When the folder takes no files. A checkpoint of an earlier run is gone afterwards.
-    pub fn create<const D: usize>(
+    pub(super) fn create(
         folder: &Path,
         case: &Case<D>,
         scene: &str,
@@ -95,7 +86,7 @@ impl<'a> FileRecorder<'a> {
     }
 
     /// Goes on recording after what has been `written`.
-    pub(super) fn resume<const D: usize>(
+    pub(super) fn resume(
         folder: &Path,
         case: &Case<D>,
         scene: &str,
@@ -115,7 +106,7 @@ impl<'a> FileRecorder<'a> {
         Ok(recorder)
     }
 
-    fn new<const D: usize>(
+    fn new(
         folder: &Path,
         case: &Case<D>,
         scene: &str,
@@ -129,23 +120,24 @@ impl<'a> FileRecorder<'a> {
             particles: Collection::new(folder.join("run.pvd")),
             surfaces: has_surfaces.then(|| Collection::new(folder.join("surface.pvd"))),
             background: Background::default(),
-            is_compressed: case.output.is_compressed,
+            region: case.plan.output.region.clone(),
+            is_compressed: case.plan.output.is_compressed,
             history,
-            history_every: case.output.history_every as u64,
-            checkpoint_every: Duration::from_secs_f64(case.output.checkpoint_seconds),
+            history_every: case.plan.output.history_every as u64,
+            checkpoint_every: Duration::from_secs_f64(case.plan.output.checkpoint_seconds),
             last_checkpoint: Instant::now(),
             scene: scene.to_owned(),
-            end_time: case.end_time,
+            end_time: case.plan.end_time,
             watch,
         }
     }
 }
 
-impl<const D: usize> Recorder<D> for FileRecorder<'_> {
-    fn frame(&mut self, simulation: &Simulation<D>) -> Result<(), OutputError> {
+impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
+    fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError> {
         let number = self.written.times.len();
         let time = simulation.time();
-        let region = simulation.case().output.region.as_ref();
+        let region = self.region.as_ref();
         let frame = region.map_or_else(|| simulation.frame(), |r| simulation.frame_within(r));
         let path = self.folder.join(frame_name(number));
         self.particles.note(time, &frame_name(number));
@@ -169,11 +161,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_> {
         self.history.flush()
     }
 
-    fn step(
-        &mut self,
-        simulation: &Simulation<D>,
-        dt: f64,
-    ) -> Result<ControlFlow<()>, OutputError> {
+    fn step(&mut self, simulation: &Flow<D>, dt: f64) -> Result<ControlFlow<()>, OutputError> {
         self.background.check()?;
         let (step, time) = (simulation.steps(), simulation.time());
         if step.is_multiple_of(self.history_every) {
@@ -224,8 +212,8 @@ fn surface_name(number: usize) -> String {
 
 /// Names of all that carries a load, in the solver's order: bodies, then wall sides.
 fn load_names<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let bodies = case.bodies.iter().map(|body| body.name.clone());
-    let walls = wall_sides(&case.domain).into_iter();
+    let bodies = case.problem.bodies.iter().map(|body| body.name.clone());
+    let walls = wall_sides(&case.problem.domain).into_iter();
     let walls =
         walls.map(|(axis, end)| format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]));
     bodies.chain(walls).collect()

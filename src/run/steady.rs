@@ -7,8 +7,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use crate::case::Case;
-use crate::solver::Simulation;
+use aero_solver::Flow;
+use aero_solver::problem::Problem;
 
 /// Largest change of a mean from window to window, relative to the force on the body, the mass of the
 /// gas, and the diagonal of the domain.
@@ -55,17 +55,21 @@ pub(super) struct Monitor {
 }
 
 impl Monitor {
-    /// Watches runs of `case` from their start.
-    pub(super) fn new<const D: usize>(case: &Case<D>) -> Self {
-        let stream = &case.free_stream;
-        let size = case.domain.bounds.size();
+    /// Watches runs of `problem` from their start.
+    pub(super) fn new<const D: usize>(problem: &Problem<D>) -> Self {
+        let stream = &problem.free_stream;
+        let size = problem.domain.bounds.size();
         let speed = stream.velocity.norm();
         let length = if speed > 0.0 {
             size.dot(&stream.velocity.abs()) / (speed * speed)
         } else {
-            size.max() / (case.gamma * stream.pressure / stream.density).sqrt()
+            size.max() / problem.gas.sound_speed_at(stream.density, stream.pressure)
         };
-        let names: Vec<String> = case.bodies.iter().map(|body| body.name.clone()).collect();
+        let names: Vec<String> = problem
+            .bodies
+            .iter()
+            .map(|body| body.name.clone())
+            .collect();
         Self {
             window: Window::new(0.0, names.len()),
             names,
@@ -81,7 +85,7 @@ impl Monitor {
     /// steady.
     pub(super) fn add<const D: usize>(
         &mut self,
-        simulation: &Simulation<D>,
+        simulation: &Flow<D>,
         dt: f64,
     ) -> Option<(String, Window)> {
         self.window.add(simulation, dt);
@@ -161,6 +165,13 @@ impl Monitor {
 }
 
 impl Window {
+    /// The loads now, for those of a window.
+    pub(super) fn now<const D: usize>(simulation: &Flow<D>, bodies: usize) -> Self {
+        let mut window = Self::new(simulation.time(), bodies);
+        window.add(simulation, 1.0);
+        window
+    }
+
     fn new(from: f64, bodies: usize) -> Self {
         Self {
             from,
@@ -170,7 +181,7 @@ impl Window {
         }
     }
 
-    fn add<const D: usize>(&mut self, simulation: &Simulation<D>, dt: f64) {
+    fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
         self.duration += dt;
         let sums = self.impulse.iter_mut().zip(&mut self.square);
         for ((impulse, square), load) in sums.zip(simulation.loads()) {

@@ -3,18 +3,22 @@
 use aero_geometry::Vector;
 use serde::{Deserialize, Serialize};
 
-use super::Stopwatch;
 use super::steady::Window;
-use crate::case::{Body, Case, Equations, Extrapolation, Precision};
-use crate::frame::{Load, Totals};
+use super::stopwatch::Stopwatch;
+use crate::case::RunPlan;
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
-use crate::solver::Simulation;
+use aero_solver::Flow;
+use aero_solver::frame::{Load, Totals};
+use aero_solver::method::Method;
+use aero_solver::problem::{Body, Problem};
+use aero_solver::scheme::{Extrapolation, Precision};
 
 /// Part of the run, at its end, over which loads are averaged.
 const MEAN_PART: f64 = 0.2;
 
 /// What is summed up over a run.
 pub(super) struct Tally {
+    name: String,
     stopwatch: Stopwatch,
     /// Processor time of this process when its first step began: packing is not part of the speed.
     cpu_before: f64,
@@ -45,28 +49,33 @@ struct Spent {
 
 impl Tally {
     /// Begins with the state at the start.
-    pub(super) fn start<const D: usize>(simulation: &Simulation<D>, stopwatch: Stopwatch) -> Self {
-        let case = simulation.case();
+    pub(super) fn start<const D: usize>(
+        plan: &RunPlan<D>,
+        simulation: &Flow<D>,
+        stopwatch: Stopwatch,
+    ) -> Self {
+        let bodies = &simulation.problem().bodies;
         let sums = Sums {
             start: simulation.totals(),
-            impulse: vec![[0.0; 3]; case.bodies.len()],
-            square: vec![[0.0; 3]; case.bodies.len()],
+            impulse: vec![[0.0; 3]; bodies.len()],
+            square: vec![[0.0; 3]; bodies.len()],
             duration: 0.0,
             spent: Spent::default(),
         };
-        Self::resume(simulation, sums, stopwatch)
+        Self::resume(plan, sums, stopwatch)
     }
 
     /// Goes on from earlier sums.
     pub(super) fn resume<const D: usize>(
-        simulation: &Simulation<D>,
+        plan: &RunPlan<D>,
         sums: Sums,
         stopwatch: Stopwatch,
     ) -> Self {
         Self {
+            name: plan.name.clone(),
             stopwatch,
             cpu_before: stopwatch.cpu_seconds(),
-            mean_from: (1.0 - MEAN_PART) * simulation.case().end_time,
+            mean_from: (1.0 - MEAN_PART) * plan.end_time,
             sums,
         }
     }
@@ -89,7 +98,7 @@ impl Tally {
     }
 
     /// Adds a step of length `dt`.
-    pub(super) fn add<const D: usize>(&mut self, simulation: &Simulation<D>, dt: f64) {
+    pub(super) fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
         if simulation.time() < self.mean_from {
             return;
         }
@@ -114,38 +123,44 @@ impl Tally {
     /// The summary as of now.
     pub(super) fn summary<const D: usize>(
         &self,
-        simulation: &Simulation<D>,
+        simulation: &Flow<D>,
         stop_reason: &str,
     ) -> Summary {
-        let case = simulation.case();
+        let problem = simulation.problem();
         // What the summary itself costs is no part of the speed.
         let spent = self.spent();
         let statistics = simulation.statistics();
         let stepping = spent.stepping.max(f64::MIN_POSITIVE);
         let loads = simulation.loads();
-        let bodies = case.bodies.iter().enumerate().map(|(number, body)| {
+        let bodies = problem.bodies.iter().enumerate().map(|(number, body)| {
             let load = loads.get(number).copied().unwrap_or_default();
-            (body.name.clone(), self.body(case, number, body, &load))
+            (body.name.clone(), self.body(problem, number, body, &load))
         });
         Summary {
-            case: case.name.clone(),
-            scheme: match case.scheme.equations {
-                Equations::Paper => "paper",
-                Equations::Conservative => "conservative",
+            case: self.name.clone(),
+            motion: match problem.method {
+                Method::WithTheGas => "with-the-gas",
+                Method::Fixed(_) => "fixed",
             }
             .into(),
-            extrapolation: match case.scheme.extrapolation {
-                Extrapolation::Wom => "wom",
-                Extrapolation::Wm => "wm",
+            scheme: match problem.method {
+                Method::WithTheGas => problem.scheme.name,
+                Method::Fixed(_) => "muscl-hllc",
             }
             .into(),
-            precision: match case.scheme.precision {
+            extrapolation: match (problem.method, problem.scheme.wall.extrapolation) {
+                (Method::Fixed(_), _) => "none",
+                (_, Extrapolation::Wom) => "wom",
+                (_, Extrapolation::Wm) => "wm",
+            }
+            .into(),
+            precision: match problem.scheme.precision {
                 Precision::Double => "double",
                 Precision::Mixed => "mixed",
             }
             .into(),
             dimension: D,
-            spacing: case.spacing,
+            spacing: problem.spacing,
             particles: Particles {
                 fluid: statistics.fluid,
                 ghost: statistics.ghost,
@@ -159,19 +174,20 @@ impl Tally {
             threads: rayon::current_num_threads(),
             particle_updates_per_cpu_second: statistics.particle_updates as f64 / stepping,
             neighbours_mean: statistics.neighbours_mean,
-            conservation: drift(&self.sums.start, &simulation.totals(), &simulation.inflow()),
+            conservation: (simulation.time() > 0.0)
+                .then(|| drift(&self.sums.start, &simulation.totals(), &simulation.inflow())),
             bodies: bodies.collect(),
             leaked: statistics.leaked,
             mirror_fallbacks: statistics.mirror_fallbacks,
             min_density: statistics.min_density,
             min_energy: statistics.min_energy,
-            warnings: case.warnings(),
+            warnings: crate::case::warnings(&problem.bodies),
         }
     }
 
     fn body<const D: usize>(
         &self,
-        case: &Case<D>,
+        problem: &Problem<D>,
         number: usize,
         body: &Body<D>,
         load: &Load,
@@ -186,7 +202,7 @@ impl Tally {
             // The difference of two large numbers may round to below zero.
             (square - force_mean[k] * force_mean[k]).max(0.0).sqrt()
         });
-        let stream = &case.free_stream;
+        let stream = &problem.free_stream;
         let scale = 0.5 * stream.density * stream.velocity.norm_squared() * body.reference_area;
         let axes = stream_axes(&stream.velocity).filter(|_| scale > 0.0);
         let along = |axis: usize, force: &[f64; 3]| {

@@ -1,7 +1,7 @@
 //! What a scene with an axis must satisfy: the flow is the same all around it.
 
 use super::error::SceneError;
-use crate::case::{Domain, Motion, Side, State};
+use aero_solver::problem::{Domain, Motion, Side, State};
 
 /// Refuses an axis that is no `r = 0`, and a stream or side that is not the same all around it.
 pub(super) fn check<const D: usize>(
@@ -9,7 +9,7 @@ pub(super) fn check<const D: usize>(
     free_stream: &State<D>,
 ) -> Result<(), SceneError> {
     let fail = |place: &str, message: &str| Err(SceneError::value(place, message));
-    for (k, name) in super::domain::AXES.into_iter().enumerate().take(D) {
+    for (k, name) in super::vector::AXES.into_iter().enumerate().take(D) {
         for (end, word) in ["min", "max"].into_iter().enumerate() {
             if domain.sides[k][end] == Side::Axis && (D, k, end) != (2, 1, 0) {
                 return fail(

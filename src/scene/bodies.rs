@@ -9,21 +9,19 @@ use aero_packer::{PackOptions, Packing};
 use super::axis;
 use super::budget;
 use super::cover::check_covered_sides;
-use super::domain::{AXES, BUFFER, ghost_region, number};
+use super::domain::{BUFFER, ghost_region, number};
 use super::error::SceneError;
 use super::file::{BodyEntry, SceneFile};
-use super::flow::vector;
 use super::motion::motion;
 use super::number::Positive;
 use super::packed;
 use super::reference::{frontal_area, modelled_part};
-use super::shapes::Made;
+use super::shapes::{Made, Making};
 use super::side::WallWord;
-use crate::case::{Body, Domain, State};
-
-/// Ghost layers, as deep as the flow's spacing each: five cover the support of the kernel
-/// [Villodi & Ramachandran 2024, section 4].
-pub(crate) const LAYERS: usize = 5;
+use super::vector::{AXES, vector};
+use aero_solver::layers::GHOSTS;
+use aero_solver::method::Method;
+use aero_solver::problem::{Body, Domain, State};
 
 /// So many times finer than the flow's may a body's own spacing be. The gas feels ghosts through kernels of
 /// its own size, so half is usual [Villodi & Ramachandran 2024, section 4.7] and more only serves corners and
@@ -52,7 +50,7 @@ pub struct PackWishes {
 pub struct BodyPlan<const D: usize> {
     /// Its entry in the scene.
     entry: BodyEntry,
-    pub(super) made: Made<D>,
+    made: Made<D>,
     options: PackOptions<D>,
 }
 
@@ -86,9 +84,16 @@ pub(super) fn plans<const D: usize>(
                 ));
             }
             check_spacing(entry, file, wishes)?;
+            let own = entry.spacing.unwrap_or(file.spacing).get();
+            let making = Making {
+                folder,
+                axisymmetric: domain.is_axisymmetric(),
+                spacing: wishes.spacing.unwrap_or(own),
+                watch: &wishes.watch,
+            };
             let made = entry
                 .shape
-                .make::<D>(entry.place.as_ref(), folder, domain.is_axisymmetric(), &wishes.watch)
+                .make::<D>(entry.place.as_ref(), &making)
                 .map_err(|message| SceneError::body(name, message))?;
             check_inside(name, &made.shape.bounds(), domain)?;
             Ok(BodyPlan {
@@ -98,7 +103,8 @@ pub(super) fn plans<const D: usize>(
             })
         })
         .collect::<Result<Vec<_>, _>>()?;
-    check_covered_sides(domain, &plans, file.spacing.get())?;
+    let surfaces: Vec<_> = plans.iter().map(|plan| plan.made.shape.as_ref()).collect();
+    check_covered_sides(domain, &surfaces, file.spacing.get())?;
     Ok(plans)
 }
 
@@ -130,11 +136,11 @@ fn options<const D: usize>(
     }
 }
 
-/// Number of layers at `spacing` that are as deep as [`LAYERS`] of the flow's.
+/// Number of layers at `spacing` that are as deep as [`GHOSTS`] of the flow's.
 fn covering_layers(spacing: f64, flow: f64) -> usize {
     let finer = (flow / spacing).max(1.0);
     // Ratios such as 0.3 / 0.1 are whole numbers but for round-off.
-    (LAYERS as f64 * finer - 1e-6).ceil() as usize
+    (GHOSTS as f64 * finer - 1e-6).ceil() as usize
 }
 
 /// Ghosts must close the wall for particles as large as the flow's, without many layers that none of them
@@ -163,7 +169,7 @@ fn check_spacing(
     if packed * FINEST * (1.0 + 1e-9) < flow && wishes.layers.is_none() {
         return wrong(format!(
             "is {}, {} times as fine as the scene's {}, and {} layers of ghosts would lie where the \
-             gas feels {LAYERS}; set at least {}, or refine the scene's as well",
+             gas feels {GHOSTS}; set at least {}, or refine the scene's as well",
             number(packed),
             number(flow / packed),
             number(flow),
@@ -229,8 +235,13 @@ impl<const D: usize> BodyPlan<D> {
         self,
         domain: &Domain<D>,
         free_stream: &State<D>,
+        method: Method,
     ) -> Result<Body<D>, SceneError> {
-        let packing = self.pack()?;
+        // Points that stay ask the shape itself: nobody feels ghosts.
+        let packing = match method {
+            Method::WithTheGas => self.pack()?,
+            Method::Fixed(_) => Packing::default(),
+        };
         let entry = &self.entry;
         let name = self.name();
         let part = modelled_part(&self.made.shape.bounds(), domain);

@@ -1,16 +1,15 @@
 //! Sides that a body is to close: is there one everywhere?
 
-use aero_geometry::Vector;
+use aero_geometry::{Shape, Vector};
 
-use super::bodies::BodyPlan;
-use super::domain::AXES;
 use super::error::SceneError;
-use crate::case::{Domain, Side};
+use super::vector::AXES;
+use aero_solver::problem::{Domain, Side};
 
 /// A side that is to be closed by a body must be inside one everywhere, or gas would leave there.
 pub(super) fn check_covered_sides<const D: usize>(
     domain: &Domain<D>,
-    plans: &[BodyPlan<D>],
+    surfaces: &[&dyn Shape<D>],
     spacing: f64,
 ) -> Result<(), SceneError> {
     for k in 0..D {
@@ -18,7 +17,7 @@ pub(super) fn check_covered_sides<const D: usize>(
             if domain.sides[k][end] != Side::Body {
                 continue;
             }
-            let open = open_point(domain, plans, spacing, [k, end]);
+            let open = open_point(domain, surfaces, spacing, [k, end]);
             if let Some(point) = open {
                 let word = ["min", "max"][end];
                 return Err(SceneError::value(
@@ -37,7 +36,7 @@ pub(super) fn check_covered_sides<const D: usize>(
 /// A point of one side, half a spacing outside of all bodies or farther; none if there is none.
 fn open_point<const D: usize>(
     domain: &Domain<D>,
-    plans: &[BodyPlan<D>],
+    surfaces: &[&dyn Shape<D>],
     spacing: f64,
     [axis, end]: [usize; 2],
 ) -> Option<Vector<D>> {
@@ -58,9 +57,9 @@ fn open_point<const D: usize>(
             point[k] = bounds.min[k] + bounds.size()[k] * part / counts[k] as f64;
         }
         point[axis] = if end == 0 { bounds.min } else { bounds.max }[axis];
-        let covered = plans
+        let covered = surfaces
             .iter()
-            .any(|plan| plan.made.shape.signed_distance(&point) <= 0.5 * spacing);
+            .any(|surface| surface.signed_distance(&point) <= 0.5 * spacing);
         (!covered).then_some(point)
     })
 }

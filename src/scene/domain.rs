@@ -4,18 +4,16 @@ use aero_geometry::{Bounds, Vector};
 
 use super::error::SceneError;
 use super::file::{SceneFile, SidesEntry};
-use super::flow::vector;
-use crate::case::{Domain, Side};
-
-/// Letters of the axes.
-pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
+use super::vector::{AXES, vector};
+use aero_solver::layers;
+use aero_solver::problem::{Domain, Side};
 
 /// Support radius of the kernel in spacings: three smoothing lengths of one and a half spacings
 /// (Villodi & Ramachandran, section 4).
 pub(super) const SUPPORT: f64 = 4.5;
 
-/// Depth of open boundaries' buffers in spacings: the support rounded up, and one to drift in.
-pub(super) const BUFFER: f64 = 6.0;
+/// Depth of open boundaries' buffers in spacings.
+pub(super) const BUFFER: f64 = layers::BUFFER as f64;
 
 /// How far an edge may be from a whole number of spacings, in spacings: round-off of decimal
 /// fractions, not more.
@@ -36,18 +34,24 @@ pub(super) fn domain<const D: usize>(file: &SceneFile) -> Result<Domain<D>, Scen
 
 /// The box that particles of the gas may lie in: the domain with its open boundaries' buffers.
 pub(super) fn region<const D: usize>(domain: &Domain<D>, spacing: f64) -> Bounds<D> {
-    grown(domain, |side| match side {
-        Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir => BUFFER * spacing,
-        Side::Body | Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } => 0.0,
+    grown(domain, |side| {
+        if side.is_open() {
+            BUFFER * spacing
+        } else {
+            0.0
+        }
     })
 }
 
 /// The box that ghosts may lie in: grown by `margin` past sides that are open or closed by a
 /// body; not grown where a mirror, an image or a wall's own ghosts take over.
 pub(super) fn ghost_region<const D: usize>(domain: &Domain<D>, margin: f64) -> Bounds<D> {
-    grown(domain, |side| match side {
-        Side::Inlet | Side::Outlet | Side::FreeStream | Side::Reservoir | Side::Body => margin,
-        Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } => 0.0,
+    grown(domain, |side| {
+        if side.is_open() || side == Side::Body {
+            margin
+        } else {
+            0.0
+        }
     })
 }
 

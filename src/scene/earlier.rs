@@ -9,8 +9,8 @@ use aero_geometry::{Pencils, Vector};
 use vtkio::model::{Attribute, DataSet, Piece, PolyDataPiece, Vtk};
 
 use super::error::SceneError;
-use crate::case::{Field, Initial, State};
-use crate::frame::Kind;
+use aero_solver::frame::Kind;
+use aero_solver::problem::{Field, Initial, State};
 
 /// Key in the file.
 const PLACE: &str = "initial.frame";

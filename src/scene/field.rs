@@ -7,7 +7,7 @@ use aero_geometry::Vector;
 use super::error::SceneError;
 use super::file::FieldEntry;
 use super::formula::{Formula, Place};
-use crate::case::{Domain, Field, Initial, State};
+use aero_solver::problem::{Domain, Field, Initial, State};
 
 /// The field of `entry`, with the free stream where it says nothing.
 pub(super) fn initial<const D: usize>(

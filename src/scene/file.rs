@@ -9,10 +9,13 @@ use super::formula::Formula;
 use super::number::{
     Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
 };
-use super::shapes::ShapeEntry;
+use super::refine::RefineEntry;
+use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::{SideEntry, WallWord};
-use super::spin::{Rotation, Spin};
-use crate::case::{Equations, Extrapolation, Precision, Stop};
+use super::spin::Spin;
+use crate::case::Stop;
+use aero_solver::method::Time;
+use aero_solver::scheme::{Extrapolation, Precision, Scheme};
 
 /// A whole scene.
 #[derive(Clone, Debug, Deserialize)]
@@ -26,7 +29,7 @@ pub struct SceneFile {
     pub spacing: Positive,
     /// Time at which the run ends.
     pub end_time: Positive,
-    /// `end-time` unless given.
+    /// When the run ends: at its end time, or as soon as forces and shocks have settled; `end-time` unless given.
     pub stop: Option<StopWord>,
     /// The gas.
     #[serde(default)]
@@ -61,28 +64,63 @@ pub struct GasEntry {
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SchemeEntry {
-    /// `conservative` unless given.
-    pub equations: Option<EquationsWord>,
-    /// `wom` unless given.
+    /// Set of equations: the project's own, or the published one; `conservative` unless given.
+    pub equations: Option<SchemeName>,
+    /// How ghosts get their state: by a sum where they are, or by a first-order one at their mirror points; `wom` unless given.
     pub extrapolation: Option<ExtrapolationWord>,
-    /// Off unless given.
+    /// Bends the path of what heads for a ghost nearer than its own spacing; off unless given.
     pub shield: Option<bool>,
-    /// Off unless given.
+    /// Particles drift towards even spacing, at 5 to 25 per cent more time; off unless given.
     pub shifting: Option<bool>,
-    /// On unless given.
+    /// Off only to see particles leak; on unless given.
     pub constant_ghost_volume: Option<bool>,
-    /// On unless given; of the conservative scheme.
+    /// Smooth flow is spared the artificial viscosity; on unless given, of the conservative scheme alone.
     pub limited_viscosity: Option<bool>,
-    /// On unless given; of the conservative scheme.
+    /// Smooth and linear energy is spared the artificial conduction; on unless given, of the conservative scheme alone.
     pub limited_conduction: Option<bool>,
-    /// On unless given.
+    /// The two sides of a thin part do not feel each other; on unless given.
     pub surface_tags: Option<bool>,
-    /// Moves the undisturbed free stream on without pair sums.
+    /// The undisturbed free stream moves on without pair sums; on unless given.
     pub skip_undisturbed: Option<bool>,
-    /// `double` unless given.
+    /// Numbers in which pairs are computed; `double` unless given.
     pub precision: Option<PrecisionWord>,
-    /// 0.5 unless given.
+    /// Courant number; 0.5 unless given, 0.8 for fixed points.
     pub cfl: Option<Courant>,
+    /// What carries the gas: particles that move with it, or points that stay; `with-the-gas` unless given.
+    pub motion: Option<MotionWord>,
+    /// Whether the way to the end matters; `accurate` unless given, `settle` with `stop = "steady"`; of fixed points alone.
+    pub time: Option<TimeWord>,
+    /// Halvings of the spacing where the flow asks for them, or `{ points = N }`; none unless given, of fixed points alone.
+    pub refine: Option<RefineEntry>,
+}
+
+/// What carries the gas, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum MotionWord {
+    /// Particles that move with it.
+    WithTheGas,
+    /// Points that stay where they are.
+    Fixed,
+}
+
+/// Whether the way to the end matters, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum TimeWord {
+    /// It does.
+    Accurate,
+    /// Only the steady flow is wanted.
+    Settle,
+}
+
+impl From<TimeWord> for Time {
+    fn from(word: TimeWord) -> Self {
+        match word {
+            TimeWord::Accurate => Self::Accurate,
+            TimeWord::Settle => Self::Settle,
+        }
+    }
 }
 
 /// When a run ends, as a scene spells it.
@@ -123,22 +161,30 @@ impl From<PrecisionWord> for Precision {
     }
 }
 
-/// Set of equations, as a scene spells it.
+/// The name of a scheme, as a scene spells it.
 #[derive(Clone, Copy, Debug, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum EquationsWord {
-    /// The conservative successor.
-    Conservative,
-    /// The published scheme.
-    Paper,
+#[serde(try_from = "String")]
+pub struct SchemeName(Scheme);
+
+impl SchemeName {
+    /// The scheme of that name.
+    pub fn scheme(self) -> Scheme {
+        self.0
+    }
 }
 
-impl From<EquationsWord> for Equations {
-    fn from(word: EquationsWord) -> Self {
-        match word {
-            EquationsWord::Conservative => Self::Conservative,
-            EquationsWord::Paper => Self::Paper,
-        }
+impl TryFrom<String> for SchemeName {
+    type Error = String;
+
+    fn try_from(name: String) -> Result<Self, String> {
+        let named = Scheme::named(&name);
+        named.map(Self).ok_or_else(|| {
+            let names = Scheme::NAMED.map(|scheme| format!("`{}`", scheme.name));
+            format!(
+                "`{name}` is no set of equations; there are {}",
+                names.join(" and ")
+            )
+        })
     }
 }
 
@@ -166,9 +212,9 @@ impl From<ExtrapolationWord> for Extrapolation {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FreeStreamEntry {
-    /// Pressure.
+    /// Pressure; Pa with a temperature.
     pub pressure: Positive,
-    /// Density.
+    /// Density, in place of a temperature.
     pub density: Option<Positive>,
     /// Temperature in kelvin, in place of the density.
     pub temperature: Option<Positive>,
@@ -176,9 +222,9 @@ pub struct FreeStreamEntry {
     pub gas_constant: Option<Positive>,
     /// Mach number.
     pub mach: Option<NonNegative>,
-    /// Speed.
+    /// Speed, in place of a Mach number; m/s with a temperature.
     pub speed: Option<NonNegative>,
-    /// Velocity.
+    /// Velocity, in place of a Mach number and a direction.
     pub velocity: Option<Vec<Finite>>,
     /// Direction, with a Mach number or a speed; along the first axis unless given.
     pub direction: Option<Vec<Finite>>,
@@ -276,9 +322,9 @@ pub struct BodyEntry {
     pub name: Name,
     /// Its surface.
     pub shape: ShapeEntry,
-    /// `slip` unless given.
+    /// Whether the gas slides along it; `slip` unless given.
     pub wall: Option<WallWord>,
-    /// Ghost spacing; that of the scene unless given.
+    /// Ghost spacing, from an eighth of the scene's to one and a half times; the scene's unless given.
     pub spacing: Option<Positive>,
     /// Fly it all the same where more than two per cent of its surface have no ghosts; off unless given.
     pub allow_loss: Option<bool>,
@@ -294,18 +340,6 @@ pub struct BodyEntry {
     pub reference_length: Option<Positive>,
     /// Point of the moments.
     pub moment_centre: Option<Vec<Finite>>,
-}
-
-/// `place`: scaled about the origin, then turned about it, then shifted.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct PlaceEntry {
-    /// Factor on all lengths.
-    pub scale: Option<Positive>,
-    /// Turn: degrees in 2D, axis and degrees in 3D.
-    pub rotate: Option<Rotation>,
-    /// Shift.
-    pub translate: Option<Vec<Finite>>,
 }
 
 /// `motion`

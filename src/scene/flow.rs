@@ -4,12 +4,12 @@ use std::path::Path;
 
 use aero_geometry::Vector;
 
-use super::domain::AXES;
 use super::error::SceneError;
 use super::file::{FreeStreamEntry, SceneFile, StateEntry};
-use super::number::{Finite, Gamma, Positive};
+use super::number::{Gamma, Positive};
+use super::vector::{AXES, vector, vector_or_zero};
 use super::{earlier, field};
-use crate::case::{Domain, Initial, Side, State};
+use aero_solver::problem::{Domain, Initial, Side, State};
 
 /// Specific gas constant of dry air, J/(kg K) (R* / M = 8.31446 / 0.0289652; Picard et al. 2008,
 /// Metrologia 45, 149, doi 10.1088/0026-1394/45/2/004).
@@ -32,11 +32,7 @@ pub(super) fn free_stream<const D: usize>(
     if let Some(entry) = &file.free_stream {
         return stream_state(entry, gamma(file));
     }
-    let needs_one = domain
-        .sides
-        .iter()
-        .flatten()
-        .any(|side| matches!(side, Side::Inlet | Side::FreeStream | Side::Reservoir));
+    let needs_one = domain.has(Side::lets_in);
     match (&file.initial.riemann, &file.initial.field) {
         (Some(riemann), _) if !needs_one => state("initial.riemann.left", &riemann.left),
         (None, Some(entry)) if !needs_one => field::reference(entry, domain, file.spacing.get()),
@@ -80,8 +76,7 @@ pub(super) fn check_reservoir<const D: usize>(
     free_stream: &State<D>,
     gamma: f64,
 ) -> Result<(), SceneError> {
-    let enters = |side: Side| matches!(side, Side::Inlet | Side::FreeStream | Side::Reservoir);
-    let entrances = domain.sides.iter().flatten().filter(|side| enters(**side));
+    let entrances = domain.sides.iter().flatten().filter(|side| side.lets_in());
     let entrances = entrances.count();
     for k in 0..D {
         for (end, inward) in [(0, 1.0), (1, -1.0)] {
@@ -150,29 +145,6 @@ pub(super) fn initial<const D: usize>(
         position,
         smooth: riemann.smooth.unwrap_or(false),
     })
-}
-
-/// A vector of the scene's dimension.
-pub(super) fn vector<const D: usize>(
-    place: &str,
-    numbers: &[Finite],
-) -> Result<Vector<D>, SceneError> {
-    if numbers.len() == D {
-        return Ok(Vector::<D>::from_fn(|k, _| numbers[k].get()));
-    }
-    let given = numbers.len();
-    Err(SceneError::value(
-        place,
-        format!("holds {given} numbers, but the scene has dimension {D}; give {D}"),
-    ))
-}
-
-/// As [`vector`], zero where the key is absent.
-pub(super) fn vector_or_zero<const D: usize>(
-    place: &str,
-    numbers: Option<&Vec<Finite>>,
-) -> Result<Vector<D>, SceneError> {
-    numbers.map_or(Ok(Vector::zeros()), |numbers| vector(place, numbers))
 }
 
 fn state<const D: usize>(place: &str, entry: &StateEntry) -> Result<State<D>, SceneError> {

@@ -1,7 +1,7 @@
 //! Formulas of position for the gas at the start: `1 + 0.2 * sin(5 * x)`.
 //!
 //! Knows `x`, `y`, `z`, `r` (distance from the origin), `dx` (the scene's spacing), `pi`, the
-//! operators `+ - * / ^`, comparisons (1 where they hold, else 0) and the functions of [`parse`].
+//! operators `+ - * / ^`, comparisons (1 where they hold, else 0) and the functions that `parse.rs` lists.
 
 mod parse;
 

@@ -32,7 +32,7 @@
 //! let mut scene = Scene::parse(text, "ramp", ".".as_ref())?;
 //! scene.set("body.ramp.shape.compression_corner.angle=15")?;
 //! let case = scene.build::<2>()?;
-//! assert_eq!(case.bodies[0].name, "ramp");
+//! assert_eq!(case.problem.bodies[0].name, "ramp");
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
@@ -48,25 +48,30 @@ pub mod file;
 mod flow;
 pub mod formula;
 mod lines;
+mod method;
 mod motion;
 pub mod number;
 mod output;
 mod overrides;
 mod packed;
 mod reference;
+mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
+mod vector;
 
-pub(crate) use bodies::LAYERS;
 pub use bodies::{BodyPlan, PackWishes};
 pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
 
-use crate::case::{Case, Scheme, Stop};
-use file::{SceneFile, SchemeEntry};
-use number::{Courant, Disorder};
+use crate::case::{AnyCase, Case, RunPlan, Stop};
+use aero_solver::gas::Gas;
+use aero_solver::problem::Problem;
+use aero_solver::scheme::Scheme;
+use file::{SceneFile, SchemeEntry, SchemeName};
+use number::Disorder;
 
 /// A scene: read, with all single values in range, and open to overrides.
 #[derive(Clone, Debug)]
@@ -75,41 +80,6 @@ pub struct Scene {
     folder: PathBuf,
     text: String,
     file: SceneFile,
-}
-
-/// A case of any dimension.
-#[derive(Clone, Debug)]
-pub enum AnyCase {
-    /// A line.
-    One(Box<Case<1>>),
-    /// A plane.
-    Two(Box<Case<2>>),
-    /// Space.
-    Three(Box<Case<3>>),
-}
-
-impl AnyCase {
-    /// What was repaired in the bodies' meshes, and what the user should know about their packing,
-    /// one line each.
-    pub fn remarks(&self) -> Vec<String> {
-        match self {
-            Self::One(case) => remarks(case),
-            Self::Two(case) => remarks(case),
-            Self::Three(case) => remarks(case),
-        }
-    }
-}
-
-fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let repaired = |body: &crate::case::Body<D>| {
-        let remark = |line: &String| format!("body `{}`: {line}", body.name);
-        body.report.repairs.iter().map(remark).collect::<Vec<_>>()
-    };
-    let repairs = case.bodies.iter().flat_map(repaired);
-    let warnings = case.warnings().into_iter();
-    repairs
-        .chain(warnings.map(|warning| format!("warning: {warning}")))
-        .collect()
 }
 
 impl Scene {
@@ -201,26 +171,34 @@ impl Scene {
         axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
         let output = output::plan(&file.output, file.end_time.get())?;
+        let stop = file.stop.map_or(Stop::EndTime, Into::into);
+        let method = method::method(&file.scheme, stop)?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
         let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;
         let bodies = plans
             .into_iter()
-            .map(|plan| plan.body(&domain, &free_stream))
+            .map(|plan| plan.body(&domain, &free_stream, method))
             .collect::<Result<Vec<_>, _>>()?;
         packed::check(&bodies, &domain, spacing)?;
-        Ok(Case {
-            name: self.name.clone(),
+        let problem = Problem {
             spacing,
-            end_time: file.end_time.get(),
-            stop: file.stop.map_or(Stop::EndTime, Into::into),
-            gamma: flow::gamma(file),
+            gas: Gas::ideal(flow::gamma(file)),
+            method,
             scheme: scheme(file.scheme),
             domain,
             free_stream,
             initial,
             disorder: file.initial.disorder.map_or(0.0, Disorder::get),
             bodies,
-            output,
+        };
+        Ok(Case {
+            problem,
+            plan: RunPlan {
+                name: self.name.clone(),
+                end_time: file.end_time.get(),
+                stop,
+                output,
+            },
         })
     }
 
@@ -247,20 +225,36 @@ impl Scene {
 }
 
 fn scheme(entry: SchemeEntry) -> Scheme {
-    let usual = Scheme::default();
-    Scheme {
-        equations: entry.equations.map_or(usual.equations, Into::into),
-        extrapolation: entry.extrapolation.map_or(usual.extrapolation, Into::into),
-        shield: entry.shield.unwrap_or(usual.shield),
-        shifting: entry.shifting.unwrap_or(usual.shifting),
-        constant_ghost_volume: entry
-            .constant_ghost_volume
-            .unwrap_or(usual.constant_ghost_volume),
-        limited_viscosity: entry.limited_viscosity.unwrap_or(usual.limited_viscosity),
-        limited_conduction: entry.limited_conduction.unwrap_or(usual.limited_conduction),
-        surface_tags: entry.surface_tags.unwrap_or(usual.surface_tags),
-        skip_undisturbed: entry.skip_undisturbed.unwrap_or(usual.skip_undisturbed),
-        precision: entry.precision.map_or(usual.precision, Into::into),
-        cfl: entry.cfl.map_or(usual.cfl, Courant::get),
+    let mut scheme = entry
+        .equations
+        .map_or_else(Scheme::default, SchemeName::scheme);
+    if let Some(word) = entry.extrapolation {
+        scheme.wall.extrapolation = word.into();
     }
+    if let Some(word) = entry.precision {
+        scheme.precision = word.into();
+    }
+    if let Some(limits) = entry.limited_viscosity {
+        scheme.limit_viscosity(limits);
+    }
+    if let Some(limits) = entry.limited_conduction {
+        scheme.limit_conduction(limits);
+    }
+    if let Some(cfl) = entry.cfl {
+        scheme.cfl = cfl.get();
+    }
+    let switches = [
+        (&mut scheme.shield, entry.shield),
+        (&mut scheme.shifting, entry.shifting),
+        (
+            &mut scheme.wall.constant_volume,
+            entry.constant_ghost_volume,
+        ),
+        (&mut scheme.surface_tags, entry.surface_tags),
+        (&mut scheme.skip_undisturbed, entry.skip_undisturbed),
+    ];
+    for (switch, wanted) in switches {
+        *switch = wanted.unwrap_or(*switch);
+    }
+    scheme
 }

@@ -5,10 +5,10 @@ use nalgebra::Vector3;
 
 use super::error::SceneError;
 use super::file::MotionEntry;
-use super::flow::{vector, vector_or_zero};
 use super::number::Finite;
 use super::spin::{Rate, Spin, TableEntry};
-use crate::case::{Motion, Turning};
+use super::vector::{vector, vector_or_zero};
+use aero_solver::problem::{Motion, Turning};
 
 /// Motion of body `name`, which turns about its moment centre where the scene names no pivot.
 pub(super) fn motion<const D: usize>(

@@ -34,7 +34,7 @@ macro_rules! ranged {
 }
 
 ranged!(
-    /// Any number but infinity and NaN.
+    /// A finite number.
     Finite, |_| true, "a finite number"
 );
 ranged!(

@@ -2,11 +2,11 @@
 
 use aero_geometry::Bounds;
 
-use super::domain::AXES;
 use super::error::SceneError;
 use super::file::{OutputEntry, RegionEntry};
-use super::flow::vector;
 use super::number::Count;
+use super::vector::AXES;
+use super::vector::vector;
 use crate::case::OutputPlan;
 
 /// What a run of that length writes.

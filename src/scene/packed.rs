@@ -3,9 +3,9 @@
 use aero_geometry::Vector;
 use aero_packer::Packing;
 
-use super::domain::AXES;
 use super::error::SceneError;
-use crate::case::{Body, Domain, PackedFluid, Side};
+use super::vector::AXES;
+use aero_solver::problem::{Body, Domain, PackedFluid, Side};
 
 /// Conforming layers around a body that asks for packed fluid; the packer leads over from there
 /// into the lattice.

@@ -2,7 +2,7 @@
 
 use aero_geometry::{Bounds, Vector};
 
-use crate::case::{Domain, Side};
+use aero_solver::problem::{Domain, Side};
 
 /// The part of a body that forces are reported for: what the domain holds of it, and its image
 /// behind symmetry planes that cut it.

@@ -6,7 +6,7 @@ use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, Visitor, value::MapAccessDeserializer};
 
 use super::number::Finite;
-use crate::case::{Side, WallKind};
+use aero_solver::problem::{Side, WallKind};
 
 /// What bounds the domain on one side: a word, or `{ wall = { ... } }`.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -3,7 +3,7 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use aero::run::{Place, RunError, Stopwatch, run_any};
+use aero::run::{Destination, RunError, Stopwatch, run_any};
 use aero::scene::{Scene, SceneError};
 
 /// Scenes that hold more are not packed and run: they may take longer, and rightly so.
@@ -71,7 +71,7 @@ pub fn try_scene(text: &str, setting: Option<&str>, folder: &Path) -> Result<Fat
         return Ok(Fate::TooLarge);
     }
     let case = scene.build_any()?;
-    let place = Place {
+    let place = Destination {
         folder,
         scene: "",
         resume: false,

@@ -129,11 +129,6 @@ impl<'a> Subject<'a> {
     }
 }
 
-/// True if no row fails.
-pub fn all_pass(checks: &[Check]) -> bool {
-    checks.iter().all(|c| c.pass)
-}
-
 /// Headings of the text and Markdown tables.
 const HEADINGS: [&str; 7] = [
     "case",

@@ -10,14 +10,14 @@ use super::tree::Tree;
 use super::weld::{BackToBack, Indexed, drop_duplicates, weld};
 use super::{Mesh, orient, slivers, symmetry, weld as welding};
 use crate::error::{GeometryError, no_volume};
-use crate::stl::{self, Facet, Soup, Unit};
-use crate::{Bounds, Watch};
+use crate::stl::{Facet, Soup, Unit};
+use crate::{Bounds, Watch, files};
 
 /// A mesh encloses no solid whose volume is below this part of its bounding cube.
 const NO_VOLUME: f64 = 1e-9;
 
 impl Mesh {
-    /// The body in an STL file whose numbers are in `unit`.
+    /// The body in a file (STL, OBJ, PLY) whose numbers are in `unit`.
     ///
     /// # Errors
     /// A file that cannot be read or is damaged; triangles that do not enclose a solid.
@@ -31,11 +31,8 @@ impl Mesh {
     /// See [`Mesh::read`].
     pub fn read_watched(path: &Path, unit: Unit, watch: &Watch) -> Result<Self, GeometryError> {
         watch.begin("reading");
-        let mut soup = stl::read(path)?;
-        for corner in soup.facets.iter_mut().flatten() {
-            *corner *= unit.metres();
-        }
-        Self::make(&soup, watch).map_err(|source| GeometryError::In {
+        let soup = files::read(path, unit)?;
+        Self::make(&soup, false, watch).map_err(|source| GeometryError::In {
             path: path.to_owned(),
             source: Box::new(source),
         })
@@ -57,10 +54,35 @@ impl Mesh {
     /// # Errors
     /// See [`Mesh::from_facets`].
     pub fn new(soup: &Soup) -> Result<Self, GeometryError> {
-        Self::make(soup, &Watch::default())
+        Self::make(soup, false, &Watch::default())
     }
 
-    fn make(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
+    /// As [`Mesh::new`], and tells `watch` how far it is.
+    ///
+    /// # Errors
+    /// See [`Mesh::from_facets`].
+    pub fn sound(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
+        Self::make(soup, false, watch)
+    }
+
+    /// As [`Mesh::new`], with all holes closed by triangles that span their rims.
+    ///
+    /// # Errors
+    /// See [`Mesh::from_facets`]; a sheet, around which closing its rim makes no solid.
+    pub fn filled(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
+        Self::make(soup, true, watch)
+    }
+
+    /// As [`Mesh::from_facets`], and tells `watch` how far it is.
+    pub(super) fn from_facets_watched(
+        facets: Vec<Facet>,
+        watch: &Watch,
+    ) -> Result<Self, GeometryError> {
+        let solids = Vec::new();
+        Self::make(&Soup { facets, solids }, false, watch)
+    }
+
+    fn make(soup: &Soup, fill: bool, watch: &Watch) -> Result<Self, GeometryError> {
         let not_finite = |facet: &Facet| !facet.iter().flatten().all(|x| x.is_finite());
         if let Some(index) = soup.facets.iter().position(not_finite) {
             return Err(GeometryError::Surface(format!(
@@ -72,7 +94,7 @@ impl Mesh {
         let mut repairs = Vec::new();
         let welded = weld(&soup.facets, &mut repairs);
         watch.begin("repairing");
-        let mut closed = close(welded, &mut repairs)?;
+        let mut closed = close(welded, fill, &mut repairs)?;
         slivers::flip(&mut closed, &mut repairs);
         let names = soup.solids.iter().map(|(name, _)| name.clone()).collect();
         Self::assemble(&closed, names, repairs, watch)
@@ -129,7 +151,7 @@ impl Mesh {
 
 /// Sorts the triangles as the tree holds them, and the vertices as the triangles use them, so that
 /// what is near in space is near in memory.
-fn reorder(mesh: &Indexed, order: &[u32]) -> Indexed {
+pub(super) fn reorder(mesh: &Indexed, order: &[u32]) -> Indexed {
     let mut number = vec![u32::MAX; mesh.vertices.len()];
     let mut vertices = Vec::with_capacity(mesh.vertices.len());
     let facets = order
@@ -153,7 +175,11 @@ fn reorder(mesh: &Indexed, order: &[u32]) -> Indexed {
 }
 
 /// Makes the triangles one closed, oriented surface.
-fn close(mut mesh: Indexed, repairs: &mut Vec<String>) -> Result<Indexed, GeometryError> {
+fn close(
+    mut mesh: Indexed,
+    fill: bool,
+    repairs: &mut Vec<String>,
+) -> Result<Indexed, GeometryError> {
     let original = mesh.facets.clone();
     let mut last = None;
     for rule in [BackToBack::Cancel, BackToBack::KeepOne] {
@@ -168,7 +194,7 @@ fn close(mut mesh: Indexed, repairs: &mut Vec<String>) -> Result<Indexed, Geomet
                 "has no triangles with an area; give a closed surface around a solid".into(),
             ))
         } else {
-            orient::orient(&mut mesh, &mut notes)
+            orient::orient(&mut mesh, fill, &mut notes)
         };
         match result {
             Ok(()) => {

@@ -9,7 +9,7 @@ use super::exposed::{Exposed, Surface};
 use super::smooth::normal;
 use super::winding::{OFF_SKIN, crossings};
 use crate::Vector;
-use crate::error::GeometryError;
+use crate::error::{GeometryError, WRAP};
 
 /// A surface of one part is tried at about so many places for whether it crosses itself.
 const PROBES: usize = 20_000;
@@ -27,11 +27,14 @@ impl Mesh {
         crowded: bool,
     ) -> Result<(), GeometryError> {
         let step = OFF_SKIN * tolerance;
-        let parting = |corners: &[Vector<3>; 3]| {
+        let parting = |middle: &Vector<3>, up: &Vector<3>| {
+            self.winding_number(&(middle + step * up)) < 0.5
+                && self.winding_number(&(middle - step * up)) >= 0.5
+        };
+        let parts_whole = |f: u32| {
+            let corners = self.corners(f);
             let middle = (corners[0] + corners[1] + corners[2]) / 3.0;
-            let offset = step * normal(corners);
-            self.winding_number(&(middle + offset)) < 0.5
-                && self.winding_number(&(middle - offset)) >= 0.5
+            parting(&middle, &normal(&corners))
         };
         let count = self.facets.len();
         let (part, part_count) = parts(&self.across);
@@ -40,20 +43,20 @@ impl Mesh {
         let doubtful: Vec<u32> = (0..count as u32)
             .into_par_iter()
             .step_by(stride)
-            .filter(|&f| !self.hidden[f as usize] && !parting(&self.corners(f)))
+            .filter(|&f| !self.hidden[f as usize] && !parts_whole(f))
             .collect();
         self.refuse_inside_out(&doubtful, &part, stride, step)?;
         let surface = Surface {
             tree: &self.tree,
             vertices: &self.vertices,
             facets: &self.facets,
+            hidden: &self.hidden,
             tolerance,
-            bounds: self.bounds,
         };
-        if doubtful.is_empty() && (!careful || !surface.crosses_itself(&self.hidden)) {
+        if doubtful.is_empty() && (!careful || !surface.crosses_itself()) {
             return Ok(());
         }
-        let exposed = Exposed::new(&surface, &self.hidden, parting);
+        let exposed = Exposed::new(&surface, parting);
         let mut buried = vec![true; count];
         for owner in exposed.iter().flat_map(Exposed::owners) {
             buried[owner as usize] = false;
@@ -109,7 +112,7 @@ impl Mesh {
         let p = (a + b + c) / 3.0;
         Err(GeometryError::Surface(format!(
             "passes through itself so that a part of it is inside out, near ({:.6}, {:.6}, {:.6}); \
-             undo the fold, or cut the surface where it crosses itself",
+             undo the fold, cut the surface where it crosses itself, or {WRAP}",
             p.x, p.y, p.z
         )))
     }

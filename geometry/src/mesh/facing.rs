@@ -5,15 +5,22 @@ use rayon::prelude::*;
 
 use super::edges::parts;
 use super::nest::{Fate, Nest, Part};
-use super::weld::Indexed;
+use super::openings::Caps;
+use super::weld::{Indexed, bounds};
 use super::winding::OFF_SKIN;
-use crate::error::{GeometryError, no_volume};
+use crate::error::{GeometryError, THICKEN, WRAP, no_volume};
 
-/// Turns whole parts that are inside out, and drops those without thickness.
+/// A wall without thickness is lost without harm if the square root of its area is below this part of
+/// the body's diagonal.
+const SLIGHT: f64 = 0.02;
+
+/// Turns whole parts that are inside out, and drops those without thickness inside of others. `caps`
+/// close what was open: they have to be inside of other parts, unless holes are to be filled.
 pub(super) fn settle(
     mesh: &mut Indexed,
     across: &[[u32; 3]],
     turned: &[bool],
+    (caps, fill): (&Caps, bool),
     repairs: &mut Vec<String>,
 ) -> Result<(), GeometryError> {
     let (part_of, count) = parts(across);
@@ -27,11 +34,11 @@ pub(super) fn settle(
         .collect();
     let flat = |part: &Part| part.volume.abs() <= 12.0 * OFF_SKIN * mesh.tolerance * part.area;
     let sound = |part: &Part| part.volume > 0.0 && part.inwards() == Some(false) && !flat(part);
-    if parts.iter().all(sound) {
+    if caps.is_empty() && parts.iter().all(sound) {
         return Ok(());
     }
     let mut fates = vec![Fate::Outwards; count];
-    if count > 1 {
+    if count > 1 || !caps.is_empty() {
         let nest = Nest::new(mesh, &part_of, &parts);
         let thin: Vec<bool> = (0..count)
             .into_par_iter()
@@ -43,12 +50,52 @@ pub(super) fn settle(
             .collect();
         // In order, so that it is the first refusal that is told.
         fates = judged.into_iter().collect::<Result<_, _>>()?;
+        if !fill {
+            caps.settle(&nest, &fates, fill, repairs)?;
+        }
         if thin.iter().all(|&thin| thin) {
             return Err(no_volume());
+        }
+        refuse_bare(&nest, &thin)?;
+        if fill {
+            caps.settle(&nest, &fates, fill, repairs)?;
         }
     }
     apply(mesh, &part_of, &parts, &fates, repairs);
     Ok(())
+}
+
+/// Refuses walls without thickness that are not inside of the solid: they would vanish.
+fn refuse_bare(nest: &Nest<'_>, thin: &[bool]) -> Result<(), GeometryError> {
+    let numbers: Vec<usize> = (0..thin.len()).filter(|&number| thin[number]).collect();
+    let bare: Vec<f64> = numbers
+        .par_iter()
+        .map(|&number| nest.bare_area(number, thin))
+        .collect();
+    let mesh = nest.mesh;
+    let extent = bounds(
+        mesh.facets
+            .iter()
+            .flatten()
+            .map(|&v| mesh.vertices[v as usize]),
+    );
+    let slight = (SLIGHT * extent.size().norm()).powi(2);
+    let largest = (0..numbers.len()).max_by(|&a, &b| bare[a].total_cmp(&bare[b]));
+    let Some(largest) = largest.filter(|_| bare.iter().sum::<f64>() > slight) else {
+        return Ok(());
+    };
+    let facet = nest.parts[numbers[largest]].facets[0];
+    let [a, b, c] = mesh.corners(mesh.facets[facet as usize]);
+    let p = (a + b + c) / 3.0;
+    let count = bare.iter().filter(|&&area| area > 0.0).count();
+    Err(GeometryError::Surface(format!(
+        "has {count} walls without thickness outside of the solid, {:.3e} in area, the largest near \
+         ({:.6}, {:.6}, {:.6}); {THICKEN}, {WRAP}",
+        bare.iter().sum::<f64>(),
+        p.x,
+        p.y,
+        p.z
+    )))
 }
 
 fn apply(

@@ -1,8 +1,9 @@
 //! How the closed parts of a surface lie within each other, and what that makes of them.
 //!
-//! A part that lies in no other one faces outwards, whatever the file says. One that lies inside of
-//! others may be the wall of a cavity or a solid: there the file's orientation tells, and where the
-//! file is of two minds the surface is refused.
+//! A part that lies in no other one, or only half inside of others, faces outwards, whatever the file
+//! says: the solid is the union of its parts. One that lies wholly inside of others may be the wall of
+//! a cavity or a solid: there the file's orientation tells, and where the file is of two minds the
+//! surface is refused.
 
 use std::collections::BTreeMap;
 
@@ -11,14 +12,20 @@ use super::tree::Tree;
 use super::weld::{Indexed, bounds};
 use super::winding::{OFF_SKIN, crossings};
 use crate::Vector;
-use crate::error::GeometryError;
+use crate::error::{GeometryError, WRAP};
 use crate::stl::Facet;
 
 /// A share of the area that decides beyond doubt.
 const CLEAR: f64 = 0.75;
 
+/// A share of the area that is all of it.
+const WHOLE: f64 = 0.999;
+
 /// Triangles of a part that are asked what is around them.
 const PROBES: usize = 24;
+
+/// The same before a part is taken for the wall of a cavity: what of it stands out would be lost.
+const MANY_PROBES: usize = 4096;
 
 /// A connected part of the surface, which is closed.
 pub(super) struct Part {
@@ -78,9 +85,9 @@ struct Surroundings {
 
 /// The parts, and what is around them.
 pub(super) struct Nest<'a> {
-    mesh: &'a Indexed,
-    part_of: &'a [u32],
-    parts: &'a [Part],
+    pub mesh: &'a Indexed,
+    pub part_of: &'a [u32],
+    pub parts: &'a [Part],
     tree: Tree,
     order: Vec<u32>,
 }
@@ -102,8 +109,8 @@ impl<'a> Nest<'a> {
     }
 
     /// Some triangles of a part, and points off them on the `side` that their normals lead to.
-    fn probes(&self, part: &Part, side: f64) -> Vec<(u32, Vector<3>)> {
-        let stride = part.facets.len().div_ceil(PROBES).max(1);
+    fn probes(&self, part: &Part, side: f64, count: usize) -> Vec<(u32, Vector<3>)> {
+        let stride = part.facets.len().div_ceil(count).max(1);
         let facets = part.facets.iter().step_by(stride);
         let point = |&facet: &u32| {
             let [a, b, c] = self.corners(facet);
@@ -114,7 +121,7 @@ impl<'a> Nest<'a> {
     }
 
     /// How many times each wanted part winds around a point.
-    fn around(&self, p: &Vector<3>, wanted: impl Fn(u32) -> bool) -> BTreeMap<u32, i32> {
+    pub fn around(&self, p: &Vector<3>, wanted: impl Fn(u32) -> bool) -> BTreeMap<u32, i32> {
         let owner = |place: u32| self.part_of[self.order[place as usize] as usize];
         let mut times = BTreeMap::new();
         crossings(
@@ -133,19 +140,19 @@ impl<'a> Nest<'a> {
         let own = |part| part == number as u32;
         let part = &self.parts[number];
         [1.0, -1.0].into_iter().all(|side| {
-            let mut probes = self.probes(part, side).into_iter();
+            let mut probes = self.probes(part, side, PROBES).into_iter();
             probes.all(|(_, p)| self.around(&p, own).is_empty())
         })
     }
 
     /// How a part lies among those that are not `thin`.
-    fn surroundings(&self, number: usize, thin: &[bool]) -> Surroundings {
+    fn surroundings(&self, number: usize, thin: &[bool], probes: usize) -> Surroundings {
         let wanted = |other: u32| other as usize != number && !thin[other as usize];
         let size = |&other: &u32| self.parts[other as usize].volume.abs();
         let part = &self.parts[number];
         let (mut all, mut inside, mut outermost) = (0.0, 0.0, None);
         // On the side that the part encloses: where it lies on a wall around it, only that is inside.
-        for (facet, p) in self.probes(part, -part.volume.signum()) {
+        for (facet, p) in self.probes(part, -part.volume.signum(), probes) {
             let area = self.mesh.area(self.mesh.facets[facet as usize]);
             let around = self.around(&p, wanted);
             all += area;
@@ -163,32 +170,35 @@ impl<'a> Nest<'a> {
         }
     }
 
+    /// Area of a `thin` part that is not inside of others, once for both of its sides.
+    pub fn bare_area(&self, number: usize, thin: &[bool]) -> f64 {
+        let inside = self.surroundings(number, thin, PROBES).inside;
+        0.5 * (1.0 - inside) * self.parts[number].area
+    }
+
     /// What becomes of a part among those that are not `thin`.
     pub fn judge(&self, number: usize, thin: &[bool]) -> Result<Fate, GeometryError> {
         if thin[number] {
             return Ok(Fate::Dropped);
         }
-        let Surroundings { inside, outermost } = self.surroundings(number, thin);
+        let Surroundings { inside, outermost } = self.surroundings(number, thin, PROBES);
         let Some(outermost) = outermost.filter(|_| inside > 1.0 - CLEAR) else {
             return Ok(Fate::Outwards);
         };
         // A file that was mirrored is inside out as a whole.
         let mirrored = self.parts[outermost as usize].inwards() == Some(true);
         let part = &self.parts[number];
+        let wholly = || self.surroundings(number, thin, MANY_PROBES).inside > WHOLE;
         match part.inwards().map(|inwards| inwards != mirrored) {
             Some(false) => Ok(Fate::Outwards),
-            Some(true) if inside >= CLEAR => Ok(Fate::Inwards),
-            Some(true) => Err(self.refusal(
-                part,
-                "faces inwards and lies half inside of others: cut the \
-                 pocket out of the solid, or turn the part outwards",
-            )),
+            Some(true) if inside >= CLEAR && wholly() => Ok(Fate::Inwards),
+            Some(true) => Ok(Fate::Outwards),
             None if inside < CLEAR => Ok(Fate::Outwards),
             None => {
                 let fewer = 100.0 * part.turned.min(1.0 - part.turned);
                 Err(self.refusal(part, &format!(
                     "may be the wall of a cavity or a solid within the solid, {fewer:.0} % of it facing \
-                     the other way than the rest: turn its triangles all inwards or all outwards"
+                     the other way than the rest: turn its triangles all inwards or all outwards, or {WRAP}"
                 )))
             }
         }

@@ -1,14 +1,19 @@
 //! One orientation for the whole surface: outwards, and inwards around cavities.
 
 use super::edges::{HalfEdge, NONE, by_edge, half_edges, in_pairs, neighbours};
+use super::openings::Caps;
 use super::weld::Indexed;
 use super::{facing, holes, patches};
 use crate::Vector;
-use crate::error::GeometryError;
+use crate::error::{GeometryError, WRAP};
 
-/// Turns triangles so that neighbours agree and the solid is inside, and fills small holes; refuses
-/// what is open then, or could stand for more than one solid.
-pub(super) fn orient(mesh: &mut Indexed, repairs: &mut Vec<String>) -> Result<(), GeometryError> {
+/// Turns triangles so that neighbours agree and the solid is inside, and fills small holes, or all if
+/// `fill` is set; refuses what is open then, or could stand for more than one solid.
+pub(super) fn orient(
+    mesh: &mut Indexed,
+    fill: bool,
+    repairs: &mut Vec<String>,
+) -> Result<(), GeometryError> {
     let mut half_edges = half_edges(&mesh.facets);
     let mut turned = agree(mesh, &in_pairs(&mesh.facets, &half_edges))?;
     if turned.contains(&true) {
@@ -24,15 +29,19 @@ pub(super) fn orient(mesh: &mut Indexed, repairs: &mut Vec<String>) -> Result<()
     if holes::fill(mesh, &half_edges, repairs) {
         half_edges = self::half_edges(&mesh.facets);
     }
+    let caps = Caps::new(mesh, &half_edges);
+    if !caps.is_empty() {
+        half_edges = self::half_edges(&mesh.facets);
+    }
     refuse_open(mesh, &half_edges)?;
     let across = neighbours(mesh, &half_edges);
     drop(half_edges);
-    facing::settle(mesh, &across, &turned, repairs)
+    facing::settle(mesh, &across, &turned, (&caps, fill), repairs)
 }
 
 /// Flips triangles that disagree with their neighbours, of each connected patch the smaller area; says
 /// which.
-fn agree(mesh: &mut Indexed, across: &[[u32; 3]]) -> Result<Vec<bool>, GeometryError> {
+pub(super) fn agree(mesh: &mut Indexed, across: &[[u32; 3]]) -> Result<Vec<bool>, GeometryError> {
     let mut flip: Vec<Option<bool>> = vec![None; mesh.facets.len()];
     let mut all_turned = vec![false; mesh.facets.len()];
     for seed in 0..mesh.facets.len() {
@@ -62,7 +71,7 @@ fn agree(mesh: &mut Indexed, across: &[[u32; 3]]) -> Result<Vec<bool>, GeometryE
                         let p = 0.5 * (mesh.vertices[a as usize] + mesh.vertices[b as usize]);
                         return Err(GeometryError::Surface(format!(
                             "has no inside and outside: its triangles cannot be made to agree \
-                             near ({:.6}, {:.6}, {:.6})",
+                             near ({:.6}, {:.6}, {:.6}); {WRAP}",
                             p.x, p.y, p.z
                         )));
                     }
@@ -97,7 +106,7 @@ fn refuse_open(mesh: &Indexed, half_edges: &[HalfEdge]) -> Result<(), GeometryEr
         return Ok(());
     };
     Err(GeometryError::Surface(format!(
-        "is open at {count} edges, the first near ({:.6}, {:.6}, {:.6}); close it",
+        "is open at {count} edges that go around no hole, the first near ({:.6}, {:.6}, {:.6}); {WRAP}",
         p.x, p.y, p.z
     )))
 }

@@ -3,7 +3,7 @@
 use rayon::prelude::*;
 
 use super::Mesh;
-use crate::{Shape, Vector};
+use crate::{Bounds, Shape, Vector};
 
 /// Mirrored vertices may be off the surface by this many welding tolerances.
 const SLACK: f64 = 2.0;
@@ -11,8 +11,6 @@ const SLACK: f64 = 2.0;
 /// The planes `(axis, position)`, through the middle of the bounding box, about which the mirror
 /// image of every vertex lies on the surface.
 pub(super) fn mirrors(mesh: &Mesh, tolerance: f64) -> Vec<(usize, f64)> {
-    let bounds = mesh.bounds();
-    let middle = 0.5 * (bounds.min + bounds.max);
     let mut visible = vec![false; mesh.vertices.len()];
     for (facet, _) in mesh.facets.iter().zip(&mesh.hidden).filter(|f| !f.1) {
         for &vertex in facet {
@@ -25,6 +23,20 @@ pub(super) fn mirrors(mesh: &Mesh, tolerance: f64) -> Vec<(usize, f64)> {
         let on_surface = |v: usize| visible[v] && gap(&mesh.vertices[v]) <= tolerance;
         visible = (0..visible.len()).into_par_iter().map(on_surface).collect();
     }
+    let seen = mesh.vertices.iter().zip(&visible).filter(|v| *v.1);
+    let vertices: Vec<Vector<3>> = seen.map(|(vertex, _)| *vertex).collect();
+    planes(&mesh.bounds(), &vertices, tolerance, gap)
+}
+
+/// The planes through the middle of `bounds` about which the images of all vertices have next to no
+/// `gap` from the surface.
+pub(super) fn planes(
+    bounds: &Bounds<3>,
+    vertices: &[Vector<3>],
+    tolerance: f64,
+    gap: impl Fn(&Vector<3>) -> f64 + Sync,
+) -> Vec<(usize, f64)> {
+    let middle = 0.5 * (bounds.min + bounds.max);
     (0..3)
         .map(|axis| {
             let near_zero = middle[axis].abs() <= tolerance;
@@ -36,10 +48,7 @@ pub(super) fn mirrors(mesh: &Mesh, tolerance: f64) -> Vec<(usize, f64)> {
                 image[axis] = 2.0 * position - image[axis];
                 gap(&image) <= SLACK * tolerance
             };
-            let vertices = mesh.vertices.par_iter().zip(&visible);
-            vertices
-                .filter(|v| *v.1)
-                .all(|(vertex, _)| on_surface(vertex))
+            vertices.par_iter().all(on_surface)
         })
         .collect()
 }

@@ -59,11 +59,16 @@ impl Item {
 impl Tree {
     /// The tree, and the order in which its leaves hold the triangles.
     pub fn new(vertices: &[Vector<3>], facets: &[[u32; 3]]) -> (Self, Vec<u32>) {
+        Self::over(facets, |facet| facet.map(|v| vertices[v as usize]))
+    }
+
+    /// The same over anything with three corners.
+    pub fn over<T>(facets: &[T], corners: impl Fn(&T) -> [Vector<3>; 3]) -> (Self, Vec<u32>) {
         let mut items: Vec<Item> = facets
             .iter()
             .enumerate()
             .map(|(number, facet)| {
-                let [a, b, c] = facet.map(|v| vertices[v as usize]);
+                let [a, b, c] = corners(facet);
                 Item {
                     min: a.inf(&b).inf(&c),
                     max: a.sup(&b).sup(&c),

@@ -33,7 +33,7 @@ impl Indexed {
     }
 }
 
-pub(super) fn bounds(points: impl Iterator<Item = Vector<3>>) -> Bounds<3> {
+pub(crate) fn bounds(points: impl Iterator<Item = Vector<3>>) -> Bounds<3> {
     let empty = Bounds::new(
         Vector::<3>::repeat(f64::INFINITY),
         Vector::<3>::repeat(f64::NEG_INFINITY),

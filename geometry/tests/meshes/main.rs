@@ -1,6 +1,8 @@
 //! Bodies made of triangles: distances against exact bodies, repairs, and refusals.
 
+mod assemblies;
 mod distances;
+mod mended;
 mod parts;
 mod properties;
 mod refusals;

@@ -1,13 +1,15 @@
-//! Bodies made of triangles: from an STL file, or from an exact body for comparison.
+//! Bodies made of triangles: from a file, or from an exact body for comparison.
 
 use std::path::{Path, PathBuf};
 
-use aero_geometry::{GeometryError, Mesh, Placed, Watch, stl};
+use aero_geometry::stl::Soup;
+use aero_geometry::{GeometryError, Mending, Placed, Solid, Watch, files, stl};
 use serde::Deserialize;
 
-use super::super::file::PlaceEntry;
+use super::super::number::Positive;
+use super::made::Made;
+use super::place::{PlaceEntry, place_in_space};
 use super::space::Round;
-use super::{Made, place_in_space};
 
 /// Length unit of an STL file.
 #[derive(Clone, Copy, Debug, Deserialize, PartialEq, Eq)]
@@ -31,24 +33,53 @@ impl From<Unit> for stl::Unit {
     }
 }
 
-/// `stl = { file, unit }`
-#[derive(Clone, Debug, Deserialize)]
+/// `stl = { file, unit, fill, thicken, wrap }`: STL, OBJ or PLY, packed as `.gz` or not.
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StlEntry {
     /// The file; a relative path starts at the scene's folder.
     pub file: PathBuf,
     /// Its unit of length; metres unless given.
     pub unit: Option<Unit>,
+    /// Closes all holes.
+    pub fill: Option<bool>,
+    /// Makes a sheet so many metres thick.
+    pub thicken: Option<Positive>,
+    /// Lays a closed surface around whatever it is, at the body's spacing.
+    pub wrap: Option<bool>,
 }
 
 impl StlEntry {
-    pub(super) fn mesh(&self, folder: &Path, watch: &Watch) -> Result<Mesh, GeometryError> {
+    /// The triangles, in metres.
+    pub(crate) fn read(&self, folder: &Path, watch: &Watch) -> Result<Soup, GeometryError> {
+        watch.begin("reading");
         let unit = self.unit.map_or(stl::Unit::Metre, Into::into);
-        Mesh::read_watched(&folder.join(&self.file), unit, watch)
+        files::read(&folder.join(&self.file), unit)
+    }
+
+    /// True where the body depends on the spacing at which it is packed.
+    pub(crate) fn wraps(&self) -> bool {
+        self.wrap == Some(true)
+    }
+
+    /// The body that the triangles make, packed at `spacing` metres.
+    pub(crate) fn solid(&self, soup: &Soup, spacing: f64, watch: &Watch) -> Result<Solid, String> {
+        let wanted = [
+            (self.fill == Some(true)).then_some(Mending::Fill),
+            self.thicken.map(|t| Mending::Thicken(t.get())),
+            self.wraps().then_some(Mending::Wrap(spacing)),
+        ];
+        let mut wanted = wanted.into_iter().flatten();
+        let mending = wanted.next().unwrap_or_default();
+        if wanted.next().is_some() {
+            return Err("`fill`, `thicken` and `wrap` exclude each other; give one".into());
+        }
+        Solid::new(soup, mending, watch)
+            .map_err(|error| format!("`{}`: {error}", self.file.display()))
     }
 }
 
-/// Number of facets around an axis.
+/// A number of facets around an axis, 3 to 2000.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(try_from = "i64")]
 struct Around(usize);
@@ -71,31 +102,29 @@ impl TryFrom<i64> for Around {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Tessellated {
+    /// A body of revolution.
     body: Round,
+    /// Facets around its axis, 3 to 2000.
     around: Around,
 }
 
 impl Tessellated {
     /// The mesh as if it had been written to an STL file and read back: in single precision.
-    pub(super) fn mesh(&self) -> Result<Mesh, GeometryError> {
+    pub(super) fn solid(&self) -> Result<Solid, GeometryError> {
         let facets = self.body.body()?.tessellate(self.around.0);
         let mut bytes = Vec::new();
         stl::write_binary(&mut bytes, &facets)
             .map_err(|error| GeometryError::Stl(error.to_string()))?;
-        Mesh::new(&stl::parse(bytes)?)
+        Solid::new(&stl::parse(bytes)?, Mending::Refuse, &Watch::default())
     }
 }
 
-/// A mesh in place, with what was done to it.
-pub(super) fn made(
-    mesh: Result<Mesh, GeometryError>,
-    place: Option<&PlaceEntry>,
-) -> Result<Made<3>, String> {
-    let mesh = mesh.map_err(|error| error.to_string())?;
-    let repairs = mesh.repairs().to_vec();
+/// A solid in place, with what was done to its triangles.
+pub(crate) fn made(solid: Solid, place: Option<&PlaceEntry>) -> Result<Made<3>, String> {
+    let Solid { shape, repairs } = solid;
     let exact = match place {
-        None => Made::exact(mesh),
-        Some(_) => Made::exact(Placed::new(mesh, place_in_space(place)?)),
+        None => Made::exact(shape),
+        Some(_) => Made::exact(Placed::new(shape, place_in_space(place)?)),
     };
     Ok(Made { repairs, ..exact })
 }

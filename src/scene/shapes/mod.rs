@@ -1,22 +1,22 @@
 //! Shapes as a scene names them, and the surfaces that they mean, in place.
 
+mod made;
 mod mesh;
+mod place;
 mod plane;
 mod space;
 
-use std::any::Any;
 use std::path::Path;
-use std::sync::Arc;
 
-use aero_geometry::{GeometryError, Placed, Placement, Revolution, Shape, Watch};
-use aero_packer::{PackOptions, Packing, Warning, pack};
+use aero_geometry::{GeometryError, Placed, Revolution, Watch};
 use serde::Deserialize;
 
-use super::file::PlaceEntry;
-use super::flow::vector;
-use super::spin::Rotation;
+use place::{place_in_plane, place_in_space};
 
+pub(crate) use made::Made;
+pub(crate) use mesh::made;
 pub use mesh::{StlEntry, Tessellated, Unit};
+pub use place::PlaceEntry;
 pub use plane::{
     Biconvex, BluntWedge, Circle, Corner, Duct, ForwardStep, HalfSpace, Polygon, PolygonFile,
     Rectangle,
@@ -67,61 +67,35 @@ pub enum ShapeEntry {
     Tessellated(Tessellated),
 }
 
-/// A surface in place, and what was done to its mesh.
-#[derive(Clone, Debug)]
-pub(crate) struct Made<const D: usize> {
-    /// The surface.
-    pub shape: Arc<dyn Shape<D>>,
-    /// What was wrong with its mesh and what was done.
-    pub repairs: Vec<String>,
-    /// What the user should know about its mesh.
-    pub warnings: Vec<Warning>,
-}
-
-impl<const D: usize> Made<D> {
-    /// A surface without a mesh.
-    fn exact(shape: impl Shape<D> + 'static) -> Self {
-        Self {
-            shape: Arc::new(shape),
-            repairs: Vec::new(),
-            warnings: Vec::new(),
-        }
-    }
-
-    /// Packs the surface; the report tells of its mesh too.
-    pub(crate) fn pack(&self, options: &PackOptions<D>) -> Result<Packing<D>, String> {
-        let mut packing = pack(self.shape.as_ref(), options).map_err(|error| error.to_string())?;
-        let report = &mut packing.report;
-        report.repairs.splice(0..0, self.repairs.iter().cloned());
-        report.warnings.splice(0..0, self.warnings.iter().cloned());
-        Ok(packing)
-    }
-
-    /// The same, where `E` is `D` under another name.
-    fn cast<const E: usize>(self) -> Option<Made<E>> {
-        let any: Box<dyn Any> = Box::new(self);
-        any.downcast().ok().map(|made| *made)
-    }
+/// What a surface depends on beside its own entry.
+pub(crate) struct Making<'a> {
+    /// Where relative paths start.
+    pub folder: &'a Path,
+    /// In an axisymmetric flow a body of revolution is its section.
+    pub axisymmetric: bool,
+    /// Spacing at which it is packed, in the scene's unit.
+    pub spacing: f64,
+    /// Is told how far the reading of a mesh is.
+    pub watch: &'a Watch,
 }
 
 impl ShapeEntry {
-    /// The surface in dimension `D`, in place; relative paths start at `folder`. In an `axisymmetric`
-    /// flow a body of revolution is its section. `watch` is told how far the reading of a mesh is.
+    /// The surface in dimension `D`, in place.
     pub(crate) fn make<const D: usize>(
         &self,
         place: Option<&PlaceEntry>,
-        folder: &Path,
-        axisymmetric: bool,
-        watch: &Watch,
+        making: &Making<'_>,
     ) -> Result<Made<D>, String> {
-        let made = if axisymmetric && let Some(round) = self.round() {
+        let made = if making.axisymmetric
+            && let Some(round) = self.round()
+        {
             let section = round.and_then(|body| body.section());
             let section = section.map_err(|error| error.to_string())?;
             Made::exact(section.placed(&place_in_plane(place)?)).cast()
         } else if D == 2 {
-            self.in_plane(place, folder)?.and_then(Made::cast)
+            self.in_plane(place, making.folder)?.and_then(Made::cast)
         } else {
-            self.in_space(place, folder, watch)?.and_then(Made::cast)
+            self.in_space(place, making)?.and_then(Made::cast)
         };
         made.ok_or_else(|| {
             let other = if D == 2 { 3 } else { 2 };
@@ -173,8 +147,7 @@ impl ShapeEntry {
     fn in_space(
         &self,
         place: Option<&PlaceEntry>,
-        folder: &Path,
-        watch: &Watch,
+        making: &Making<'_>,
     ) -> Result<Option<Made<3>>, String> {
         let round = match self {
             Self::Cuboid(entry) => {
@@ -184,8 +157,17 @@ impl ShapeEntry {
                     place_in_space(place)?,
                 ))));
             }
-            Self::Stl(entry) => return mesh::made(entry.mesh(folder, watch), place).map(Some),
-            Self::Tessellated(entry) => return mesh::made(entry.mesh(), place).map(Some),
+            Self::Stl(entry) => {
+                let soup = entry.read(making.folder, making.watch);
+                let soup = soup.map_err(|error| error.to_string())?;
+                let scale = place_in_space(place)?.scale();
+                let solid = entry.solid(&soup, making.spacing / scale, making.watch)?;
+                return mesh::made(solid, place).map(Some);
+            }
+            Self::Tessellated(entry) => {
+                let solid = entry.solid().map_err(|error| error.to_string())?;
+                return mesh::made(solid, place).map(Some);
+            }
             _ => match self.round() {
                 Some(round) => round,
                 None => return Ok(None),
@@ -196,65 +178,5 @@ impl ShapeEntry {
             None => Made::exact(round),
             Some(_) => Made::exact(Placed::new(round, place_in_space(place)?)),
         }))
-    }
-}
-
-/// Where a plane body stands.
-fn place_in_plane(place: Option<&PlaceEntry>) -> Result<Placement<2>, String> {
-    let Some(place) = place else {
-        return Ok(Placement::default());
-    };
-    let mut placement = scaled(place)?;
-    match &place.rotate {
-        None => {}
-        Some(Rotation::Plane(degrees)) => placement = placement.rotated(degrees.to_radians()),
-        Some(Rotation::Axis { .. }) => {
-            return Err("`place.rotate` is a number of degrees in dimension 2".into());
-        }
-    }
-    moved(placement, place)
-}
-
-/// Where a body in space stands.
-fn place_in_space(place: Option<&PlaceEntry>) -> Result<Placement<3>, String> {
-    let Some(place) = place else {
-        return Ok(Placement::default());
-    };
-    let mut placement = scaled(place)?;
-    match &place.rotate {
-        None => {}
-        Some(Rotation::Axis { axis, angle }) => {
-            let axis = vector("place.rotate.axis", axis).map_err(|error| error.to_string())?;
-            placement = placement
-                .rotated_about(&axis, angle.to_radians())
-                .map_err(|error| error.to_string())?;
-        }
-        Some(Rotation::Plane(_)) => {
-            return Err(
-                "`place.rotate` is `{ axis = [..], angle = degrees }` in dimension 3".into(),
-            );
-        }
-    }
-    moved(placement, place)
-}
-
-fn scaled<const D: usize>(place: &PlaceEntry) -> Result<Placement<D>, String> {
-    match place.scale {
-        None => Ok(Placement::default()),
-        Some(factor) => Placement::default()
-            .scaled(factor.get())
-            .map_err(|error| error.to_string()),
-    }
-}
-
-fn moved<const D: usize>(
-    placement: Placement<D>,
-    place: &PlaceEntry,
-) -> Result<Placement<D>, String> {
-    match &place.translate {
-        None => Ok(placement),
-        Some(numbers) => vector("place.translate", numbers)
-            .map(|offset| placement.moved(offset))
-            .map_err(|error| error.to_string()),
     }
 }

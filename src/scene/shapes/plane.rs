@@ -8,17 +8,18 @@ use serde::Deserialize;
 
 use super::super::number::Finite;
 
-type Made = Result<Outline, GeometryError>;
+type OutlineResult = Result<Outline, GeometryError>;
 
 /// `circle = { radius }`, about the origin.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Circle {
+    /// Radius.
     radius: Finite,
 }
 
 impl Circle {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         bodies::circle(self.radius.get())
     }
 }
@@ -27,13 +28,16 @@ impl Circle {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Rectangle {
+    /// Extent along x.
     width: Finite,
+    /// Extent along y.
     height: Finite,
+    /// Radius of its corners; 0 unless given.
     corner_radius: Option<Finite>,
 }
 
 impl Rectangle {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         let corner_radius = self.corner_radius.map_or(0.0, Finite::get);
         bodies::rectangle(self.width.get(), self.height.get(), corner_radius)
     }
@@ -43,11 +47,12 @@ impl Rectangle {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Polygon {
+    /// Corners in order, either way round; the last is joined to the first.
     points: Vec<[Finite; 2]>,
 }
 
 impl Polygon {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         let points = self
             .points
             .iter()
@@ -60,11 +65,12 @@ impl Polygon {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct PolygonFile {
+    /// The file; a relative path starts at the scene's folder.
     file: PathBuf,
 }
 
 impl PolygonFile {
-    pub(super) fn outline(&self, folder: &Path) -> Made {
+    pub(super) fn outline(&self, folder: &Path) -> OutlineResult {
         bodies::polygon_file(&folder.join(&self.file))
     }
 }
@@ -73,12 +79,14 @@ impl PolygonFile {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Biconvex {
+    /// Length.
     chord: Finite,
+    /// Thickness over chord.
     thickness_ratio: Finite,
 }
 
 impl Biconvex {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         bodies::biconvex(self.chord.get(), self.thickness_ratio.get())
     }
 }
@@ -87,11 +95,12 @@ impl Biconvex {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct HalfSpace {
+    /// Height of the wall; 0 unless given.
     height: Option<Finite>,
 }
 
 impl HalfSpace {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         bodies::wall(self.height.map_or(0.0, Finite::get))
     }
 }
@@ -101,16 +110,18 @@ impl HalfSpace {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Corner {
+    /// Degrees by which the wall turns.
     angle: Finite,
+    /// Where it turns; the origin unless given.
     corner: Option<[Finite; 2]>,
 }
 
 impl Corner {
-    pub(super) fn compression(&self) -> Made {
+    pub(super) fn compression(&self) -> OutlineResult {
         bodies::compression_corner(0.0, self.angle.get()).map(|outline| self.at_corner(outline))
     }
 
-    pub(super) fn expansion(&self) -> Made {
+    pub(super) fn expansion(&self) -> OutlineResult {
         bodies::expansion_corner(0.0, self.angle.get()).map(|outline| self.at_corner(outline))
     }
 
@@ -128,12 +139,14 @@ impl Corner {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct ForwardStep {
+    /// Where the step stands on the x axis.
     foot: Finite,
+    /// Its height.
     height: Finite,
 }
 
 impl ForwardStep {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         bodies::forward_step(self.foot.get(), self.height.get())
     }
 }
@@ -143,13 +156,16 @@ impl ForwardStep {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct BluntWedge {
+    /// Radius of the nose.
     radius: Finite,
+    /// Degrees between a flank and the x axis.
     half_angle: Finite,
+    /// From the tip of the nose to the base; endless unless given.
     length: Option<Finite>,
 }
 
 impl BluntWedge {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         let length = self.length.map_or(f64::INFINITY, Finite::get);
         bodies::blunt_wedge(self.radius.get(), self.half_angle.get(), length)
     }
@@ -160,16 +176,22 @@ impl BluntWedge {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Duct {
+    /// Half-height of the inlet.
     inlet: Finite,
+    /// Half-height of the throat.
     throat: Finite,
+    /// Radius of the arc that leads into the contraction.
     contraction_radius: Finite,
+    /// Radius of the arc at the throat.
     throat_radius: Finite,
+    /// Half-angle of the divergent part, degrees.
     divergence: Finite,
+    /// The upper wall alone; off unless given.
     half: Option<bool>,
 }
 
 impl Duct {
-    pub(super) fn outline(&self) -> Made {
+    pub(super) fn outline(&self) -> OutlineResult {
         let nozzle = Nozzle {
             inlet: self.inlet.get(),
             throat: self.throat.get(),

@@ -39,6 +39,7 @@ impl Round {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Sphere {
+    /// Radius.
     radius: Finite,
 }
 
@@ -52,7 +53,9 @@ impl Sphere {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Cone {
+    /// Degrees between its side and the x axis.
     half_angle: Finite,
+    /// From tip to base.
     length: Finite,
 }
 
@@ -66,7 +69,9 @@ impl Cone {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct RoundRod {
+    /// Radius of rod and nose.
     radius: Finite,
+    /// From the tip of the nose to the base.
     length: Finite,
 }
 
@@ -81,10 +86,15 @@ impl RoundRod {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct CapsuleEntry {
+    /// Largest radius.
     radius: Finite,
+    /// Length along the axis.
     length: Finite,
+    /// Radius of the heat shield's sphere.
     shield_radius: Finite,
+    /// Radius of the apex.
     apex_radius: Finite,
+    /// Radius of the shoulder between shield and cone.
     shoulder_radius: Finite,
 }
 
@@ -105,6 +115,7 @@ impl CapsuleEntry {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Profile {
+    /// Corners `[x, r]` in order.
     points: Vec<[Finite; 2]>,
 }
 
@@ -123,6 +134,7 @@ impl Profile {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Block {
+    /// Lengths of its edges.
     edges: [Finite; 3],
 }
 

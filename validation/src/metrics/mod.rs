@@ -16,7 +16,6 @@ mod least_squares;
 pub mod line;
 pub mod order;
 pub mod plateau;
-pub mod probe;
 pub mod profile;
 pub mod shock_line;
 pub mod stand_off;

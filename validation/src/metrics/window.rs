@@ -86,31 +86,6 @@ pub fn rms_difference(
     Ok(statistics(&kept_times, &differences, window)?.rms)
 }
 
-/// Time of the greatest value inside `window`, by the parabola through the largest sample and its
-/// neighbours.
-pub fn peak_time(times: &[f64], values: &[f64], window: [f64; 2]) -> Option<f64> {
-    let inside: Vec<usize> = (0..times.len().min(values.len()))
-        .filter(|&k| (window[0]..=window[1]).contains(&times[k]))
-        .collect();
-    let top = *inside
-        .iter()
-        .max_by(|&&i, &&j| values[i].total_cmp(&values[j]))?;
-    if top == 0
-        || top + 1 >= times.len()
-        || !inside.contains(&(top - 1))
-        || !inside.contains(&(top + 1))
-    {
-        return Some(times[top]);
-    }
-    let (left, right) = (times[top] - times[top - 1], times[top + 1] - times[top]);
-    let (fall_left, fall_right) = (values[top] - values[top - 1], values[top] - values[top + 1]);
-    let bend = fall_left * right + fall_right * left;
-    if bend <= 0.0 {
-        return Some(times[top]);
-    }
-    Some(times[top] + 0.5 * (fall_left * right * right - fall_right * left * left) / bend)
-}
-
 /// Linear interpolation in a table of rising `x`; none outside it.
 fn interpolate(x: &[f64], y: &[f64], at: f64) -> Option<f64> {
     let above = x.partition_point(|v| *v < at);
@@ -149,8 +124,6 @@ mod tests {
         assert_relative_eq!(found.mean, 2.0, max_relative = 1e-9);
         assert_relative_eq!(found.deviation, 0.5_f64.sqrt(), max_relative = 1e-5);
         assert_relative_eq!(found.rms, 4.5_f64.sqrt(), max_relative = 1e-5);
-        let peak = peak_time(&times, &values, [0.0, 1.0]).unwrap();
-        assert_relative_eq!(peak, 0.25, max_relative = 1e-6);
     }
 
     #[test]
@@ -165,6 +138,5 @@ mod tests {
     #[test]
     fn an_empty_window_is_refused() {
         assert!(statistics(&[0.0, 1.0], &[1.0, 1.0], [2.0, 3.0]).is_err());
-        assert_eq!(peak_time(&[0.0, 1.0], &[1.0, 1.0], [2.0, 3.0]), None);
     }
 }

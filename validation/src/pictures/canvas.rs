@@ -3,7 +3,7 @@
 
 use super::colour::{Colour, WHITE, rgb};
 use super::dashes::dashes;
-use super::font::{Font, load_font};
+use super::font::{FINE, Font, load_font};
 use super::{Format, PictureError, format_of};
 use plotters::backend::{BitMapBackend, DrawingBackend, SVGBackend};
 use plotters::coord::Shift;
@@ -12,9 +12,6 @@ use plotters::element::{Circle, PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color as _, FontTransform, ShapeStyle, TextStyle};
 use std::path::Path;
-
-/// Fine pixels per point.
-pub(super) const FINE: u32 = 3;
 
 /// A picture that can draw itself on paper of its own choice of size.
 pub(super) trait Drawing {

@@ -1,9 +1,11 @@
 //! The built-in font: `DejaVu` Sans, part of the program, under the Bitstream Vera licence.
 
-use super::canvas::FINE;
 use super::colour::{BLACK, Colour};
 use plotters::style::{FontDesc, FontFamily, FontStyle, register_font};
 use std::sync::OnceLock;
+
+/// Fine pixels per point.
+pub(super) const FINE: u32 = 3;
 
 /// Name under which the built-in font is known; as a generic
 /// family it also tells viewers of an SVG what to use.

@@ -1,0 +1,198 @@
+//! From where the particles are to their rates: reads the density off them, lets ghosts take the state of the gas, sums.
+//! Moves none.
+
+use aero_geometry::kernel::SMOOTHING_RATIO;
+use rayon::prelude::*;
+
+use super::fill::{fill_gas, fill_ghosts, fill_near};
+use super::neighbourhood::{Neighbourhood, widest};
+use super::neighbours::GROWTH;
+use super::pairs::rates::rates;
+use super::pairs::renormalisation::renormalise as sum_moments;
+use super::pairs::shield::shield;
+use super::pairs::summation::densities;
+use super::particles::{Columns, Particles};
+use super::problem::Problem;
+use super::records::{GHOSTS, Records};
+use super::rings::Rings;
+use super::shifting::shift;
+use super::shock_sensor::find_shocks;
+use super::sides::Buffers;
+use super::walls::Walls;
+
+/// When an evaluation takes place.
+#[derive(Clone, Copy, Debug)]
+pub struct Moment {
+    /// Start of the step.
+    pub start: f64,
+    /// Time since then.
+    pub ahead: f64,
+}
+
+/// Replaces each density by the sum over the particles, and the smoothing length with it
+/// (`h = 1.5 (m / rho)^(1/D)`), so that neither can drift from the particles' spacing.
+///
+/// In rarefied gas the smoothing length stops growing where [`widest`] says.
+pub fn read_densities<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    let widest = widest(problem, &around.records, &around.lists);
+    round_near(around);
+    let Columns {
+        state,
+        densities: sums,
+        ..
+    } = fluid.columns();
+    densities(
+        &around.arch,
+        &around.lists,
+        &around.records,
+        around.lattice_sum,
+        sums,
+    );
+    let rings = Rings::new(problem);
+    state
+        .par_iter_mut()
+        .zip(sums)
+        .zip(widest)
+        .for_each(|((particle, density), widest)| {
+            particle.density = *density;
+            let mass = rings.spanned_mass(particle);
+            let h = SMOOTHING_RATIO * edge::<D>(mass / particle.density);
+            particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);
+        });
+}
+
+/// Reads the density off the particles where they and the walls are at `moment`.
+pub fn sum_densities<const D: usize>(
+    problem: &Problem<D>,
+    moment: Moment,
+    fluid: &mut Particles<D>,
+    buffers: &Buffers<D>,
+    walls: &mut Walls<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    fill_near(problem, moment.ahead, fluid, buffers, around);
+    move_walls(walls, moment);
+    fill_ghosts(walls, around);
+    read_densities(problem, fluid, around);
+}
+
+/// Moves the walls to where they are at `moment`.
+fn move_walls<const D: usize>(walls: &mut Walls<D>, moment: Moment) {
+    if walls.are_moving() {
+        walls.move_to(moment.start + moment.ahead);
+    }
+}
+
+/// Rates of the fluid at `moment`.
+pub fn evaluate<const D: usize>(
+    problem: &Problem<D>,
+    moment: Moment,
+    fluid: &mut Particles<D>,
+    buffers: &Buffers<D>,
+    walls: &mut Walls<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    fill_gas(problem, moment.ahead, fluid, buffers, around);
+    move_walls(walls, moment);
+    walls.extrapolate(&around.arch, &around.wall_lists, &around.records);
+    fill_ghosts(walls, around);
+    renormalise(problem, fluid, around);
+    if problem.scheme.shield {
+        shield_walls(fluid, walls, around);
+    }
+    if problem.scheme.shifting {
+        shift(problem, fluid, around);
+    }
+    sum_rates(problem, fluid, around);
+    let Columns { state, rates, .. } = fluid.columns();
+    let rings = Rings::new(problem);
+    find_shocks(problem, rings, rates, state);
+    rings.stretch(state, &problem.gas, rates);
+    fluid.mark_evaluated();
+}
+
+/// Sums the rates of the fluid.
+pub fn sum_rates<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    around: &Neighbourhood<D>,
+) {
+    let columns = fluid.columns();
+    rates(
+        &around.arch,
+        &around.lists,
+        &around.records,
+        columns.renormalisations,
+        &problem.scheme,
+        columns.rates,
+    );
+}
+
+/// Renormalisation of the fluid; buffers keep theirs, and ghosts have that of a lattice.
+pub fn renormalise<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    round_near(around);
+    let renormalisations = fluid.columns().renormalisations;
+    sum_moments(
+        &around.arch,
+        &around.lists,
+        &around.records,
+        &problem.scheme,
+        renormalisations,
+    );
+    let Records { near, state, .. } = &mut around.records;
+    state
+        .par_iter_mut()
+        .zip(near.par_iter())
+        .zip(&*renormalisations)
+        .for_each(|((state, near), r)| {
+            state.renormalise(&r.matrix, &r.density_gradient, near.volume);
+        });
+    around.copies.gas.refresh(&mut around.records);
+    if around.arch.is_mixed() {
+        let Records { state, rounded, .. } = &mut around.records;
+        rounded.round_state(state);
+    }
+}
+
+/// Rounds the geometry where pairs are computed in `f32`.
+fn round_near<const D: usize>(around: &mut Neighbourhood<D>) {
+    if around.arch.is_mixed() {
+        let Records { near, rounded, .. } = &mut around.records;
+        rounded.round_near(near);
+    }
+}
+
+fn shield_walls<const D: usize>(
+    fluid: &mut Particles<D>,
+    walls: &Walls<D>,
+    around: &Neighbourhood<D>,
+) {
+    let first = around.records.start[GHOSTS];
+    let (ghosts, images) = (&walls.ghosts, &around.copies.ghosts);
+    let wall = |slot: usize| {
+        let (ghost, sign) = images.seen(ghosts, slot - first);
+        (
+            sign.component_mul(&ghost.normal),
+            sign.component_mul(&ghost.wall_velocity),
+        )
+    };
+    let Columns { state, rates, .. } = fluid.columns();
+    shield(&around.lists, &around.records.near, state, wall, rates);
+}
+
+/// Edge of a cube of this `D`-dimensional volume.
+fn edge<const D: usize>(volume: f64) -> f64 {
+    match D {
+        1 => volume,
+        2 => volume.sqrt(),
+        _ => volume.cbrt(),
+    }
+}

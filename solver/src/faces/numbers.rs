@@ -1,0 +1,121 @@
+//! Numbers of the faces of thin parts: one bit each.
+
+use aero_geometry::Vector;
+
+use super::across::Across;
+use super::{FaceSet, NOWHERE};
+use crate::records::Matrix;
+use crate::walls::tangents;
+
+/// A face of a body, and which part of it where a smooth face is its own opposite, as an ellipse's is: the side of
+/// the frame's axis along which its normal mostly points.
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
+pub struct Key {
+    face: u32,
+    part: u8,
+}
+
+/// Which faces of a body take part in thin parts.
+#[derive(Clone, Debug)]
+pub struct Numbers<const D: usize> {
+    /// Frames of the faces that are their own opposite, first axis across the thinnest place.
+    frames: Vec<(u32, Matrix<D>)>,
+    /// Bit of each face that takes part.
+    bits: Vec<(Key, u32)>,
+}
+
+/// At least this part of the ghosts between two faces must have a foot on both; where fewer have, the body is a wire
+/// or a cone's point rather than a plate, and all its gas goes by the ghosts' own normals.
+const FLAT: f64 = 0.75;
+
+impl<const D: usize> Numbers<D> {
+    /// Finds the pairs of opposite faces among `crossings` and numbers them from `first` on; returns the
+    /// pairs too. Past the last bit faces stay without a number.
+    pub fn new(crossings: &[Across<D>], first: usize) -> (Self, Vec<[u32; 2]>) {
+        let mut numbers = Self {
+            frames: frames(crossings),
+            bits: Vec::new(),
+        };
+        let mut pairs: Vec<([Key; 2], [usize; 2])> = Vec::new();
+        for crossing in crossings {
+            let mut pair =
+                [&crossing.near, &crossing.far].map(|foot| numbers.key(foot.face, &foot.normal));
+            pair.sort_unstable();
+            let known = pairs.iter().position(|(known, _)| *known == pair);
+            let index = known.unwrap_or_else(|| {
+                pairs.push((pair, [0; 2]));
+                pairs.len() - 1
+            });
+            pairs[index].1[usize::from(crossing.has_foot)] += 1;
+        }
+        pairs.retain(|(pair, [without, with])| {
+            pair[0] != pair[1] && *with as f64 >= FLAT * (with + without) as f64
+        });
+        // Where bits run out, the faces with the fewest ghosts go without.
+        pairs.sort_by_key(|(pair, [_, with])| (std::cmp::Reverse(*with), *pair));
+        let mut opposite = Vec::new();
+        for (pair, _) in &pairs {
+            let mut bits = [0; 2];
+            for (bit, key) in bits.iter_mut().zip(pair) {
+                let known = numbers.bits.iter().find(|(known, _)| known == key);
+                *bit = known.map_or((first + numbers.bits.len()) as u32, |&(_, bit)| bit);
+                if known.is_none() && *bit < NOWHERE.trailing_zeros() {
+                    numbers.bits.push((*key, *bit));
+                }
+            }
+            if bits.iter().all(|&bit| bit < NOWHERE.trailing_zeros()) {
+                opposite.push(bits);
+            }
+        }
+        (numbers, opposite)
+    }
+
+    /// Number of faces that have a bit.
+    pub fn len(&self) -> usize {
+        self.bits.len()
+    }
+
+    /// The bit of a face, as a set; empty for one that takes no part.
+    pub fn set(&self, face: u32, normal: &Vector<D>) -> FaceSet {
+        let key = self.key(face, normal);
+        let found = self.bits.iter().find(|(known, _)| *known == key);
+        found.map_or(0, |(_, bit)| 1 << bit)
+    }
+
+    fn key(&self, face: u32, normal: &Vector<D>) -> Key {
+        let frame = self.frames.iter().find(|(known, _)| *known == face);
+        let part = frame.map_or(0, |(_, frame)| {
+            let along = frame * normal;
+            let axis = along.iamax();
+            2 * axis as u8 + u8::from(along[axis] > 0.0)
+        });
+        Key { face, part }
+    }
+}
+
+/// A frame for each face that is its own opposite.
+fn frames<const D: usize>(crossings: &[Across<D>]) -> Vec<(u32, Matrix<D>)> {
+    let mut thinnest: Vec<(u32, f64, Vector<D>)> = Vec::new();
+    for crossing in crossings {
+        let (near, far) = (&crossing.near, &crossing.far);
+        if near.face != far.face {
+            continue;
+        }
+        let thickness = (near.point - far.point).norm();
+        match thinnest.iter_mut().find(|(face, ..)| *face == near.face) {
+            Some((_, least, normal)) if thickness < *least => {
+                (*least, *normal) = (thickness, near.normal);
+            }
+            Some(_) => {}
+            None => thinnest.push((near.face, thickness, near.normal)),
+        }
+    }
+    thinnest
+        .into_iter()
+        .map(|(face, _, normal)| {
+            let mut rows = vec![normal];
+            rows.extend(tangents(&normal));
+            (face, Matrix::from_fn(|a, b| rows[a][b]))
+        })
+        .collect()
+}

@@ -1,0 +1,84 @@
+//! Writes the records that the pair loops read, from particles, buffers and ghosts. Sums nothing.
+
+use rayon::prelude::*;
+
+use super::gas::Gas;
+use super::neighbourhood::Neighbourhood;
+use super::particles::{Particle, Particles};
+use super::problem::Problem;
+use super::records::{Near, State, Symmetric};
+use super::rings::Rings;
+use super::sides::Buffers;
+use super::walls::Walls;
+
+/// Writes the records of ghosts and their images.
+pub fn fill_ghosts<const D: usize>(walls: &Walls<D>, around: &mut Neighbourhood<D>) {
+    walls.fill(&mut around.records);
+    around.copies.ghosts.refresh(&mut around.records);
+}
+
+/// Writes the records of fluid, buffers and their images; buffers drift on by `ahead`.
+pub fn fill_gas<const D: usize>(
+    problem: &Problem<D>,
+    ahead: f64,
+    fluid: &Particles<D>,
+    buffers: &Buffers<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    fill_near(problem, ahead, fluid, buffers, around);
+    let (gas, count) = (&problem.gas, fluid.len());
+    let (near, state) = (&around.records.near, &mut around.records.state);
+    state[..count]
+        .par_iter_mut()
+        .zip(&fluid[..])
+        .for_each(|(state, particle)| *state = state_of(particle, gas));
+    for (slot, open) in (count..).zip(buffers.particles()) {
+        let mut open_state = state_of(&open.particle, gas);
+        open_state.renormalise(&open.renormalisation, &open.gradient, near[slot].volume);
+        state[slot] = open_state;
+    }
+    around.copies.gas.refresh(&mut around.records);
+}
+
+/// Writes where they are and how they move, all that lists and the sum for the density read.
+pub fn fill_near<const D: usize>(
+    problem: &Problem<D>,
+    ahead: f64,
+    fluid: &Particles<D>,
+    buffers: &Buffers<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    let rings = Rings::new(problem);
+    let count = fluid.len();
+    let near = &mut around.records.near;
+    near[..count]
+        .par_iter_mut()
+        .zip(&fluid[..])
+        .for_each(|(near, particle)| *near = near_of(particle, rings.plane_mass(particle)));
+    for (near, open) in near[count..].iter_mut().zip(buffers.particles()) {
+        *near = near_of(&open.particle, rings.plane_mass(&open.particle));
+        near.position += open.particle.velocity * ahead;
+    }
+    around.copies.gas.refresh_near(&mut around.records);
+}
+
+/// Where a gas particle of plane mass `mass` is and how it moves.
+fn near_of<const D: usize>(particle: &Particle<D>, mass: f64) -> Near<D> {
+    Near {
+        position: particle.position,
+        half_h: 0.5 * particle.smoothing_length,
+        volume: mass / particle.density,
+        mass,
+        half_density: 0.5 * particle.density,
+        velocity: particle.velocity,
+    }
+}
+
+/// The state of a gas particle.
+fn state_of<const D: usize>(particle: &Particle<D>, gas: &Gas) -> State<D> {
+    let pressure = gas.pressure(particle.density, particle.energy);
+    let mut state = State::new(pressure, particle.density, particle.energy, gas);
+    state.strain = Symmetric::new(&particle.strain);
+    state.energy_slope = particle.energy_slope;
+    state
+}

@@ -1,0 +1,165 @@
+//! From the cells of one cloud to those of another: what each new cell gets of each old one, by the volume that they
+//! share. Uniform gas stays uniform, and away from walls nothing is lost.
+
+use std::sync::OnceLock;
+
+use aero_geometry::Vector;
+use rayon::prelude::*;
+
+use super::build::Builder;
+use super::cloud::{Cloud, Plot};
+use super::cut::Whole;
+use super::levels::{parent, parts};
+use super::nearby::Nearby;
+use super::polytope::Polytope;
+use super::solids::Line;
+use super::voronoi::{IN_BODY, Voronoi};
+
+/// Overlaps below this part of a cell are left out.
+const LEAST: f64 = 1e-12;
+
+/// Part of an old cell in a new one: the old one's number, and the part of the *new* cell that it fills.
+pub type Share = (u32, f64);
+
+/// What each new cell is made of; the parts of each add up to one.
+pub fn shares<const D: usize>(
+    plot: &Plot<'_, D>,
+    old: &Cloud<D>,
+    new: &Cloud<D>,
+) -> Vec<Vec<Share>> {
+    let positions = [old.positions(), new.positions()];
+    let overlay = Overlay {
+        plot,
+        old,
+        new,
+        builders: [Builder::new(*plot, old), Builder::new(*plot, new)],
+        voronoi: [
+            Voronoi::new(*plot, old, &positions[0]),
+            Voronoi::new(*plot, new, &positions[1]),
+        ],
+        nearby: Nearby::new(&positions[0]),
+        planes: vec![OnceLock::new(); old.places.len()],
+    };
+    (0..new.places.len())
+        .into_par_iter()
+        .map(|number| {
+            overlay
+                .on_lattice(number)
+                .unwrap_or_else(|| overlay.cut(number))
+        })
+        .collect()
+}
+
+struct Overlay<'a, const D: usize> {
+    plot: &'a Plot<'a, D>,
+    old: &'a Cloud<D>,
+    new: &'a Cloud<D>,
+    builders: [Builder<'a, D>; 2],
+    voronoi: [Voronoi<'a, D>; 2],
+    nearby: Nearby<'a, D>,
+    /// The planes around old cells, from their points, once they are asked for.
+    planes: Vec<OnceLock<Vec<(Vector<D>, f64)>>>,
+}
+
+impl<const D: usize> Overlay<'_, D> {
+    /// The shares where both clouds are a lattice: the same cell, the one that it is a part of, or its parts.
+    fn on_lattice(&self, number: usize) -> Option<Vec<Share>> {
+        let site = self.new.places[number].site?;
+        let [before, after] = &self.builders;
+        if !after.is_plain(number) {
+            return None;
+        }
+        if let Some(same) = self.old.at(&site) {
+            return before.is_plain(same).then(|| vec![(same as u32, 1.0)]);
+        }
+        if site.level > 0
+            && let Some(whole) = self.old.at(&parent(&site))
+        {
+            return before.is_plain(whole).then(|| vec![(whole as u32, 1.0)]);
+        }
+        let mut shares = Vec::new();
+        for part in parts(&site) {
+            let part = self.old.at(&part).filter(|&part| before.is_plain(part))?;
+            let [low, high] = before.block(part);
+            shares.push((part as u32, (high - low).product()));
+        }
+        Some(normalised(shares))
+    }
+
+    /// The shares of any cell: what the planes around each old point leave of it.
+    fn cut(&self, number: usize) -> Vec<Share> {
+        let place = &self.new.places[number];
+        let (cell, _) = self.voronoi[1].cell(number);
+        let reach = cell.reach_squared().sqrt();
+        let mut near = Vec::new();
+        // An old cell may be twice as wide.
+        self.nearby
+            .within(&place.position, reach + 2.0 * place.spacing, &mut near);
+        near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let mut shares = Vec::new();
+        for &(_, other) in &near {
+            let line = Line {
+                from: place.position,
+                to: self.old.places[other as usize].position,
+                unit: place.spacing,
+            };
+            if !self.plot.solids.sees(&line) {
+                continue;
+            }
+            let volume = self.common(number, &cell, other as usize);
+            if volume > LEAST * place.spacing.powi(D as i32) {
+                shares.push((other, volume));
+            }
+        }
+        if shares.is_empty() {
+            let nearest = near.first().map_or(0, |&(_, other)| other);
+            return vec![(nearest, 1.0)];
+        }
+        normalised(shares)
+    }
+
+    /// The planes half way to the neighbours of an old point.
+    fn planes_around(&self, other: usize) -> Vec<(Vector<D>, f64)> {
+        let (cell, links) = self.voronoi[0].cell(other);
+        let links = cell.facets.iter().filter_map(|facet| {
+            let number = (facet.label as usize).checked_sub(2 * D)?;
+            links.get(number)
+        });
+        links
+            .map(|link| {
+                let distance = link.apart.norm();
+                (link.apart / distance, 0.5 * distance)
+            })
+            .collect()
+    }
+
+    /// Volume of the gas that a new cell and an old one have in common.
+    fn common(&self, number: usize, cell: &Polytope<D>, other: usize) -> f64 {
+        let place = &self.new.places[number];
+        let shift = self.old.places[other].position - place.position;
+        let mut common = cell.clone();
+        for (normal, offset) in self.planes[other].get_or_init(|| self.planes_around(other)) {
+            common.clip(normal, offset + normal.dot(&shift), IN_BODY, place.spacing);
+            if common.facets.is_empty() {
+                return 0.0;
+            }
+        }
+        let whole = Whole {
+            cell: &common,
+            point: &place.position,
+            unit: place.spacing,
+            about_axis: self.plot.domain.is_axisymmetric(),
+            keeps_rings: false,
+        };
+        let parts = whole.parts(self.plot.solids);
+        parts.iter().map(|part| part.volume).sum()
+    }
+}
+
+fn normalised(mut shares: Vec<Share>) -> Vec<Share> {
+    let total: f64 = shares.iter().map(|share| share.1).sum();
+    for share in &mut shares {
+        share.1 /= total;
+    }
+    shares
+}

@@ -1,0 +1,102 @@
+//! Cells derived from points, and the faces between them.
+
+use aero_geometry::Vector;
+use nalgebra::SMatrix;
+
+/// Cells derived from points, and the faces between them.
+#[derive(Clone, Debug, Default)]
+pub struct Cells<const D: usize> {
+    /// Where the points are, m; runs of some hundred of them lie close together.
+    pub points: Vec<Vector<D>>,
+    /// Volume in space, area in the plane, length on a line; per radian about an axis.
+    pub volumes: Vec<f64>,
+    /// Between two cells, sorted by `(i, j)`.
+    pub faces: Vec<Face<D>>,
+    /// On bodies and walls.
+    pub walls: Vec<WallFace<D>>,
+    /// On the other sides of the domain.
+    pub sides: Vec<SideFace<D>>,
+}
+
+/// A face between two cells, `i < j`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Face<const D: usize> {
+    /// First cell.
+    pub i: u32,
+    /// Second cell.
+    pub j: u32,
+    /// Area times the unit normal from `i` to `j`; times the radius about an axis.
+    pub area: Vector<D>,
+    /// From the point of `i` to that of `j`, or its periodic image.
+    pub apart: Vector<D>,
+}
+
+/// What a wall belongs to.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum WallOwner {
+    /// A body, by its number in the case.
+    Body(u32),
+    /// A side of the domain.
+    Side {
+        /// Its axis.
+        axis: u8,
+        /// Lower or upper end.
+        end: u8,
+    },
+}
+
+/// A face on a wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct WallFace<const D: usize> {
+    /// Cell.
+    pub i: u32,
+    /// Area times the unit normal out of the gas.
+    pub area: Vector<D>,
+    /// What it belongs to.
+    pub owner: WallOwner,
+    /// Shape operator of the wall, 1/m; positive where the body bulges into the gas.
+    pub curvature: SMatrix<f64, D, D>,
+    /// A point on the face's plane: the foot of the cell's point.
+    pub foot: Vector<D>,
+    /// Smooth part of the surface.
+    pub facet: u32,
+}
+
+/// A face on a side of the domain that is no wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct SideFace<const D: usize> {
+    /// Cell.
+    pub i: u32,
+    /// Area times the unit normal out of the domain.
+    pub area: Vector<D>,
+    /// Axis of the side.
+    pub axis: u8,
+    /// Lower or upper end.
+    pub end: u8,
+    /// Middle of the face.
+    pub centre: Vector<D>,
+}
+
+impl<const D: usize> Cells<D> {
+    /// What is left of the sum of area vectors of each cell: nothing but rounding where it is closed. About an axis the
+    /// radial part is the cell's area in the plane instead, and is left out.
+    pub fn open_areas(&self, about_axis: bool) -> Vec<Vector<D>> {
+        let mut sums = vec![Vector::<D>::zeros(); self.points.len()];
+        for face in &self.faces {
+            sums[face.i as usize] += face.area;
+            sums[face.j as usize] -= face.area;
+        }
+        for wall in &self.walls {
+            sums[wall.i as usize] += wall.area;
+        }
+        for side in &self.sides {
+            sums[side.i as usize] += side.area;
+        }
+        if about_axis && D == 2 {
+            for sum in &mut sums {
+                sum[1] = 0.0;
+            }
+        }
+        sums
+    }
+}

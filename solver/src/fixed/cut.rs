@@ -1,0 +1,388 @@
+//! A cell without what lies in the bodies: its pieces, their volumes, faces and walls.
+//!
+//! A piece that the cell's own point does not see lies behind a thin part; it is somebody else's.
+
+use aero_geometry::Vector;
+
+use super::edges::Edges;
+use super::part::{Part, PartFace, PartWall, own_first};
+use super::polytope::{Facet, Polytope, cross};
+use super::section::{Along, Piece, Plane, Section, Stretch};
+use super::solids::{Line, Solids};
+
+/// How many of a piece's edges are looked at from the cell's point.
+const LOOKS: usize = 4;
+
+/// A convex cell before it is cut.
+#[derive(Clone, Copy, Debug)]
+pub struct Whole<'a, const D: usize> {
+    /// The cell, measured from its point.
+    pub cell: &'a Polytope<D>,
+    /// Where its point is.
+    pub point: &'a Vector<D>,
+    /// Spacing of the points here.
+    pub unit: f64,
+    /// True where areas and volumes are per radian about the axis, at zero of the last coordinate.
+    pub about_axis: bool,
+    /// True where the pieces are to be shown.
+    pub keeps_rings: bool,
+}
+
+impl<const D: usize> Whole<'_, D> {
+    /// The gas in the cell, piece by piece.
+    pub fn parts(&self, solids: &Solids<D>) -> Vec<Part<D>> {
+        let reach = self.cell.reach_squared().sqrt();
+        if solids.distance(self.point) > reach * (1.0 + 1e-9) + 1e-9 * self.unit {
+            return vec![self.uncut()];
+        }
+        let edges = Edges::new(self, solids);
+        match D {
+            1 => vec![self.interval(solids)],
+            2 => self.plane_parts(solids, &edges),
+            _ => self.space_parts(solids, &edges),
+        }
+    }
+
+    /// The cell as it is.
+    pub fn uncut(&self) -> Part<D> {
+        let mut part = Part::new();
+        for (number, facet) in self.cell.facets.iter().enumerate() {
+            let face = match D {
+                1 => {
+                    let place = self.cell.vertices[facet.corners[0] as usize];
+                    let outwards = if number == 0 { -1.0 } else { 1.0 };
+                    part.volume += place[0] * outwards;
+                    PartFace {
+                        label: facet.label,
+                        area: Vector::repeat(outwards),
+                        centre: place,
+                    }
+                }
+                2 => {
+                    let [from, to] = [0, 1].map(|k| self.cell.vertices[facet.corners[k] as usize]);
+                    part.volume += self.fan(&from, &to);
+                    PartFace {
+                        label: facet.label,
+                        ..self.edge_face(&from, &to)
+                    }
+                }
+                _ => {
+                    let corners = facet.corners.iter();
+                    let points: Vec<_> = corners
+                        .map(|&corner| self.cell.vertices[corner as usize])
+                        .collect();
+                    let face = polygon(facet.label, closed(&points));
+                    part.volume += face.area.dot(&face.centre) / 3.0;
+                    if self.keeps_rings {
+                        part.rings.push(points);
+                    }
+                    face
+                }
+            };
+            part.add_face(face);
+        }
+        if self.keeps_rings && D == 2 {
+            let outline = self.cell.outline();
+            let corners = outline.iter().map(|&(corner, _)| corner as usize);
+            part.rings = vec![corners.map(|corner| self.cell.vertices[corner]).collect()];
+        }
+        part
+    }
+
+    /// Volume of the triangle between the point and an edge, per radian about an axis.
+    fn fan(&self, from: &Vector<D>, to: &Vector<D>) -> f64 {
+        let doubled = from[0] * to[1] - from[1] * to[0];
+        if self.about_axis {
+            doubled * (0.5 * self.point[1] + (from[1] + to[1]) / 6.0)
+        } else {
+            0.5 * doubled
+        }
+    }
+
+    /// The face over an edge with the gas to its left; the area per radian about an axis.
+    fn edge_face(&self, from: &Vector<D>, to: &Vector<D>) -> PartFace<D> {
+        let along = to - from;
+        let centre = (from + to) * 0.5;
+        let mut area = Vector::<D>::zeros();
+        let radius = if self.about_axis {
+            self.point[1] + centre[1]
+        } else {
+            1.0
+        };
+        area[0] = along[1] * radius;
+        area[1] = -along[0] * radius;
+        PartFace {
+            label: u32::MAX,
+            area,
+            centre,
+        }
+    }
+
+    fn interval(&self, solids: &Solids<D>) -> Part<D> {
+        let mut part = Part::new();
+        for facet in &self.cell.facets {
+            let end = self.cell.vertices[facet.corners[0] as usize];
+            let line = Line {
+                from: *self.point,
+                to: self.point + end,
+                unit: self.unit,
+            };
+            let heights = [line.from, line.to].map(|p| solids.height(&p));
+            let area = Vector::repeat(end[0].signum());
+            let stop = solids.crossings(&line, heights).first().copied();
+            let centre = end * stop.unwrap_or(1.0);
+            part.volume += centre[0].abs();
+            match stop.and_then(|_| solids.closest(&(self.point + centre))) {
+                Some((body, closest)) => part.add_wall(PartWall {
+                    body,
+                    facet: closest.face,
+                    area,
+                    centre,
+                }),
+                None => part.add_face(PartFace {
+                    label: facet.label,
+                    area,
+                    centre,
+                }),
+            }
+        }
+        part
+    }
+
+    fn section<'a>(&'a self, solids: &'a Solids<D>, plane: Plane<D>) -> Section<'a, D> {
+        Section {
+            solids,
+            origin: self.point,
+            plane,
+            unit: self.unit,
+        }
+    }
+
+    fn plane_parts(&self, solids: &Solids<D>, edges: &Edges<D>) -> Vec<Part<D>> {
+        let outline = self.cell.outline();
+        let corners: Vec<u32> = outline.iter().map(|&(corner, _)| corner).collect();
+        let section = self.section(solids, Plane::flat());
+        let pieces = section.gas(&edges.around(self.cell, &corners));
+        let parts = pieces.iter().map(|piece| {
+            let mut part = Part::new();
+            for stretch in piece {
+                let face = self.edge_face(&stretch.from, &stretch.to);
+                part.volume += self.fan(&stretch.from, &stretch.to);
+                match stretch.along {
+                    Along::Edge(edge, _) => part.add_face(PartFace {
+                        label: outline[edge].1,
+                        ..face
+                    }),
+                    Along::Wall(body, facet) => part.add_wall(PartWall {
+                        body,
+                        facet,
+                        area: face.area,
+                        centre: face.centre,
+                    }),
+                }
+            }
+            part.is_own = is_seen(&section, piece.iter());
+            if self.keeps_rings {
+                part.rings.push(ring(piece));
+            }
+            part
+        });
+        own_first(parts.collect())
+    }
+
+    fn space_parts(&self, solids: &Solids<D>, edges: &Edges<D>) -> Vec<Part<D>> {
+        let mut pieces: Vec<(&Facet, Piece<D>)> = Vec::new();
+        for facet in &self.cell.facets {
+            let corners = facet.corners.iter();
+            let points: Vec<_> = corners
+                .map(|&corner| self.cell.vertices[corner as usize])
+                .collect();
+            let face = polygon(facet.label, closed(&points));
+            let size = face.area.norm();
+            if size < 1e-14 * self.unit * self.unit {
+                continue;
+            }
+            let section = self.section(solids, Plane::across(&(face.area / size)));
+            let gas = section.gas(&edges.around(self.cell, &facet.corners));
+            pieces.extend(gas.into_iter().map(|piece| (facet, piece)));
+        }
+        let group = joined(&pieces);
+        let section = self.section(solids, Plane::flat());
+        let mut parts = Vec::new();
+        for first in 0..pieces.len() {
+            if group[first] != first {
+                continue;
+            }
+            let members = || {
+                let members = pieces.iter().zip(&group);
+                members
+                    .filter(|(_, g)| **g == first)
+                    .map(|(piece, _)| piece)
+            };
+            let mut part = Part::new();
+            let mut rim: Piece<D> = Vec::new();
+            for (facet, piece) in members() {
+                let outline = piece.iter().map(|stretch| (stretch.from, stretch.to));
+                let face = polygon(facet.label, outline);
+                part.volume += face.area.dot(&face.centre) / 3.0;
+                part.add_face(face);
+                if self.keeps_rings {
+                    part.rings.push(ring(piece));
+                }
+                rim.extend(piece.iter().filter(|s| matches!(s.along, Along::Wall(..))));
+            }
+            if !rim.is_empty() {
+                self.roof(solids, &rim, &mut part);
+            }
+            part.is_own = is_seen(&section, members().flat_map(|(_, piece)| piece));
+            parts.push(part);
+        }
+        own_first(parts)
+    }
+
+    /// Closes a piece over the rim that the walls leave on the facets: a fan of triangles about a point that is on
+    /// the surface, on the edge or at the corner, whichever the cell holds (Ju et al. 2002, doi:10.1145/566654.566586).
+    fn roof(&self, solids: &Solids<D>, rim: &[Stretch<D>], part: &mut Part<D>) {
+        let apex = self.apex(solids, rim);
+        for stretch in rim {
+            let Along::Wall(body, facet) = stretch.along else {
+                continue;
+            };
+            let area = 0.5 * cross(&(stretch.to - apex), &(stretch.from - apex));
+            let centre = (apex + stretch.from + stretch.to) / 3.0;
+            part.volume += area.dot(&centre) / 3.0;
+            if self.keeps_rings {
+                part.rings.push(vec![apex, stretch.to, stretch.from]);
+            }
+            part.add_wall(PartWall {
+                body,
+                facet,
+                area,
+                centre,
+            });
+        }
+    }
+
+    fn apex(&self, solids: &Solids<D>, rim: &[Stretch<D>]) -> Vector<D> {
+        const PULL: f64 = 1e-3;
+        const FAR: f64 = 1.5;
+        let total: f64 = rim.iter().map(Stretch::length).sum();
+        let mean = rim.iter().fold(Vector::<D>::zeros(), |sum, stretch| {
+            sum + stretch.middle() * stretch.length()
+        }) / total.max(f64::MIN_POSITIVE);
+        let foot = |place: &Vector<D>| {
+            solids
+                .closest(&(self.point + place))
+                .map_or(*place, |(_, closest)| closest.point - self.point)
+        };
+        if rim.iter().all(|stretch| stretch.along == rim[0].along) {
+            return foot(&mean);
+        }
+        let mut matrix = nalgebra::SMatrix::<f64, D, D>::identity() * PULL;
+        let mut right = Vector::<D>::zeros();
+        for stretch in rim {
+            let middle = stretch.middle();
+            if let Some((_, closest)) = solids.closest(&(self.point + middle)) {
+                let weight = stretch.length() / total;
+                let height = closest.normal.dot(&(middle - mean)) - closest.distance;
+                matrix += closest.normal * closest.normal.transpose() * weight;
+                right += closest.normal * (weight * height);
+            }
+        }
+        let shift = matrix
+            .try_inverse()
+            .map_or_else(Vector::zeros, |inverse| inverse * right);
+        if shift.norm() < FAR * self.unit {
+            mean + shift
+        } else {
+            foot(&mean)
+        }
+    }
+}
+
+fn closed<const D: usize>(
+    points: &[Vector<D>],
+) -> impl Iterator<Item = (Vector<D>, Vector<D>)> + Clone {
+    (0..points.len()).map(|k| (points[k], points[(k + 1) % points.len()]))
+}
+
+/// Area and centroid of a plane loop in space.
+fn polygon<const D: usize>(
+    label: u32,
+    outline: impl Iterator<Item = (Vector<D>, Vector<D>)> + Clone,
+) -> PartFace<D> {
+    let Some((base, _)) = outline.clone().next() else {
+        return PartFace {
+            label,
+            area: Vector::zeros(),
+            centre: Vector::zeros(),
+        };
+    };
+    let doubled = |(from, to): (Vector<D>, Vector<D>)| cross(&(from - base), &(to - base));
+    let area = outline
+        .clone()
+        .fold(Vector::<D>::zeros(), |sum, edge| sum + doubled(edge) * 0.5);
+    let size = area.norm();
+    if size == 0.0 {
+        return PartFace {
+            label,
+            area,
+            centre: base,
+        };
+    }
+    let normal = area / size;
+    let moment = outline.fold(Vector::<D>::zeros(), |sum, edge| {
+        let third = (edge.0 - base + edge.1 - base) / 3.0;
+        sum + third * (0.5 * doubled(edge).dot(&normal))
+    });
+    PartFace {
+        label,
+        area,
+        centre: base + moment / size,
+    }
+}
+
+/// True where the cell's point sees one of the piece's longest edges.
+fn is_seen<'a, const D: usize>(
+    section: &Section<'_, D>,
+    stretches: impl Iterator<Item = &'a Stretch<D>>,
+) -> bool {
+    let mut edges: Vec<&Stretch<D>> = stretches
+        .filter(|stretch| matches!(stretch.along, Along::Edge(..)))
+        .collect();
+    edges.sort_by(|a, b| b.length().total_cmp(&a.length()));
+    let mut looks = edges.iter().take(LOOKS);
+    looks.any(|edge| section.sees(&Vector::zeros(), &edge.middle()))
+}
+
+fn ring<const D: usize>(piece: &Piece<D>) -> Vec<Vector<D>> {
+    piece.iter().map(|stretch| stretch.from).collect()
+}
+
+/// To which piece, the first of them, each is connected over edges of the cell.
+fn joined<const D: usize>(pieces: &[(&Facet, Piece<D>)]) -> Vec<usize> {
+    let mut group: Vec<usize> = (0..pieces.len()).collect();
+    let mut seen: Vec<([u32; 2], usize, usize)> = Vec::new();
+    for (number, (facet, piece)) in pieces.iter().enumerate() {
+        for stretch in piece {
+            let Along::Edge(edge, place) = stretch.along else {
+                continue;
+            };
+            let count = facet.corners.len();
+            let (a, b) = (facet.corners[edge], facet.corners[(edge + 1) % count]);
+            let key = [a.min(b), a.max(b)];
+            match seen.iter().find(|(k, p, _)| *k == key && *p == place) {
+                Some(&(_, _, other)) => {
+                    let (a, b) = (group[number], group[other]);
+                    let (kept, lost) = (a.min(b), a.max(b));
+                    group
+                        .iter_mut()
+                        .filter(|g| **g == lost)
+                        .for_each(|g| *g = kept);
+                }
+                None => seen.push((key, place, number)),
+            }
+        }
+    }
+    group
+}

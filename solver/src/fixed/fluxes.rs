@@ -1,0 +1,262 @@
+//! What flows through the faces of a block: reconstruct, solve the Riemann problem, add up.
+
+use std::array;
+
+use pulp::{Simd, WithSimd};
+
+use super::gas::Gas;
+use super::gradients::Slopes;
+use super::hll::Jump;
+use super::net::{Block, Face, Net};
+use super::real::{Lane, Real};
+use super::reconstruction::{Neighbours, rise};
+use super::state::{Conserved, Primitive, dot, scaled};
+use super::walls::push;
+
+/// Most lanes of any processor.
+const MAX_LANES: usize = 8;
+
+/// Ratio of pressures across a face below which a shock is strong, and its flux HLL.
+const STRONG: f64 = 0.6;
+
+/// Ratio above which there is no shock, and the flux HLLC.
+const WEAK: f64 = 0.95;
+
+/// States and slopes of all cells.
+#[derive(Clone, Copy, Debug)]
+pub struct Flow<'a, const D: usize> {
+    /// State of each cell.
+    pub states: &'a [Primitive<D>],
+    /// Slopes of each cell.
+    pub slopes: &'a [Slopes<D>],
+}
+
+/// What the cells of a block gain per time.
+#[derive(Clone, Debug)]
+pub struct Gains<const D: usize> {
+    /// Cell by cell.
+    pub cells: Vec<Conserved<D>>,
+    /// Through walls and sides, all cells.
+    pub boundary: Conserved<D>,
+}
+
+/// From zero in strong shocks to one elsewhere.
+#[inline(always)]
+pub fn smoothness<R: Real>(calmness: R) -> R {
+    let share = (calmness - STRONG) * (1.0 / (WEAK - STRONG));
+    share.max(calmness.like(0.0)).min(calmness.like(1.0))
+}
+
+/// Sums up the faces of `block`; pressures on its walls go to `pressures`.
+pub struct Exchange<'a, G, const D: usize> {
+    /// The gas.
+    pub gas: &'a G,
+    /// All faces.
+    pub net: &'a Net<D>,
+    /// Those to sum up.
+    pub block: &'a Block<D>,
+    /// The flow.
+    pub flow: Flow<'a, D>,
+    /// Pressure on each wall of the block.
+    pub pressures: &'a mut [f64],
+}
+
+impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
+    type Output = Gains<D>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Gains<D> {
+        let Self {
+            gas,
+            net,
+            block,
+            flow,
+            pressures,
+        } = self;
+        let start = block.cells.start;
+        let mut cells = vec![Conserved::ZERO; block.cells.len()];
+        for faces in block.faces.chunks(S::F64_LANES) {
+            let flux = Batch::new(simd, net, faces, flow).flux(gas);
+            let flux = stored(&flux);
+            for (face, flux) in faces.iter().zip(&flux) {
+                for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
+                    if let Some(cell) = cells.get_mut((i as usize).wrapping_sub(start)) {
+                        *cell = cell.plus(sign, flux);
+                    }
+                }
+            }
+        }
+        let mut boundary = Conserved::ZERO;
+        for (wall, pressure) in block.walls.iter().zip(pressures) {
+            let i = wall.i as usize;
+            let Slopes { along, calmness } = &flow.slopes[i];
+            *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
+            let gain = push(&wall.image, *pressure);
+            boundary = boundary.plus(1.0, &gain);
+            cells[i - start] = cells[i - start].plus(1.0, &gain);
+        }
+        for side in &block.sides {
+            let i = side.i as usize;
+            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i]);
+            boundary = boundary.plus(-side.image.size, &flux);
+            cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
+        }
+        // Rings press outwards on the gas that goes around with them.
+        if D > 1 {
+            for (cell, i) in cells.iter_mut().zip(block.cells.clone()) {
+                cell.momentum[1] += flow.states[i].pressure * net.cell(i).hoop;
+            }
+        }
+        Gains { cells, boundary }
+    }
+}
+
+/// As many faces as the processor has lanes, with the cells on both sides.
+struct Batch<S: Simd, const D: usize> {
+    states: [Primitive<D, Lane<S>>; 2],
+    slopes: [[Primitive<D, Lane<S>>; D]; 2],
+    calmness: Lane<S>,
+    area: [Lane<S>; D],
+    apart: [Lane<S>; D],
+}
+
+impl<S: Simd, const D: usize> Batch<S, D> {
+    #[inline(always)]
+    fn new(simd: S, net: &Net<D>, faces: &[Face], flow: Flow<'_, D>) -> Self {
+        // The lanes beyond the last face do the last one again.
+        let face = |l: usize| &faces[l.min(faces.len() - 1)];
+        let shapes: [_; MAX_LANES] = array::from_fn(|l| &net.face_shapes[face(l).shape as usize]);
+        let numbers: [[usize; MAX_LANES]; 2] = [
+            array::from_fn(|l| face(l).i as usize),
+            array::from_fn(|l| face(l).j as usize),
+        ];
+        let zero = Lane(simd, simd.splat_f64s(0.0));
+        let nothing = Primitive {
+            density: zero,
+            velocity: [zero; D],
+            pressure: zero,
+        };
+        let mut batch = Self {
+            states: [nothing; 2],
+            slopes: [[nothing; D]; 2],
+            calmness: zero,
+            area: [zero; D],
+            apart: [zero; D],
+        };
+        let mut calmness = [zero; 2];
+        for side in 0..2 {
+            let states: [_; MAX_LANES] = array::from_fn(|l| &flow.states[numbers[side][l]]);
+            let cells: [_; MAX_LANES] = array::from_fn(|l| &flow.slopes[numbers[side][l]]);
+            gather_state(simd, &states, &mut batch.states[side]);
+            for axis in 0..D {
+                let slopes: [_; MAX_LANES] = array::from_fn(|l| &cells[l].along[axis]);
+                gather_state(simd, &slopes, &mut batch.slopes[side][axis]);
+            }
+            calmness[side] = gather(simd, |l| cells[l].calmness);
+        }
+        batch.calmness = calmness[0].min(calmness[1]);
+        for k in 0..D {
+            batch.area[k] = gather(simd, |l| shapes[l].area[k]);
+            batch.apart[k] = gather(simd, |l| shapes[l].apart[k]);
+        }
+        batch
+    }
+
+    /// Flux through the whole of each face.
+    #[inline(always)]
+    fn flux<G: Gas>(&self, gas: &G) -> Conserved<D, Lane<S>> {
+        let size = dot(&self.area, &self.area).sqrt();
+        let share = size.like(1.0) / size;
+        let normal = scaled(&self.area, share);
+        let smooth = smoothness(self.calmness);
+        let [left, right] = Neighbours {
+            means: self.states,
+            rises: [
+                rise(&self.slopes[0], &self.apart),
+                rise(&self.slopes[1], &self.apart),
+            ],
+            smooth,
+            order: self.calmness,
+        }
+        .states();
+        let jump = Jump::new(gas, left, right, normal);
+        let (sharp, blunt) = (jump.hllc(), jump.hll());
+        let mix = Mix {
+            is_smooth: smooth - (1.0 - f64::EPSILON),
+            smooth,
+            size,
+        };
+        let mut momentum = sharp.momentum;
+        for k in 0..D {
+            momentum[k] = mix.of(sharp.momentum[k], blunt.momentum[k]);
+        }
+        Conserved {
+            mass: mix.of(sharp.mass, blunt.mass),
+            momentum,
+            energy: mix.of(sharp.energy, blunt.energy),
+        }
+    }
+}
+
+/// How much there is of the sharp and of the blunt flux, over the whole face.
+struct Mix<R> {
+    is_smooth: R,
+    smooth: R,
+    size: R,
+}
+
+impl<R: Real> Mix<R> {
+    #[inline(always)]
+    fn of(&self, sharp: R, blunt: R) -> R {
+        let mixed = blunt + self.smooth * (sharp - blunt);
+        self.is_smooth.select(sharp, mixed) * self.size
+    }
+}
+
+#[inline(always)]
+fn gather<S: Simd>(simd: S, value: impl Fn(usize) -> f64) -> Lane<S> {
+    let mut buffer = [0.0; MAX_LANES];
+    for (l, slot) in buffer.iter_mut().enumerate().take(S::F64_LANES) {
+        *slot = value(l);
+    }
+    let (vectors, _) = S::as_simd_f64s(&buffer);
+    Lane(simd, vectors[0])
+}
+
+#[inline(always)]
+fn gather_state<S: Simd, const D: usize>(
+    simd: S,
+    states: &[&Primitive<D>; MAX_LANES],
+    into: &mut Primitive<D, Lane<S>>,
+) {
+    into.density = gather(simd, |l| states[l].density);
+    for k in 0..D {
+        into.velocity[k] = gather(simd, |l| states[l].velocity[k]);
+    }
+    into.pressure = gather(simd, |l| states[l].pressure);
+}
+
+#[inline(always)]
+fn store<S: Simd>(lane: Lane<S>) -> [f64; MAX_LANES] {
+    let mut buffer = [0.0; MAX_LANES];
+    let (vectors, _) = S::as_mut_simd_f64s(&mut buffer);
+    vectors[0] = lane.1;
+    buffer
+}
+
+/// Lane by lane.
+#[inline(always)]
+fn stored<S: Simd, const D: usize>(flux: &Conserved<D, Lane<S>>) -> [Conserved<D>; MAX_LANES] {
+    let mut all = [Conserved::ZERO; MAX_LANES];
+    let (mass, energy) = (store(flux.mass), store(flux.energy));
+    for l in 0..MAX_LANES {
+        (all[l].mass, all[l].energy) = (mass[l], energy[l]);
+    }
+    for k in 0..D {
+        let momentum = store(flux.momentum[k]);
+        for l in 0..MAX_LANES {
+            all[l].momentum[k] = momentum[l];
+        }
+    }
+    all
+}

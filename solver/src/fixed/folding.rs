@@ -1,0 +1,50 @@
+//! Faces in their order, those between the same two cells as one.
+
+use rayon::prelude::*;
+
+use super::cells::{Face, SideFace, WallFace, WallOwner};
+
+/// Sorts the faces and adds up those between the same points.
+pub fn folded_faces<const D: usize>(mut faces: Vec<Face<D>>, spacing: f64) -> Vec<Face<D>> {
+    faces.par_sort_by_key(|face| (face.i, face.j));
+    let mut kept: Vec<Face<D>> = Vec::with_capacity(faces.len());
+    for face in faces {
+        let mut same = kept
+            .iter_mut()
+            .rev()
+            .take_while(|known| (known.i, known.j) == (face.i, face.j));
+        match same.find(|known| (known.apart - face.apart).norm() < 1e-6 * spacing) {
+            Some(known) => known.area += face.area,
+            None => kept.push(face),
+        }
+    }
+    kept
+}
+
+/// Sorts the walls and adds up those of one smooth face in one cell.
+pub fn folded_walls<const D: usize>(mut walls: Vec<WallFace<D>>) -> Vec<WallFace<D>> {
+    let key = |wall: &WallFace<D>| match wall.owner {
+        WallOwner::Body(body) => (wall.i, body, wall.facet),
+        WallOwner::Side { axis, end } => (wall.i, u32::MAX, u32::from(2 * axis + end)),
+    };
+    walls.sort_by_key(key);
+    let mut kept: Vec<WallFace<D>> = Vec::with_capacity(walls.len());
+    for wall in walls {
+        match kept.last_mut() {
+            Some(known) if key(known) == key(&wall) => {
+                let (a, b) = (known.area.norm(), wall.area.norm());
+                known.foot += (wall.foot - known.foot) * (b / (a + b));
+                known.area += wall.area;
+            }
+            _ => kept.push(wall),
+        }
+    }
+    kept.retain(|wall| wall.area.norm() > 0.0);
+    kept
+}
+
+/// Sorts the faces on sides.
+pub fn folded_sides<const D: usize>(mut sides: Vec<SideFace<D>>) -> Vec<SideFace<D>> {
+    sides.sort_by_key(|side| (side.i, side.axis, side.end));
+    sides
+}

@@ -1,0 +1,120 @@
+//! How the gas changes about a cell: least squares over its neighbours, and how strong the shocks are that it is in.
+
+use super::gas::Gas;
+use super::net::{Block, Net};
+use super::state::{Primitive, dot};
+
+/// Gradients in a cell, and what else its faces ask.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Slopes<const D: usize> {
+    /// Derivative of each variable along each axis.
+    pub along: [Primitive<D>; D],
+    /// Least ratio of the pressures of the cell and a neighbour, the lower one over the higher; [`Slopes::CAREFUL`] where the cell is
+    /// to be flown in first order.
+    pub calmness: f64,
+}
+
+impl<const D: usize> Slopes<D> {
+    /// In place of a ratio of pressures: no slopes on any face of this cell, and the most dissipative flux.
+    pub const CAREFUL: f64 = -1.0;
+
+    /// Of gas that is the same all around.
+    pub const LEVEL: Self = Self {
+        along: [Primitive::ZERO; D],
+        calmness: 1.0,
+    };
+}
+
+/// What a block's sweep over its faces gives for each cell.
+struct Sums<const D: usize> {
+    slopes: Slopes<D>,
+    /// Sum of wave speed times area.
+    reach: f64,
+    sound: f64,
+}
+
+/// Slopes of the cells of `block`, `grad q = M^-1 sum_j w d (q_j - q_i)`, with `w` the area of a face over its length `d`, so that slivers
+/// count as little as they are; images behind walls and known sides count as neighbours. Exact for linear states.
+///
+/// Returns the least of `V / L` over the cells, `L` the sum of `(|u.n| + a) A` over all faces.
+pub fn slopes<G: Gas, const D: usize>(
+    gas: &G,
+    net: &Net<D>,
+    block: &Block<D>,
+    states: &[Primitive<D>],
+    results: &mut [Slopes<D>],
+) -> f64 {
+    let start = block.cells.start;
+    let mut sums: Vec<Sums<D>> = block
+        .cells
+        .clone()
+        .map(|i| Sums {
+            slopes: Slopes::LEVEL,
+            reach: 0.0,
+            sound: gas
+                .sound_square(states[i].density, states[i].pressure)
+                .sqrt(),
+        })
+        .collect();
+    for face in &block.faces {
+        let shape = &net.face_shapes[face.shape as usize];
+        let (i, j) = (face.i as usize, face.j as usize);
+        let (first, second) = (&states[i], &states[j]);
+        let rise = second.plus(-1.0, first);
+        let weight = shape.apart.map(|d| d * shape.weight);
+        let ratio = first.pressure.min(second.pressure) / first.pressure.max(second.pressure);
+        for (number, state) in [(i, first), (j, second)] {
+            if let Some(sums) = sums.get_mut(number.wrapping_sub(start)) {
+                sums.add(&rise, &weight);
+                sums.slopes.calmness = sums.slopes.calmness.min(ratio);
+                sums.reach += dot(&state.velocity, &shape.area).abs() + sums.sound * shape.size;
+            }
+        }
+    }
+    for wall in &block.walls {
+        let cell = &states[wall.i as usize];
+        let image = cell.mirrored(&wall.image.normal);
+        let sums = &mut sums[wall.i as usize - start];
+        sums.add(&image.plus(-1.0, cell), &wall.image.weight());
+        sums.meet(cell, &wall.image);
+    }
+    for side in &block.sides {
+        let cell = &states[side.i as usize];
+        let sums = &mut sums[side.i as usize - start];
+        if let Some(image) = side.known(cell) {
+            sums.add(&image.plus(-1.0, cell), &side.image.weight());
+        }
+        sums.meet(cell, &side.image);
+    }
+    let mut least = f64::INFINITY;
+    for ((sums, i), result) in sums.iter().zip(block.cells.clone()).zip(results) {
+        let shape = net.cell(i);
+        least = least.min(shape.volume / sums.reach);
+        let mut along = [Primitive::ZERO; D];
+        for a in 0..D {
+            for b in 0..D {
+                along[a] = along[a].plus(shape.inverse[(a, b)], &sums.slopes.along[b]);
+            }
+        }
+        *result = Slopes {
+            along,
+            calmness: sums.slopes.calmness,
+        };
+    }
+    least
+}
+
+impl<const D: usize> Sums<D> {
+    #[inline(always)]
+    fn add(&mut self, rise: &Primitive<D>, weight: &[f64; D]) {
+        for (along, weight) in self.slopes.along.iter_mut().zip(weight) {
+            *along = along.plus(*weight, rise);
+        }
+    }
+
+    fn meet(&mut self, cell: &Primitive<D>, image: &super::walls::Image<D>) {
+        let speed = dot(&cell.velocity, &image.normal).abs();
+        self.reach += (speed + self.sound) * image.size;
+    }
+}

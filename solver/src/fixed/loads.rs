@@ -1,0 +1,65 @@
+//! Forces and moments on bodies and walls.
+
+use nalgebra::Vector3;
+
+use super::FixedSimulation;
+use super::walls::Wall;
+use crate::frame::{Load, Totals};
+use crate::sides::closed::reflections;
+use crate::walls::{pad, wall_sides};
+
+impl<const D: usize> FixedSimulation<D> {
+    /// Loads on the bodies, in scene order; then on the wall sides in the order of [`crate::wall_sides`]: sums of pressure times
+    /// area at the last evaluation.
+    ///
+    /// A body that a symmetry plane cuts is reported whole; of one that runs on through an open side, what lies in the domain.
+    pub fn loads(&self) -> Vec<Load> {
+        let bodies = &self.problem.bodies;
+        let count = bodies.len() + wall_sides(&self.problem.domain).len();
+        let mut loads = vec![Load::default(); count];
+        let reflections: Vec<_> = (0..count)
+            .map(|owner| {
+                let extent = bodies.get(owner).map(|body| body.shape.bounds());
+                reflections(&self.problem.domain, extent.as_ref())
+            })
+            .collect();
+        let centres: Vec<Vector3<f64>> = (0..count)
+            .map(|owner| {
+                bodies
+                    .get(owner)
+                    .map_or_else(Vector3::zeros, |body| pad(&body.moment_centre))
+            })
+            .collect();
+        let is_axisymmetric = self.problem.domain.is_axisymmetric();
+        for (wall, pressure) in self.walls() {
+            let owner = wall.owner as usize;
+            let mut force = wall.image.area() * (pressure * self.around());
+            let mut foot = wall.foot;
+            if is_axisymmetric {
+                // What points away from the axis cancels all around.
+                (force[1], foot[1]) = (0.0, 0.0);
+            }
+            for (sign, shift) in &reflections[owner] {
+                let force = pad(&sign.component_mul(&force));
+                let arm = pad(&(sign.component_mul(&foot) + shift)) - centres[owner];
+                let moment = arm.cross(&force);
+                for k in 0..3 {
+                    loads[owner].force[k] += force[k];
+                    loads[owner].moment[k] += moment[k];
+                }
+            }
+        }
+        loads
+    }
+
+    /// What the gas received since the start: inflow minus outflow through open sides, and the impulse of walls.
+    pub fn inflow(&self) -> Totals {
+        self.totals_of(&self.received)
+    }
+
+    /// All walls with the pressure on them.
+    pub(super) fn walls(&self) -> impl Iterator<Item = (&Wall<D>, f64)> {
+        let blocks = self.net.blocks.iter().zip(&self.pressures);
+        blocks.flat_map(|(block, pressures)| block.walls.iter().zip(pressures.iter().copied()))
+    }
+}

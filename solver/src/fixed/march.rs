@@ -1,0 +1,329 @@
+//! One step of an unsteady flow: the method of Heun [1900], second order, in two stages that keep totals.
+//!
+//! `U* = U + dt R(U)`, `U' = (U + U* + dt R(U*)) / 2`, also the second-order method that preserves what a single stage of
+//! Euler preserves [Shu & Osher 1988, J. Comput. Phys. 77, 439-471].
+
+use rayon::prelude::*;
+
+use super::FixedSimulation;
+use super::fluxes::{Exchange, Flow, Gains};
+use super::gradients::{Slopes, slopes};
+use super::net::{BLOCK, Net};
+use super::quiet::Quiet;
+use super::state::{Conserved, Primitive};
+use crate::Failure;
+use crate::walls::pad;
+
+/// How often a step is halved before the run stops.
+const HALVINGS: u32 = 8;
+
+/// How often a step is taken again with more cells in first order, before it is halved.
+const RETRIES: u32 = 4;
+
+/// `U' = (1 - new) U_0 + new (U + dt R(U))`.
+#[derive(Clone, Copy, Debug)]
+struct Stage {
+    new: f64,
+    step: f64,
+}
+
+/// Cells of a block.
+pub(super) struct Part<'a, const D: usize> {
+    /// The first one.
+    pub start: usize,
+    /// What each holds.
+    pub held: &'a mut [Conserved<D>],
+    /// What each held before the step.
+    pub before: &'a mut [Conserved<D>],
+}
+
+/// What a pass over a block's states finds.
+#[derive(Clone, Debug, Default)]
+struct Found {
+    /// Cells whose state is none of a gas.
+    bad: Vec<u32>,
+    min_density: f64,
+    min_energy: f64,
+}
+
+impl<const D: usize> FixedSimulation<D> {
+    /// Advances by one time step, no further than `limit`; returns the step taken.
+    ///
+    /// A cell that would be left without density or pressure is taken again in first order; only where that does not
+    /// help is the step halved.
+    ///
+    /// # Errors
+    /// A [`Failure`] where that does not help either; the simulation then stands at its last good state.
+    pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
+        self.wake();
+        self.careful.clear();
+        let least = self.find_slopes();
+        let free = 2.0 * self.cfl * least;
+        let mut step = if self.time + free * (1.0 + 1e-9) >= limit {
+            limit - self.time
+        } else {
+            free
+        };
+        self.keep();
+        let (mut halvings, mut retries) = (0, 0);
+        while let Err(bad) = self.try_step(step) {
+            self.restore();
+            let known = self.careful.len();
+            self.careful.extend(&bad);
+            self.careful.sort_unstable();
+            self.careful.dedup();
+            retries += 1;
+            if retries > RETRIES || self.careful.len() == known {
+                if halvings == HALVINGS {
+                    return Err(self.failure(bad[0]));
+                }
+                step *= 0.5;
+                halvings += 1;
+                retries = 0;
+            }
+            self.find_slopes();
+        }
+        self.time = if limit - self.time == step {
+            limit
+        } else {
+            self.time + step
+        };
+        self.steps += 1;
+        self.updates += self.awake_cells();
+        Ok(step)
+    }
+
+    /// Both stages; the cells that do not bear it are the error.
+    fn try_step(&mut self, step: f64) -> Result<(), Vec<u32>> {
+        let first = self.stage(Stage { new: 1.0, step });
+        self.find_states()?;
+        self.find_slopes();
+        let second = self.stage(Stage { new: 0.5, step });
+        self.find_states()?;
+        let half = 0.5 * step;
+        self.received = self.received.plus(half, &first).plus(half, &second);
+        Ok(())
+    }
+
+    /// Slopes of all cells that are awake; returns the least of `V / L`.
+    pub(super) fn find_slopes(&mut self) -> f64 {
+        self.find_reaches()
+            .into_iter()
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// The same; returns the least of `V / L` block by block.
+    pub(super) fn find_reaches(&mut self) -> Vec<f64> {
+        let Self {
+            gas,
+            net,
+            states,
+            slopes: results,
+            quiet,
+            careful,
+            ..
+        } = self;
+        let least: Vec<f64> = net
+            .blocks
+            .par_iter()
+            .zip(results.par_chunks_mut(BLOCK))
+            .zip(&quiet.blocks)
+            .map(|((block, results), quiet)| {
+                if quiet.is_awake {
+                    slopes(gas, net, block, states, results)
+                } else {
+                    quiet.reach
+                }
+            })
+            .collect();
+        for &i in careful.iter() {
+            results[i as usize].calmness = Slopes::<D>::CAREFUL;
+        }
+        least
+    }
+
+    /// What flows in each block that is awake, as `apply` takes it; returns what all cells gain through walls and sides.
+    pub(super) fn exchange(
+        &mut self,
+        apply: impl Fn(&Net<D>, Part<'_, D>, &Gains<D>) + Sync,
+    ) -> Conserved<D> {
+        self.boundaries_of(apply)
+            .iter()
+            .fold(Conserved::ZERO, |sum, block| sum.plus(1.0, block))
+    }
+
+    /// What each block gains through walls and sides in its present state.
+    pub(super) fn boundaries(&mut self) -> Vec<Conserved<D>> {
+        self.boundaries_of(|_, _, _| {})
+    }
+
+    fn boundaries_of(
+        &mut self,
+        apply: impl Fn(&Net<D>, Part<'_, D>, &Gains<D>) + Sync,
+    ) -> Vec<Conserved<D>> {
+        let Self {
+            arch,
+            gas,
+            net,
+            states,
+            slopes,
+            quiet,
+            held,
+            before,
+            pressures,
+            ..
+        } = self;
+        let flow = Flow { states, slopes };
+        net.blocks
+            .par_iter()
+            .zip(held.par_chunks_mut(BLOCK))
+            .zip(before.par_chunks_mut(BLOCK))
+            .zip(pressures.par_iter_mut())
+            .zip(&quiet.blocks)
+            .map(|((((block, held), before), pressures), quiet)| {
+                if !quiet.is_awake {
+                    return quiet.boundary;
+                }
+                let gains = arch.dispatch(Exchange {
+                    gas: &*gas,
+                    net: &*net,
+                    block,
+                    flow,
+                    pressures: pressures.as_mut_slice(),
+                });
+                let boundary = gains.boundary;
+                let start = block.cells.start;
+                apply(
+                    net,
+                    Part {
+                        start,
+                        held,
+                        before,
+                    },
+                    &gains,
+                );
+                boundary
+            })
+            .collect()
+    }
+
+    fn stage(&mut self, stage: Stage) -> Conserved<D> {
+        let Stage { new, step } = stage;
+        self.exchange(|net, part, gains| {
+            let cells = part.held.iter_mut().zip(&*part.before).zip(&gains.cells);
+            for (k, ((held, before), gain)) in cells.enumerate() {
+                let there = held.plus(step / net.cell(part.start + k).volume, gain);
+                *held = if new == 1.0 {
+                    there
+                } else {
+                    before.plus(new, &there.plus(-1.0, before))
+                };
+            }
+        })
+    }
+
+    /// Keeps the state for a step that fails, and for the second stage.
+    fn keep(&mut self) {
+        let Self {
+            quiet,
+            held,
+            before,
+            ..
+        } = self;
+        before
+            .par_chunks_mut(BLOCK)
+            .zip(held.par_chunks(BLOCK))
+            .zip(&quiet.blocks)
+            .for_each(|((before, held), quiet)| {
+                if quiet.is_awake {
+                    before.copy_from_slice(held);
+                }
+            });
+    }
+
+    fn restore(&mut self) {
+        let Self {
+            gas,
+            quiet,
+            held,
+            before,
+            states,
+            ..
+        } = self;
+        for (block, quiet) in quiet.blocks.iter().enumerate() {
+            if quiet.is_awake {
+                let cells = block * BLOCK..((block + 1) * BLOCK).min(held.len());
+                for i in cells {
+                    held[i] = before[i];
+                    states[i] = held[i].primitive(gas);
+                }
+            }
+        }
+    }
+
+    /// Reads the states off what the cells hold; the cells where that is no gas are the error.
+    pub(super) fn find_states(&mut self) -> Result<(), Vec<u32>> {
+        let Self {
+            gas,
+            quiet,
+            held,
+            states,
+            ..
+        } = self;
+        let Quiet { stream, blocks } = quiet;
+        let found: Vec<Found> = states
+            .par_chunks_mut(BLOCK)
+            .zip(held.par_chunks(BLOCK))
+            .zip(blocks.par_iter_mut())
+            .enumerate()
+            .map(|(block, ((states, held), quiet))| {
+                let mut found = Found {
+                    min_density: f64::INFINITY,
+                    min_energy: f64::INFINITY,
+                    ..Found::default()
+                };
+                if !quiet.is_awake {
+                    return found;
+                }
+                for (k, (state, held)) in states.iter_mut().zip(held).enumerate() {
+                    *state = held.primitive(gas);
+                    if !state.makes_sense() {
+                        found.bad.push((block * BLOCK + k) as u32);
+                    }
+                    found.min_density = found.min_density.min(state.density);
+                    let energy = state.pressure / state.density;
+                    found.min_energy = found.min_energy.min(energy);
+                }
+                quiet.is_quiet = stream.as_ref().is_some_and(|stream| stream.is_in(states));
+                found
+            })
+            .collect();
+        let bad: Vec<u32> = found.iter().flat_map(|found| &found.bad).copied().collect();
+        if !bad.is_empty() {
+            return Err(bad);
+        }
+        for found in found {
+            self.min_density = self.min_density.min(found.min_density);
+            let energy = found.min_energy / self.gas.heat();
+            self.min_energy = self.min_energy.min(energy);
+        }
+        Ok(())
+    }
+
+    pub(super) fn failure(&self, cell: u32) -> Failure {
+        let i = cell as usize;
+        let Primitive {
+            density, pressure, ..
+        } = self.states[i];
+        Failure {
+            reason: format!(
+                "a cell loses all of its density or pressure within the shortest step; it had a density of {density:.3e} and a \
+                 pressure of {pressure:.3e}; use a smaller `spacing`, or `scheme.motion = \"with-the-gas\"`"
+            ),
+            particle: u64::from(cell),
+            position: pad(&self.points[i]).into(),
+            step: self.steps,
+            time: self.time,
+        }
+    }
+}

@@ -1,0 +1,254 @@
+//! Gas dynamics on points that stay where they are: cells derived from them, and what flows through their faces.
+//!
+//! [`FixedSimulation::step`] marches in time, `settle` goes to the steady state. Neither knows how cells are made.
+
+mod adapt;
+pub mod build;
+pub mod carry;
+pub mod cells;
+mod checkpoint;
+pub mod cloud;
+mod cut;
+mod edges;
+mod fluxes;
+mod folding;
+mod gas;
+mod gradients;
+mod hll;
+mod hllc;
+pub mod levels;
+mod limiter;
+mod loads;
+mod march;
+mod merge;
+mod nearby;
+mod net;
+pub mod outlines;
+mod part;
+mod polytope;
+mod quiet;
+mod real;
+mod reconstruction;
+pub mod refine;
+mod refusal;
+mod section;
+mod settle;
+mod sides;
+mod snapshot;
+pub mod solids;
+mod state;
+mod sweeps;
+#[cfg(test)]
+pub(crate) mod tests;
+mod voronoi;
+mod walls;
+
+use std::f64::consts::TAU;
+
+use aero_geometry::Vector;
+
+pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
+pub use checkpoint::FixedMemory;
+pub use settle::{Settled, Settling};
+
+use crate::problem::Problem;
+use crate::scheme::Precision;
+use crate::vectors::Arch;
+use crate::walls::wall_sides;
+use build::cells;
+use cloud::{Cloud, Plot};
+use gas::IdealGas;
+use gradients::Slopes;
+use levels::Levels;
+use net::Net;
+use quiet::Quiet;
+use sides::Beyond;
+use solids::Solids;
+use state::{Conserved, Primitive};
+use sweeps::Sweeps;
+
+/// Courant number of a marching step.
+const CFL: f64 = 0.8;
+
+/// A flow about points that stay where they are.
+#[derive(Debug)]
+pub struct FixedSimulation<const D: usize> {
+    problem: Problem<D>,
+    gas: IdealGas,
+    arch: pulp::Arch,
+    cfl: f64,
+    time: f64,
+    steps: u64,
+    points: Vec<Vector<D>>,
+    net: Net<D>,
+    quiet: Quiet<D>,
+    /// What cells hold per volume.
+    held: Vec<Conserved<D>>,
+    /// What they held at the start of the step.
+    before: Vec<Conserved<D>>,
+    states: Vec<Primitive<D>>,
+    slopes: Vec<Slopes<D>>,
+    /// Cells that this step takes in first order.
+    careful: Vec<u32>,
+    /// Pressure on each wall of each block at the last evaluation.
+    pressures: Vec<Vec<f64>>,
+    /// What came in through walls and sides so far.
+    received: Conserved<D>,
+    settling: Settling,
+    /// Links of the cells in the order of the flow, once it is to settle.
+    sweeps: Option<Sweeps>,
+    updates: u64,
+    min_density: f64,
+    min_energy: f64,
+}
+
+impl<const D: usize> FixedSimulation<D> {
+    /// The flow of `problem` on `cells`, at its start.
+    ///
+    /// # Errors
+    /// What cannot be flown on points that stay: walls and bodies that move, walls that gas sticks to, a vacuum; cells that are none.
+    pub fn on(cells: Cells<D>, problem: Problem<D>) -> Result<Self, String> {
+        problem.check_fixed()?;
+        let states = cells
+            .points
+            .iter()
+            .map(|point| match problem.initial_state(point)? {
+                Some(state) => Ok(Primitive::of(&state)),
+                None => Err(refusal::vacuum(point.as_slice())),
+            })
+            .collect::<Result<Vec<_>, String>>()?;
+        Self::from_states(cells, problem, states)
+    }
+
+    /// The flow of `problem` on the cells of its lattice, at its start.
+    ///
+    /// # Errors
+    /// As of [`Self::on`].
+    pub fn new(problem: Problem<D>) -> Result<Self, String> {
+        let cells = Self::cells_of(&problem);
+        Self::on(cells, problem)
+    }
+
+    /// The cells of the lattice of `problem`.
+    fn cells_of(problem: &Problem<D>) -> Cells<D> {
+        let solids = Solids::new(
+            problem.bodies.iter().map(|body| body.shape.clone()),
+            problem.spacing,
+        );
+        let plot = Plot {
+            domain: &problem.domain,
+            solids: &solids,
+            spacing: problem.spacing,
+        };
+        let cloud = Cloud::lattice(&plot, &Levels::default(), problem.disorder);
+        cells(&plot, &cloud).0
+    }
+
+    /// The same with a state in each cell.
+    fn from_states(
+        cells: Cells<D>,
+        problem: Problem<D>,
+        states: Vec<Primitive<D>>,
+    ) -> Result<Self, String> {
+        if cells.points.is_empty() {
+            return Err("no point fits between the bodies and the sides; \
+                        use a smaller `spacing` or a larger domain"
+                .into());
+        }
+        let net = Self::net(&cells, &problem)?;
+        let gas = IdealGas::of(&problem.gas);
+        let held: Vec<_> = states.iter().map(|state| state.conserved(&gas)).collect();
+        let mut simulation = Self {
+            arch: Arch::of_processor(Precision::Double)?.instructions,
+            gas,
+            cfl: CFL,
+            time: 0.0,
+            steps: 0,
+            quiet: Quiet::of(&net, &problem),
+            before: held.clone(),
+            slopes: vec![Slopes::LEVEL; states.len()],
+            careful: Vec::new(),
+            pressures: net
+                .blocks
+                .iter()
+                .map(|block| vec![problem.free_stream.pressure; block.walls.len()])
+                .collect(),
+            points: cells.points,
+            net,
+            held,
+            states,
+            received: Conserved::ZERO,
+            settling: Settling::default(),
+            sweeps: None,
+            updates: 0,
+            min_density: f64::INFINITY,
+            min_energy: f64::INFINITY,
+            problem,
+        };
+        simulation.start();
+        Ok(simulation)
+    }
+
+    fn net(cells: &Cells<D>, problem: &Problem<D>) -> Result<Net<D>, String> {
+        let mut beyond = [[Beyond::Same; 2]; D];
+        for face in &cells.sides {
+            let (axis, end) = (face.axis as usize, face.end as usize);
+            beyond[axis][end] = Beyond::of(problem, axis, end)?;
+        }
+        let sides = wall_sides(&problem.domain);
+        let bodies = problem.bodies.len();
+        Net::new(
+            cells,
+            |axis, end| beyond[axis as usize][end as usize],
+            |owner| match owner {
+                WallOwner::Body(body) => body,
+                WallOwner::Side { axis, end } => {
+                    let place = (axis as usize, end as usize);
+                    let number = sides.iter().position(|side| *side == place);
+                    (bodies + number.unwrap_or(0)) as u32
+                }
+            },
+            problem.domain.is_axisymmetric(),
+        )
+    }
+
+    /// Finds out which blocks rest, and evaluates once so that loads can be told.
+    fn start(&mut self) {
+        self.find_quiet();
+        self.wake();
+        self.find_slopes();
+        self.exchange(|_, _, _| {});
+    }
+
+    /// The problem that is solved.
+    pub fn problem(&self) -> &Problem<D> {
+        &self.problem
+    }
+
+    /// Time reached.
+    pub fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// Steps taken.
+    pub fn steps(&self) -> u64 {
+        self.steps
+    }
+
+    /// What a value per radian counts all around an axis; one without.
+    fn around(&self) -> f64 {
+        if self.problem.domain.is_axisymmetric() {
+            TAU
+        } else {
+            1.0
+        }
+    }
+
+    fn awake_cells(&self) -> u64 {
+        let blocks = self.net.blocks.iter().zip(&self.quiet.blocks);
+        blocks
+            .filter(|(_, rest)| rest.is_awake)
+            .map(|(block, _)| block.cells.len() as u64)
+            .sum()
+    }
+}

@@ -1,0 +1,288 @@
+//! Cells and faces as the march reads them: blocks of cells that lie close together, each with all of its faces.
+//!
+//! A face between two blocks stands in both, so that each block sums up its own cells alone, in an order that no number of threads
+//! changes. Faces and cells of a lattice are alike: what they look like stands once in a table.
+
+use std::collections::HashMap;
+use std::ops::Range;
+
+use aero_geometry::Vector;
+use nalgebra::SMatrix;
+
+use super::cells::{Cells, WallOwner};
+use super::sides::{Beyond, Side};
+use super::walls::Wall;
+
+/// Cells of a block.
+pub const BLOCK: usize = 512;
+
+/// A square matrix.
+pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
+
+/// A face between two cells.
+#[derive(Clone, Copy, Debug)]
+pub struct Face {
+    /// First cell.
+    pub i: u32,
+    /// Second cell.
+    pub j: u32,
+    /// Its number in [`Net::face_shapes`].
+    pub shape: u32,
+}
+
+/// What a face looks like.
+#[derive(Clone, Copy, Debug)]
+pub struct FaceShape<const D: usize> {
+    /// Area times the unit normal, from the first to the second cell.
+    pub area: [f64; D],
+    /// From the first to the second cell.
+    pub apart: [f64; D],
+    /// Area.
+    pub size: f64,
+    /// Area over distance: weight in the cells' gradients.
+    pub weight: f64,
+}
+
+/// What a cell looks like.
+#[derive(Clone, Copy, Debug)]
+pub struct CellShape<const D: usize> {
+    /// Volume.
+    pub volume: f64,
+    /// Inverse of the sum of `weight d d^T` over its faces.
+    pub inverse: Matrix<D>,
+    /// Sum of the areas out of the cell along the radius: the plane area of the cell about an axis, zero otherwise.
+    pub hoop: f64,
+}
+
+/// Cells next to each other, with their faces.
+#[derive(Clone, Debug)]
+pub struct Block<const D: usize> {
+    /// Cells.
+    pub cells: Range<usize>,
+    /// Faces of these cells, in fixed order.
+    pub faces: Vec<Face>,
+    /// Walls of these cells.
+    pub walls: Vec<Wall<D>>,
+    /// Sides of these cells.
+    pub sides: Vec<Side<D>>,
+    /// Blocks with cells at most two faces away, this one among them.
+    pub nearby: Vec<u32>,
+}
+
+/// All cells and faces.
+#[derive(Clone, Debug)]
+pub struct Net<const D: usize> {
+    /// Blocks, in the order of their cells.
+    pub blocks: Vec<Block<D>>,
+    /// Number in `cell_shapes`, cell by cell.
+    pub shape_of: Vec<u32>,
+    /// What cells look like.
+    pub cell_shapes: Vec<CellShape<D>>,
+    /// What faces look like.
+    pub face_shapes: Vec<FaceShape<D>>,
+}
+
+/// Axis in the meridian plane along which the radius is measured.
+const RADIAL: usize = 1;
+
+impl<const D: usize> Block<D> {
+    /// Faces whose first cell is in this block: each face once, over all blocks.
+    pub fn inner_faces(&self) -> usize {
+        let is_first = |face: &&Face| self.cells.contains(&(face.i as usize));
+        self.faces.iter().filter(is_first).count()
+    }
+}
+
+impl<const D: usize> Net<D> {
+    /// The net of `cells`; `beyond` tells what is beyond a side, and whether there is an axis.
+    ///
+    /// # Errors
+    /// A cell without volume, or more cells than there are numbers for.
+    pub fn new(
+        cells: &Cells<D>,
+        beyond: impl Fn(u8, u8) -> Beyond<D>,
+        owner: impl Fn(WallOwner) -> u32,
+        is_axisymmetric: bool,
+    ) -> Result<Self, String> {
+        let count = cells.points.len();
+        if let Some(i) = cells
+            .volumes
+            .iter()
+            .position(|v| !(*v > 0.0 && v.is_finite()))
+        {
+            return Err(format!(
+                "the cell at {:?} has the volume {}; move the body or change `spacing` a little",
+                cells.points[i].as_slice(),
+                cells.volumes[i]
+            ));
+        }
+        let mut net = Self {
+            blocks: (0..count)
+                .step_by(BLOCK)
+                .map(|start| Block {
+                    cells: start..(start + BLOCK).min(count),
+                    faces: Vec::new(),
+                    walls: Vec::new(),
+                    sides: Vec::new(),
+                    nearby: Vec::new(),
+                })
+                .collect(),
+            shape_of: Vec::with_capacity(count),
+            cell_shapes: Vec::new(),
+            face_shapes: Vec::new(),
+        };
+        net.add_faces(cells);
+        for wall in &cells.walls {
+            let wall = Wall::new(wall, &cells.points[wall.i as usize], owner(wall.owner));
+            net.blocks[wall.i as usize / BLOCK].walls.push(wall);
+        }
+        for face in &cells.sides {
+            let side = Side::new(
+                face,
+                &cells.points[face.i as usize],
+                beyond(face.axis, face.end),
+            );
+            net.blocks[side.i as usize / BLOCK].sides.push(side);
+        }
+        net.add_cell_shapes(cells, is_axisymmetric);
+        net.find_nearby();
+        Ok(net)
+    }
+
+    /// Cells.
+    pub fn len(&self) -> usize {
+        self.shape_of.len()
+    }
+
+    /// What cell `i` looks like.
+    #[inline]
+    pub fn cell(&self, i: usize) -> &CellShape<D> {
+        &self.cell_shapes[self.shape_of[i] as usize]
+    }
+
+    fn add_faces(&mut self, cells: &Cells<D>) {
+        let mut shapes = Table::default();
+        for face in &cells.faces {
+            let size = face.area.norm();
+            let key: Vec<u64> = face
+                .area
+                .iter()
+                .chain(&face.apart)
+                .map(|x| x.to_bits())
+                .collect();
+            let shape = shapes.number(key, || {
+                self.face_shapes.push(FaceShape {
+                    area: face.area.into(),
+                    apart: face.apart.into(),
+                    size,
+                    weight: size / face.apart.norm(),
+                });
+            });
+            let face = Face {
+                i: face.i,
+                j: face.j,
+                shape,
+            };
+            let (first, second) = (face.i as usize / BLOCK, face.j as usize / BLOCK);
+            self.blocks[first].faces.push(face);
+            if second != first {
+                self.blocks[second].faces.push(face);
+            }
+        }
+    }
+
+    fn add_cell_shapes(&mut self, cells: &Cells<D>, is_axisymmetric: bool) {
+        let mut moments = vec![Matrix::<D>::zeros(); cells.points.len()];
+        let mut hoops = vec![0.0; cells.points.len()];
+        let radial = |area: &Vector<D>| if is_axisymmetric { area[RADIAL] } else { 0.0 };
+        for face in &cells.faces {
+            let weight = face.area.norm() / face.apart.norm();
+            let moment = face.apart * face.apart.transpose() * weight;
+            moments[face.i as usize] += moment;
+            moments[face.j as usize] += moment;
+            hoops[face.i as usize] += radial(&face.area);
+            hoops[face.j as usize] -= radial(&face.area);
+        }
+        for block in &self.blocks {
+            for wall in &block.walls {
+                moments[wall.i as usize] += wall.image.moment();
+                hoops[wall.i as usize] += radial(&wall.image.area());
+            }
+            for side in &block.sides {
+                if side.beyond.is_known() {
+                    moments[side.i as usize] += side.image.moment();
+                }
+                hoops[side.i as usize] += radial(&side.image.area());
+            }
+        }
+        let mut shapes = Table::default();
+        for (i, (moment, hoop)) in moments.iter().zip(hoops).enumerate() {
+            let volume = cells.volumes[i];
+            let numbers = moment.iter().chain([&volume, &hoop]);
+            let shape = shapes.number(numbers.map(|x| x.to_bits()).collect(), || {
+                self.cell_shapes.push(CellShape {
+                    volume,
+                    inverse: inverse(moment),
+                    hoop,
+                });
+            });
+            self.shape_of.push(shape);
+        }
+    }
+
+    /// Blocks at most two faces away.
+    fn find_nearby(&mut self) {
+        let mut around: Vec<Vec<u32>> = vec![Vec::new(); self.len()];
+        for block in &self.blocks {
+            for face in &block.faces {
+                let [first, second] = [face.i, face.j].map(|i| i / BLOCK as u32);
+                if first != second {
+                    around[face.i as usize].push(second);
+                    around[face.j as usize].push(first);
+                }
+            }
+        }
+        let mut nearby: Vec<Vec<u32>> = (0..self.blocks.len()).map(|b| vec![b as u32]).collect();
+        for (block, near) in self.blocks.iter().zip(&mut nearby) {
+            for face in &block.faces {
+                for i in [face.i, face.j] {
+                    near.push(i / BLOCK as u32);
+                    near.extend(&around[i as usize]);
+                }
+            }
+            near.sort_unstable();
+            near.dedup();
+        }
+        for (block, nearby) in self.blocks.iter_mut().zip(nearby) {
+            block.nearby = nearby;
+        }
+    }
+}
+
+/// The inverse of a moment; in directions without any neighbour the cell has no gradient.
+fn inverse<const D: usize>(moment: &Matrix<D>) -> Matrix<D> {
+    /// Least over mean eigenvalue, below which all neighbours lie in a plane.
+    const FLAT: f64 = 1e-9;
+    let mean = moment.trace() / D as f64;
+    let inverse = moment.try_inverse();
+    match inverse {
+        Some(inverse) if 1.0 / (inverse.trace() * mean) > FLAT => inverse,
+        _ => (moment + Matrix::identity() * (FLAT * mean))
+            .try_inverse()
+            .unwrap_or_else(Matrix::zeros),
+    }
+}
+
+/// Numbers for what is alike.
+#[derive(Default)]
+struct Table(HashMap<Vec<u64>, u32>);
+
+impl Table {
+    fn number(&mut self, key: Vec<u64>, add: impl FnOnce()) -> u32 {
+        let next = self.0.len() as u32;
+        *self.0.entry(key).or_insert_with(|| {
+            add();
+            next
+        })
+    }
+}

@@ -1,0 +1,71 @@
+//! What cannot be flown on points that stay where they are.
+
+use crate::problem::{Problem, Side, WallKind};
+
+/// The remedy for what moves.
+const REMEDY: &str =
+    "points that stay where they are cannot follow it; use `scheme.motion = \"with-the-gas\"`";
+
+impl<const D: usize> Problem<D> {
+    /// Refuses by name what moves and what the gas sticks to.
+    ///
+    /// # Errors
+    /// What it is and the remedy.
+    pub fn check_fixed(&self) -> Result<(), String> {
+        let levels = self
+            .method
+            .fixed()
+            .map_or(0, |points| points.refine.levels());
+        if levels > 0 {
+            return Err(
+                "`scheme.refine` asks for points where the flow needs them, which a run cannot add yet; leave it out and \
+                 use a smaller `spacing`"
+                    .into(),
+            );
+        }
+        for body in &self.bodies {
+            let name = &body.name;
+            if body.motion.is_moving() {
+                return Err(format!("body `{name}` moves; {REMEDY}"));
+            }
+            if body.wall == WallKind::NoSlip {
+                return Err(format!("{}", sticks(&format!("body `{name}`"))));
+            }
+        }
+        for (axis, sides) in self.domain.sides.iter().enumerate() {
+            for (end, side) in sides.iter().enumerate() {
+                let name = format!("side `{}_{}`", ["x", "y", "z"][axis], ["min", "max"][end]);
+                let Side::Wall {
+                    kind,
+                    velocity,
+                    acceleration,
+                } = side
+                else {
+                    continue;
+                };
+                if *velocity != 0.0 || *acceleration != 0.0 {
+                    return Err(format!("{name} moves; {REMEDY}"));
+                }
+                if *kind == WallKind::NoSlip {
+                    return Err(sticks(&name));
+                }
+            }
+        }
+        Ok(())
+    }
+}
+
+fn sticks(what: &str) -> String {
+    format!(
+        "{what} is `no-slip`, but gas without viscosity slides on points that stay where they are; use `slip`"
+    )
+}
+
+/// Refuses a vacuum.
+pub fn vacuum(place: &[f64]) -> String {
+    let place: Vec<String> = place.iter().map(|x| format!("{x:.6}")).collect();
+    format!(
+        "there is a vacuum at ({}) at the start; {REMEDY}",
+        place.join(", ")
+    )
+}

@@ -1,0 +1,142 @@
+//! What a flow about fixed points shows of itself: frames, totals and counts. A point is a particle with volume.
+
+use std::array;
+
+use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_geometry::{Bounds, Vector};
+
+use super::FixedSimulation;
+use super::gas::Gas;
+use super::state::Conserved;
+use crate::Statistics;
+use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
+use crate::walls::pad;
+
+impl<const D: usize> FixedSimulation<D> {
+    /// All points now.
+    pub fn frame(&self) -> Frame {
+        self.frame_of(|_| true)
+    }
+
+    /// The points within a box now.
+    pub fn frame_within(&self, region: &Bounds<D>) -> Frame {
+        self.frame_of(|position| region.contains(position))
+    }
+
+    fn frame_of(&self, is_shown: impl Fn(&Vector<D>) -> bool) -> Frame {
+        let mut frame = Frame {
+            time: self.time,
+            step: self.steps,
+            ..Frame::default()
+        };
+        for (i, (point, state)) in self.points.iter().zip(&self.states).enumerate() {
+            if !is_shown(point) {
+                continue;
+            }
+            let velocity = Vector::from(state.velocity);
+            let sound = self.gas.sound_square(state.density, state.pressure).sqrt();
+            let energy = self.gas.internal_energy(state.density, state.pressure) / state.density;
+            frame.position.push(pad(point).into());
+            frame.velocity.push(pad(&velocity).into());
+            frame.density.push(state.density);
+            frame.pressure.push(state.pressure);
+            frame.energy.push(energy);
+            frame.mach.push(velocity.norm() / sound);
+            let size = self.net.cell(i).volume.powf(1.0 / D as f64);
+            frame.smoothing_length.push(SMOOTHING_RATIO * size);
+            frame.volume.push(self.around() * self.net.cell(i).volume);
+            frame.kind.push(Kind::Fluid as u8);
+            frame.id.push(i as u64);
+        }
+        frame
+    }
+
+    /// Volume of each cell, in the order of a frame of all points; per radian about an axis.
+    pub fn volumes(&self) -> Vec<f64> {
+        (0..self.points.len())
+            .map(|i| self.net.cell(i).volume)
+            .collect()
+    }
+
+    /// State on the surfaces now, wall by wall.
+    pub fn surface(&self) -> SurfaceFrame {
+        let stream = &self.problem.free_stream;
+        let dynamic_pressure = 0.5 * stream.density * stream.velocity.norm_squared();
+        let mut surface = SurfaceFrame {
+            time: self.time,
+            ..SurfaceFrame::default()
+        };
+        for (wall, pressure) in self.walls() {
+            surface.position.push(pad(&wall.foot).into());
+            let normal = -Vector::from(wall.image.normal);
+            surface.normal.push(pad(&normal).into());
+            surface.pressure.push(pressure);
+            let over = pressure - stream.pressure;
+            surface
+                .pressure_coefficient
+                .push(if dynamic_pressure > 0.0 {
+                    over / dynamic_pressure
+                } else {
+                    0.0
+                });
+            surface.body.push(wall.owner);
+        }
+        surface
+    }
+
+    /// Conserved totals of the gas now.
+    pub fn totals(&self) -> Totals {
+        let mut sum = Conserved::ZERO;
+        for (i, held) in self.held.iter().enumerate() {
+            sum = sum.plus(self.net.cell(i).volume, held);
+        }
+        self.totals_of(&sum)
+    }
+
+    /// All around an axis; what points away from it cancels there.
+    pub(super) fn totals_of(&self, sum: &Conserved<D>) -> Totals {
+        let around = self.around();
+        let is_axisymmetric = self.problem.domain.is_axisymmetric();
+        Totals {
+            mass: around * sum.mass,
+            momentum: array::from_fn(|k| match k {
+                1 if is_axisymmetric => 0.0,
+                k if k < D => around * sum.momentum[k],
+                _ => 0.0,
+            }),
+            energy: around * sum.energy,
+        }
+    }
+
+    /// Mass of the gas now, and its centre; missing axes zero.
+    pub fn mass_and_centre(&self) -> (f64, [f64; 3]) {
+        let mut mass = 0.0;
+        let mut moment = Vector::<D>::zeros();
+        for (i, (point, held)) in self.points.iter().zip(&self.held).enumerate() {
+            let share = held.mass * self.net.cell(i).volume;
+            mass += share;
+            moment += point * share;
+        }
+        (self.around() * mass, pad(&(moment / mass)).into())
+    }
+
+    /// Counts and extremes.
+    pub fn statistics(&self) -> Statistics {
+        let faces: usize = self
+            .net
+            .blocks
+            .iter()
+            .map(|block| block.inner_faces())
+            .sum();
+        Statistics {
+            fluid: self.points.len(),
+            ghost: self.net.blocks.iter().map(|block| block.walls.len()).sum(),
+            particle_updates: self.updates,
+            neighbours_mean: 2.0 * faces as f64 / self.points.len() as f64,
+            leaked: 0,
+            mirror_fallbacks: 0,
+            min_density: self.min_density,
+            min_energy: self.min_energy,
+        }
+    }
+}

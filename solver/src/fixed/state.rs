@@ -1,0 +1,172 @@
+//! The state of the gas in a cell: what it holds, and what it feels like.
+
+use super::gas::Gas;
+use super::real::Real;
+use crate::problem::State;
+
+/// Density, velocity and pressure.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Primitive<const D: usize, R = f64> {
+    /// Density, kg/m^3.
+    pub density: R,
+    /// Velocity, m/s.
+    pub velocity: [R; D],
+    /// Pressure, Pa.
+    pub pressure: R,
+}
+
+/// Mass, momentum and energy: per volume, in sum, or per time through a face.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Conserved<const D: usize, R = f64> {
+    /// Mass.
+    pub mass: R,
+    /// Momentum.
+    pub momentum: [R; D],
+    /// Internal and kinetic energy.
+    pub energy: R,
+}
+
+/// `a.b`.
+#[inline(always)]
+pub fn dot<R: Real, const D: usize>(a: &[R; D], b: &[R; D]) -> R {
+    let mut sum = a[0] * b[0];
+    for k in 1..D {
+        sum = sum + a[k] * b[k];
+    }
+    sum
+}
+
+/// `a + factor b`.
+#[inline(always)]
+fn plus<const D: usize>(a: &[f64; D], factor: f64, b: &[f64; D]) -> [f64; D] {
+    let mut sum = *a;
+    for k in 0..D {
+        sum[k] += factor * b[k];
+    }
+    sum
+}
+
+/// `factor a`.
+///
+/// A loop, as in all that is done lane by lane: the closures of `array::map` and `array::from_fn` are not compiled with the
+/// processor's vector instructions.
+#[inline(always)]
+pub fn scaled<R: Real, const D: usize>(a: &[R; D], factor: R) -> [R; D] {
+    let mut scaled = *a;
+    for k in 0..D {
+        scaled[k] = a[k] * factor;
+    }
+    scaled
+}
+
+impl<const D: usize, R: Real> Primitive<D, R> {
+    /// Mass, momentum and energy per volume.
+    #[inline(always)]
+    pub fn conserved<G: Gas>(&self, gas: &G) -> Conserved<D, R> {
+        let kinetic = self.density * dot(&self.velocity, &self.velocity) * 0.5;
+        Conserved {
+            mass: self.density,
+            momentum: scaled(&self.velocity, self.density),
+            energy: gas.internal_energy(self.density, self.pressure) + kinetic,
+        }
+    }
+
+    /// Flux through a unit area whose normal the gas moves along at `speed`: `u.n U + p (0, n, u.n)`.
+    #[inline(always)]
+    pub fn flux(&self, energy: R, speed: R, normal: &[R; D]) -> Conserved<D, R> {
+        let mass = self.density * speed;
+        let mut momentum = self.velocity;
+        for k in 0..D {
+            momentum[k] = mass * self.velocity[k] + self.pressure * normal[k];
+        }
+        Conserved {
+            mass,
+            momentum,
+            energy: (energy + self.pressure) * speed,
+        }
+    }
+
+    /// The same state seen in a mirror across the unit `normal`.
+    #[inline(always)]
+    pub fn mirrored(&self, normal: &[R; D]) -> Self {
+        let twice = dot(&self.velocity, normal) * 2.0;
+        let mut velocity = self.velocity;
+        for k in 0..D {
+            velocity[k] = velocity[k] - twice * normal[k];
+        }
+        Self { velocity, ..*self }
+    }
+}
+
+impl<const D: usize> Primitive<D> {
+    /// The state of a case, as an array.
+    pub fn of(state: &State<D>) -> Self {
+        Self {
+            density: state.density,
+            velocity: state.velocity.into(),
+            pressure: state.pressure,
+        }
+    }
+
+    /// True of a gas.
+    pub fn makes_sense(&self) -> bool {
+        self.density > 0.0
+            && self.pressure > 0.0
+            && self.density.is_finite()
+            && self.pressure.is_finite()
+            && self.velocity.iter().all(|u| u.is_finite())
+    }
+
+    /// All variables zero.
+    pub const ZERO: Self = Self {
+        density: 0.0,
+        velocity: [0.0; D],
+        pressure: 0.0,
+    };
+
+    /// `self + factor other`.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(&self, factor: f64, other: &Self) -> Self {
+        Self {
+            density: self.density + factor * other.density,
+            velocity: plus(&self.velocity, factor, &other.velocity),
+            pressure: self.pressure + factor * other.pressure,
+        }
+    }
+}
+
+impl<const D: usize> Conserved<D> {
+    /// Nothing.
+    pub const ZERO: Self = Self {
+        mass: 0.0,
+        momentum: [0.0; D],
+        energy: 0.0,
+    };
+
+    /// Density, velocity and pressure of what holds this much per volume; not of a gas where the pressure is not above zero.
+    #[inline(always)]
+    pub fn primitive<G: Gas>(&self, gas: &G) -> Primitive<D> {
+        let volume = 1.0 / self.mass;
+        let velocity = scaled(&self.momentum, volume);
+        let kinetic = 0.5 * dot(&self.momentum, &velocity);
+        Primitive {
+            density: self.mass,
+            velocity,
+            pressure: gas.pressure(self.mass, self.energy - kinetic),
+        }
+    }
+
+    /// `self + factor other`.
+    #[inline(always)]
+    #[must_use]
+    pub fn plus(&self, factor: f64, other: &Self) -> Self {
+        Self {
+            mass: self.mass + factor * other.mass,
+            momentum: plus(&self.momentum, factor, &other.momentum),
+            energy: self.energy + factor * other.energy,
+        }
+    }
+}

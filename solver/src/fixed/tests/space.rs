@@ -1,0 +1,200 @@
+use aero_geometry::{Mesh, Placed, Placement, bodies};
+
+use super::*;
+
+fn boxed() -> Domain<3> {
+    domain([-1.0; 3], [1.0; 3])
+}
+
+fn turned(edges: [f64; 3]) -> Arc<dyn Shape<3>> {
+    let place = Placement::default()
+        .rotated_xyz([0.1, 0.2, 0.3])
+        .moved(Vector::<3>::new(0.011, -0.007, 0.017));
+    Arc::new(Placed::new(bodies::cuboid(edges).unwrap(), place))
+}
+
+fn shapes(dx: f64) -> Vec<(&'static str, Arc<dyn Shape<3>>)> {
+    vec![
+        ("sphere", Arc::new(bodies::sphere(0.43).unwrap()) as _),
+        ("block", Arc::new(bodies::cuboid([0.7, 0.4, 0.5]).unwrap())),
+        ("turned block", turned([0.7, 0.4, 0.5])),
+        ("cone", Arc::new(bodies::cone(20.0, 0.8).unwrap())),
+        ("plate 0.3", turned([0.8, 0.3 * dx, 0.7])),
+        ("plate 0.5", turned([0.8, 0.5 * dx, 0.7])),
+        ("plate 1", turned([0.8, dx, 0.7])),
+        (
+            "plate 3",
+            Arc::new(bodies::cuboid([0.8, 3.0 * dx, 0.7]).unwrap()),
+        ),
+    ]
+}
+
+#[test]
+fn cells_around_bodies_in_space_close_and_fill_the_gas() {
+    let dx = 1.0 / 12.0;
+    for disorder in [0.0, 0.25] {
+        for (name, shape) in shapes(dx) {
+            let exact = 8.0 - shape.measure().unwrap();
+            let made = Scene::new(boxed(), vec![shape], dx)
+                .disordered(disorder)
+                .made();
+            // Where a facet of a cell lies in a wall the skin shows, and the wall takes it.
+            assert!(made.findings.open < 1e-8, "{name}: {:?}", made.findings);
+            assert!(made.open(false) < 1e-12, "{name}");
+            assert_eq!(made.findings.lost, 0, "{name}");
+            // The round ones are polyhedra here.
+            let miss = (made.volume() - exact) / dx.powi(3);
+            assert!(miss.abs() < 4.0, "{name}: {miss}");
+            let least = made.cells.volumes.iter().fold(f64::MAX, |a, v| a.min(*v));
+            assert!(least > 0.3 * dx.powi(3), "{name}: {least}");
+        }
+    }
+}
+
+/// Per cent by which wall area, `A . n` and volume of the gas are off.
+fn misses(scene: &Scene<3>, area: f64, volume: f64) -> [f64; 3] {
+    let made = scene.made();
+    let [sum, along] = made.wall_area(&scene.solids);
+    let miss = |found: f64, exact: f64| found / exact - 1.0;
+    [
+        miss(sum, area),
+        miss(along, area),
+        miss(made.volume(), volume),
+    ]
+    .map(|miss| 100.0 * miss)
+}
+
+#[test]
+fn area_and_volume_around_a_sphere_converge_by_the_second_order() {
+    let radius: f64 = 0.7;
+    let area = 4.0 * std::f64::consts::PI * radius * radius;
+    let volume = 8.0 - area * radius / 3.0;
+    let at = |n: f64| {
+        let sphere: Arc<dyn Shape<3>> = Arc::new(bodies::sphere(radius).unwrap());
+        misses(&Scene::new(boxed(), vec![sphere], radius / n), area, volume)
+    };
+    let (coarse, fine) = (at(8.0), at(16.0));
+    for (a, b) in coarse.iter().zip(fine) {
+        assert!(
+            a.abs() < 0.3 && b.abs() < a.abs() / 3.4,
+            "{coarse:?} {fine:?}"
+        );
+    }
+}
+
+/// Area within half a spacing times the length of the edges, volume within the square of that, at two spacings, and falling.
+fn check_edges(
+    name: &str,
+    scene: impl Fn(f64) -> Scene<3>,
+    exact: impl Fn(f64) -> [f64; 2],
+    edges: f64,
+) {
+    let mut before = [f64::INFINITY; 2];
+    for dx in [1.0 / 12.0, 1.0 / 24.0] {
+        let (scene, [area, volume]) = (scene(dx), exact(dx));
+        let [_, along, gas] = misses(&scene, area, volume);
+        let miss = [along * area * 0.01, gas * volume * 0.01].map(f64::abs);
+        assert!(miss[0] < 0.5 * dx * edges, "{name}: {miss:?}");
+        assert!(miss[1] < 0.25 * dx * dx * edges, "{name}: {miss:?}");
+        assert!(
+            miss[0] < before[0] && miss[1] < before[1],
+            "{name}: {miss:?} {before:?}"
+        );
+        before = miss;
+    }
+}
+
+fn block(edges: [f64; 3]) -> Arc<dyn Shape<3>> {
+    Arc::new(bodies::cuboid(edges).unwrap())
+}
+
+#[test]
+fn edges_of_plates_boxes_and_fins_leave_no_false_walls() {
+    let one = |shape: Arc<dyn Shape<3>>, dx: f64| Scene::new(boxed(), vec![shape], dx);
+    check_edges(
+        "plate of half a spacing",
+        |dx| one(turned([0.8, 0.5 * dx, 0.7]), dx),
+        |dx| [2.0 * (0.56 + 0.75 * dx), 8.0 - 0.28 * dx],
+        6.0,
+    );
+    let placed = |shape: Arc<dyn Shape<3>>, turn: f64, z: f64| -> Arc<dyn Shape<3>> {
+        let place = Placement::default().rotated_xyz([0.0, 0.0, turn]);
+        Arc::new(Placed::new(
+            shape,
+            place.moved(Vector::<3>::new(0.0, 0.0, z)),
+        ))
+    };
+    check_edges(
+        "box on a floor",
+        |dx| {
+            let floor = placed(block([9.0, 9.0, 1.0]), 0.0, -1.0);
+            let stands = placed(block([0.8, 0.6, 0.61]), 0.3, -0.305);
+            Scene::new(boxed(), vec![floor, stands], dx)
+        },
+        |_| [4.0 + 1.4, 6.0 - 0.24],
+        2.0 * 2.8 + 4.0 * 0.5,
+    );
+    let fin: f64 = 0.05;
+    check_edges(
+        "body with four fins",
+        |dx| {
+            let fins = [block([0.4, 1.2, fin]), block([0.4, fin, 1.2])];
+            let [first, second] = fins;
+            Scene::new(boxed(), vec![block([0.8, 0.3, 0.3]), first, second], dx)
+        },
+        |_| {
+            let sides = 0.18 + 0.96 + 4.0 * (0.45 * (0.8 + 2.0 * fin) + 0.4 * fin);
+            [sides - 1.6 * fin, 8.0 - 0.072 - 0.72 * fin]
+        },
+        4.4 + 4.0 * (2.0 * 0.9 + 2.0 * 0.45 + 0.9),
+    );
+}
+
+#[test]
+fn the_bits_are_the_same_for_any_number_of_threads() {
+    let dx = 1.0 / 12.0;
+    let scene = Scene::new(boxed(), vec![turned([0.8, 0.3 * dx, 0.7])], dx).disordered(0.25);
+    let with = |threads: usize| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.unwrap().install(|| scene.made().cells)
+    };
+    let (one, three) = (with(1), with(3));
+    assert_eq!(one.points, three.points);
+    assert_eq!(one.volumes, three.volumes);
+    assert_eq!(one.faces, three.faces);
+    assert_eq!(one.walls, three.walls);
+    assert_eq!(one.sides, three.sides);
+}
+
+#[test]
+fn a_surface_of_triangles_is_cut_like_the_body_it_stands_for() {
+    let dx = 1.0 / 12.0;
+    let corner = |n: usize| {
+        Vector::<3>::new(
+            if n & 1 == 0 { -0.35 } else { 0.35 },
+            if n & 2 == 0 { -0.02 } else { 0.02 },
+            if n & 4 == 0 { -0.25 } else { 0.25 },
+        )
+    };
+    let quads = [
+        [0, 4, 6, 2],
+        [1, 3, 7, 5],
+        [0, 1, 5, 4],
+        [2, 6, 7, 3],
+        [0, 2, 3, 1],
+        [4, 5, 7, 6],
+    ];
+    let facets = quads
+        .iter()
+        .flat_map(|[a, b, c, d]| [[*a, *b, *c], [*a, *c, *d]])
+        .map(|corners| corners.map(corner));
+    let mesh = Mesh::from_facets(facets.collect()).unwrap();
+    let plate = Scene::new(boxed(), vec![Arc::new(mesh)], dx).disordered(0.2);
+    let exact = Scene::new(boxed(), vec![block([0.7, 0.04, 0.5])], dx).disordered(0.2);
+    let (plate, exact) = (plate.made(), exact.made());
+    assert!(plate.findings.open < 1e-12);
+    assert_eq!(plate.findings.lost, 0);
+    assert!((plate.volume() - exact.volume()).abs() < 0.1 * dx.powi(3));
+    let sum = |made: &Made<3>| -> f64 { made.cells.walls.iter().map(|w| w.area.norm()).sum() };
+    assert!((sum(&plate) - sum(&exact)).abs() < 0.1 * dx * dx);
+}

@@ -1,0 +1,84 @@
+//! Snapshots of a run as plain arrays, whatever the dimension: what output and validation read.
+
+use serde::{Deserialize, Serialize};
+
+/// Kinds of particles, as written to the `kind` array.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[repr(u8)]
+pub enum Kind {
+    /// Moves by the equations.
+    Fluid = 0,
+    /// Carries the free stream towards the domain.
+    Inlet = 1,
+    /// Has left through an outlet; its state is frozen.
+    Outlet = 2,
+    /// Fixed to a body or a wall.
+    Ghost = 3,
+}
+
+/// All particles at one time; arrays of equal length, missing axes are zero.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct Frame {
+    /// Time.
+    pub time: f64,
+    /// Step number.
+    pub step: u64,
+    /// Positions.
+    pub position: Vec<[f64; 3]>,
+    /// Velocities.
+    pub velocity: Vec<[f64; 3]>,
+    /// Densities.
+    pub density: Vec<f64>,
+    /// Pressures.
+    pub pressure: Vec<f64>,
+    /// Specific internal energies.
+    pub energy: Vec<f64>,
+    /// Mach numbers.
+    pub mach: Vec<f64>,
+    /// Smoothing lengths.
+    pub smoothing_length: Vec<f64>,
+    /// Volumes: area in the plane, length on a line, whole rings about an axis.
+    pub volume: Vec<f64>,
+    /// [`Kind`] as a number.
+    pub kind: Vec<u8>,
+    /// Number that a particle keeps for life.
+    pub id: Vec<u64>,
+}
+
+/// State on the bodies' surfaces, one point per wall-layer ghost.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct SurfaceFrame {
+    /// Time.
+    pub time: f64,
+    /// Closest points on the surface.
+    pub position: Vec<[f64; 3]>,
+    /// Unit normals out of the body.
+    pub normal: Vec<[f64; 3]>,
+    /// Wall pressure.
+    pub pressure: Vec<f64>,
+    /// `(p - p_inf) / (rho_inf u_inf^2 / 2)`.
+    pub pressure_coefficient: Vec<f64>,
+    /// Number of the body, in scene order.
+    pub body: Vec<u32>,
+}
+
+/// Force and moment of the gas on one body, missing axes zero (per metre of span in 2D, per
+/// square metre in 1D).
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Load {
+    /// Force.
+    pub force: [f64; 3],
+    /// Moment about the body's moment centre.
+    pub moment: [f64; 3],
+}
+
+/// Conserved totals over the fluid.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize, Deserialize)]
+pub struct Totals {
+    /// Mass.
+    pub mass: f64,
+    /// Momentum.
+    pub momentum: [f64; 3],
+    /// Internal plus kinetic energy.
+    pub energy: f64,
+}

@@ -1,0 +1,160 @@
+//! The gas: its equation of state and its transport coefficients. Nothing else in the solver knows either.
+//!
+//! A state is a density `rho` and a specific internal energy `e`, in numbers or in one number per lane
+//! ([`aero_geometry::Real`]); pressure, temperature and speed of sound follow from both.
+
+use aero_geometry::Real;
+
+/// A gas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Gas {
+    /// An ideal gas of constant specific heats.
+    Ideal(IdealGas),
+}
+
+/// `p = (gamma - 1) rho e = rho R T`.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct IdealGas {
+    /// Ratio of specific heats `gamma`, more than one.
+    pub gamma: f64,
+    /// Specific gas constant `R`, J / (kg K); at one, a temperature is a pressure over a density.
+    pub constant: f64,
+}
+
+/// What makes momentum and heat flow through gas at rest.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TransportCoefficients {
+    /// Dynamic viscosity, Pa s.
+    pub viscosity: f64,
+    /// Thermal conductivity, W / (m K).
+    pub conductivity: f64,
+}
+
+impl Gas {
+    /// An ideal gas whose specific heats have the ratio `gamma`, with temperatures in units of energy per mass.
+    pub const fn ideal(gamma: f64) -> Self {
+        Self::Ideal(IdealGas {
+            gamma,
+            constant: 1.0,
+        })
+    }
+
+    /// Pressure `p(rho, e)`.
+    #[inline(always)]
+    pub fn pressure<R: Real>(&self, density: R, energy: R) -> R {
+        match self {
+            Self::Ideal(gas) => density.constant(gas.heat()) * density * energy,
+        }
+    }
+
+    /// `p / rho` at `rho` and `e`: the heat of compression per rate of relative change of volume.
+    #[inline(always)]
+    pub fn pressure_over_density<R: Real>(&self, _density: R, energy: R) -> R {
+        match self {
+            Self::Ideal(gas) => energy.constant(gas.heat()) * energy,
+        }
+    }
+
+    /// Temperature `T(rho, e)`.
+    #[inline(always)]
+    pub fn temperature<R: Real>(&self, density: R, energy: R) -> R {
+        match self {
+            Self::Ideal(gas) => {
+                self.pressure_over_density(density, energy) / energy.constant(gas.constant)
+            }
+        }
+    }
+
+    /// Speed of sound `c(rho, e)`.
+    #[inline(always)]
+    pub fn sound_speed<R: Real>(&self, _density: R, energy: R) -> R {
+        match self {
+            Self::Ideal(gas) => (energy.constant(gas.gamma * gas.heat()) * energy).root(),
+        }
+    }
+
+    /// Speed of sound at a density and a pressure.
+    #[inline(always)]
+    pub fn sound_speed_at<R: Real>(&self, density: R, pressure: R) -> R {
+        match self {
+            Self::Ideal(gas) => (density.constant(gas.gamma) * pressure / density).root(),
+        }
+    }
+
+    /// Specific internal energy at a density and a pressure.
+    #[inline(always)]
+    pub fn energy<R: Real>(&self, density: R, pressure: R) -> R {
+        match self {
+            Self::Ideal(gas) => pressure / (density.constant(gas.heat()) * density),
+        }
+    }
+
+    /// Density at a pressure and a specific internal energy.
+    #[inline(always)]
+    pub fn density<R: Real>(&self, pressure: R, energy: R) -> R {
+        match self {
+            Self::Ideal(gas) => pressure / (pressure.constant(gas.heat()) * energy),
+        }
+    }
+
+    /// Specific internal energy at `pressure` of gas that had `energy` at the pressure `before`, at constant entropy.
+    pub fn isentropic_energy(&self, energy: f64, before: f64, pressure: f64) -> f64 {
+        match self {
+            Self::Ideal(gas) => energy * (pressure / before).powf(gas.heat() / gas.gamma),
+        }
+    }
+
+    /// Viscosity and conductivity at `rho` and `e`: none, which makes the equations Euler's.
+    pub fn transport(&self, _density: f64, _energy: f64) -> TransportCoefficients {
+        match self {
+            Self::Ideal(_) => TransportCoefficients::default(),
+        }
+    }
+}
+
+impl IdealGas {
+    /// `gamma - 1`.
+    #[inline(always)]
+    const fn heat(self) -> f64 {
+        self.gamma - 1.0
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Air at sea level of the U.S. Standard Atmosphere 1976.
+    #[test]
+    fn air_at_sea_level_has_its_temperature_and_speed_of_sound() {
+        let air = Gas::Ideal(IdealGas {
+            gamma: 1.4,
+            constant: 287.053,
+        });
+        let energy = air.energy(1.225, 101_325.0);
+        assert!((air.temperature(1.225, energy) - 288.15).abs() < 0.01);
+        assert!((air.sound_speed(1.225, energy) - 340.294).abs() < 0.01);
+        assert!((air.sound_speed_at(1.225, 101_325.0) - 340.294).abs() < 0.01);
+    }
+
+    #[test]
+    fn pressure_energy_and_density_undo_each_other() {
+        let gas = Gas::ideal(5.0 / 3.0);
+        let energy = gas.energy(0.7, 2.3);
+        assert!((gas.pressure(0.7, energy) - 2.3).abs() < 1e-15);
+        assert!((gas.density(2.3, energy) - 0.7).abs() < 1e-15);
+        assert!((gas.pressure_over_density(0.7, energy) - 2.3 / 0.7).abs() < 1e-15);
+    }
+
+    /// `de = p / rho^2 d rho` at constant entropy, by differences.
+    #[test]
+    fn gas_that_is_compressed_slowly_heats_by_the_work_of_its_pressure() {
+        let gas = Gas::ideal(1.4);
+        let (density, energy, step) = (1.3, 0.9, 1e-6);
+        let state = |energy| gas.pressure(density + step, energy);
+        let work = gas.pressure_over_density(density, energy) * step / density;
+        let heated =
+            gas.isentropic_energy(energy, gas.pressure(density, energy), state(energy + work));
+        assert!((heated - energy - work).abs() < 1e-11);
+    }
+}

@@ -1,0 +1,160 @@
+//! The particle method: takes a [`Problem`], advances it step by step, hands out snapshots.
+//!
+//! [`Simulation::step`] is the contents page: sort and list the neighbours, predict, read the density off the particles,
+//! evaluate, correct, cross the sides.
+//!
+//! Gas under pressure is let loose in a tube:
+//!
+//! ```
+//! use aero_geometry::{Bounds, Vector};
+//! use aero_solver::problem::{Domain, Initial, Problem, Scheme, Side, State};
+//! use aero_solver::{Simulation, gas::Gas, method::Method};
+//!
+//! # fn main() -> Result<(), Box<dyn std::error::Error>> {
+//! let at_rest = |density, pressure| State { density, pressure, velocity: Vector::<1>::zeros() };
+//! let (left, right) = (at_rest(1.0, 1.0), at_rest(0.125, 0.1));
+//! let bounds = Bounds::new(Vector::<1>::new(-0.5), Vector::<1>::new(0.5));
+//! let mut tube = Simulation::new(Problem {
+//!     domain: Domain { bounds, sides: [[Side::Symmetry; 2]] },
+//!     initial: Initial::Riemann { left, right, position: 0.0, smooth: false },
+//!     gas: Gas::ideal(1.4), free_stream: left, spacing: 0.005, disorder: 0.0, bodies: Vec::new(),
+//!     scheme: Scheme::default(), method: Method::default(),
+//! })?;
+//! while tube.time() < 0.1 { tube.step(0.1)?; }
+//! let frame = tube.frame();
+//! let behind = frame.position.iter().position(|x| (x[0] - 0.04).abs() < 0.01).expect("gas everywhere");
+//! assert!((frame.density[behind] - 0.426).abs() < 0.02); // exact: between rarefaction and contact
+//! # Ok(()) }
+//! ```
+//!
+//! Where things are: `particles` their life and start, `sides` what bounds the domain, `walls` bodies and ghosts, `faces` thin
+//! parts, `neighbourhood` order and copies, `neighbours` lists, `pairs` the laws, `step` time, `show` what is handed out.
+
+use problem::Problem;
+
+mod backend;
+mod books;
+mod evaluation;
+mod faces;
+mod fill;
+pub mod fixed;
+mod flow;
+pub mod frame;
+pub mod gas;
+mod initial;
+mod lanes;
+mod lattice;
+pub mod layers;
+pub mod method;
+mod neighbourhood;
+mod neighbours;
+mod pairs;
+mod particles;
+mod passes;
+pub mod problem;
+mod records;
+mod rings;
+mod rounding;
+pub mod scheme;
+mod shifting;
+mod shock_sensor;
+mod show;
+mod sides;
+mod step;
+#[cfg(test)]
+mod tests;
+mod time_step;
+mod vectors;
+mod walls;
+
+use books::Books;
+use evaluation::Moment;
+use neighbourhood::Neighbourhood;
+use particles::Particles;
+use sides::Buffers;
+use step::Clock;
+use walls::Walls;
+
+pub use flow::{Flow, FlowMemory};
+pub use passes::Pass;
+pub use show::{Memory, Statistics};
+pub use step::Failure;
+pub use walls::wall_sides;
+
+/// A run in progress.
+#[derive(Debug)]
+pub struct Simulation<const D: usize> {
+    problem: Problem<D>,
+    clock: Clock,
+    /// Gas that moves by the equations, in the order of space.
+    fluid: Particles<D>,
+    /// Open sides and the gas beyond them.
+    buffers: Buffers<D>,
+    walls: Walls<D>,
+    /// Who is near whom.
+    around: Neighbourhood<D>,
+    books: Books,
+}
+
+impl<const D: usize> Simulation<D> {
+    /// Sets up the particles of `problem`.
+    ///
+    /// # Errors
+    /// Where no gas fits into the domain, or it cannot start in the state that is asked for.
+    pub fn new(problem: Problem<D>) -> Result<Self, String> {
+        let mut around = Neighbourhood::new(&problem)?;
+        let (mut fluid, mut buffers) = particles::start(&problem)?;
+        if fluid.is_empty() {
+            return Err("no gas particle fits between the bodies and the sides; \
+                        use a smaller `spacing` or a larger domain"
+                .into());
+        }
+        let mut walls = Walls::new(&problem, around.grid());
+        let clock = Clock::default();
+        let now = (clock.time, 0.0);
+        step::prepare(
+            &problem,
+            now,
+            &mut fluid,
+            &mut buffers,
+            &mut walls,
+            &mut around,
+        );
+        let moment = Moment {
+            start: clock.time,
+            ahead: 0.0,
+        };
+        evaluation::evaluate(
+            &problem,
+            moment,
+            &mut fluid,
+            &buffers,
+            &mut walls,
+            &mut around,
+        );
+        Ok(Self {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            books: Books::default(),
+        })
+    }
+
+    /// The problem that runs.
+    pub fn problem(&self) -> &Problem<D> {
+        &self.problem
+    }
+
+    /// Time reached.
+    pub fn time(&self) -> f64 {
+        self.clock.time
+    }
+
+    /// Steps taken.
+    pub fn steps(&self) -> u64 {
+        self.clock.steps
+    }
+}

@@ -1,0 +1,28 @@
+//! Pair laws, one published model per file, and the passes that sum them.
+//!
+//! What a law is stands in [`law`]; which of them a scheme asks for in [`rates`]; how they are summed in [`crate::backend`].
+
+pub mod law;
+pub mod pair;
+pub mod sum;
+
+pub mod encounter;
+pub mod rates;
+
+pub mod advection;
+pub mod artificial_conduction;
+pub mod artificial_viscosity;
+pub mod density_diffusion;
+pub mod energy_gradient;
+pub mod exchange;
+pub mod pressure_force;
+pub mod velocity_gradient;
+
+pub mod concentration;
+pub mod density_slope;
+pub mod renormalisation;
+
+pub mod extrapolation;
+pub mod summation;
+
+pub mod shield;

@@ -1,0 +1,78 @@
+//! Rates of density, velocity and energy of all particles: which laws a scheme asks for.
+
+use super::advection::Advection;
+use super::artificial_conduction::ArtificialConduction;
+use super::artificial_viscosity::ArtificialViscosity;
+use super::density_diffusion::DensityDiffusion;
+use super::encounter::Encounters;
+use super::energy_gradient::EnergyGradient;
+use super::exchange::Exchange;
+use super::pressure_force::PressureForce;
+use super::renormalisation::Renormalisation;
+use super::velocity_gradient::VelocityGradient;
+use crate::backend::Backend;
+use crate::neighbours::Lists;
+use crate::particles::Rates;
+use crate::records::Records;
+use crate::scheme::{Conduction, Density, ReturnOfShift, Scheme};
+
+/// Rates of every listed particle of the fluid [Villodi & Ramachandran 2024, eqs 10, 12, 14; signs as
+/// derived from the continuum equations].
+///
+/// The shifts in `rates` are read and kept; all else is overwritten.
+pub fn rates<const D: usize>(
+    backend: &impl Backend,
+    lists: &Lists,
+    records: &Records<D>,
+    renormalisations: &[Renormalisation<D>],
+    scheme: &Scheme,
+    rates: &mut [Rates<D>],
+) {
+    let is_exchanged = scheme.shifting && scheme.return_of_shift == ReturnOfShift::Exchange;
+    let is_advected = (scheme.shifting || scheme.shield) && !is_exchanged;
+    let gradients = (
+        VelocityGradient,
+        EnergyGradient {
+            is_sought: is_advected || scheme.conduction == Conduction::Limited,
+        },
+    );
+    // The conduction goes by what the viscosity finds.
+    let dissipation = (
+        ArtificialViscosity(scheme.viscosity),
+        ArtificialConduction(scheme.conduction),
+    );
+    let flow = (gradients, (dissipation, PressureForce));
+    let carried = Advection { acts: is_advected };
+    let met = Encounters::of_fluid(records, renormalisations);
+    // Laws that few schemes ask for are left out where they are not; what is written out here is compiled, one pass each.
+    match (scheme.density, is_exchanged) {
+        (Density::Continuity, false) => {
+            let laws = (flow, (DensityDiffusion, carried));
+            backend.sweep(lists, records, &met, &laws, rates);
+        }
+        (Density::Continuity, true) => {
+            let laws = (flow, (DensityDiffusion, Exchange));
+            backend.sweep(lists, records, &met, &laws, rates);
+        }
+        (Density::Summation, false) => {
+            backend.sweep(lists, records, &met, &(flow, carried), rates);
+        }
+        (Density::Summation, true) => {
+            backend.sweep(lists, records, &met, &(flow, Exchange), rates);
+        }
+    }
+}
+
+/// Accelerations that the gas would give ghosts of mass `rho V`: by the pair laws' symmetry the
+/// force on each ghost.
+pub fn reactions<const D: usize>(
+    backend: &impl Backend,
+    lists: &Lists,
+    records: &Records<D>,
+    scheme: &Scheme,
+    rates: &mut [Rates<D>],
+) {
+    let forces = (ArtificialViscosity(scheme.viscosity), PressureForce);
+    let met = Encounters::of_ghosts(records);
+    backend.sweep_in_double(lists, records, &met, &forces, rates);
+}

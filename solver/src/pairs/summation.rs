@@ -1,0 +1,130 @@
+//! Density read off the particles.
+
+use super::law::{Basis, Law, Neighbour};
+use super::pair::{Separation, Target};
+use crate::backend::Backend;
+use crate::lanes::Lane;
+use crate::neighbours::Lists;
+use crate::records::{Read, Records};
+use crate::vectors::Vectors;
+
+/// The walls' share of the kernel is never taken above this, so that a particle squeezed among
+/// ghosts keeps a finite density.
+const LARGEST_WALL_SHARE: f64 = 0.7;
+
+/// Density of each particle by summation. Writes one density per
+/// listed particle; `lattice` is the same sum over a perfect lattice of unit density.
+pub fn densities<const D: usize>(
+    backend: &impl Backend,
+    lists: &Lists,
+    records: &Records<D>,
+    lattice: f64,
+    densities: &mut [f64],
+) {
+    let (kernels, law) = (Kernels { records }, Summation { lattice });
+    backend.sweep(lists, records, &kernels, &law, densities);
+}
+
+/// Values of the kernel at the neighbours.
+struct Kernels<'a, const D: usize> {
+    records: &'a Records<D>,
+}
+
+/// `rho_i = sum_gas m_j W_ij / (1 - phi_i)`, where `phi_i = sum_ghosts V_g W_ig` is the walls' share of the kernel.
+struct Summation {
+    lattice: f64,
+}
+
+impl<const D: usize> Basis<D> for Kernels<'_, D> {
+    type Own<V: Vectors> = Target<V, D>;
+    type Pair<V: Vectors> = Lane<V>;
+    type Site<'a>
+        = ()
+    where
+        Self: 'a;
+    type Result = f64;
+
+    #[inline(always)]
+    fn load<V: Vectors>(
+        &self,
+        vectors: V,
+        read: Read<'_, D, V::Number>,
+        slot: impl Fn(usize) -> usize,
+    ) -> Target<V, D> {
+        Target::load(vectors, read, slot)
+    }
+
+    #[inline(always)]
+    fn meet<V: Vectors>(
+        &self,
+        vectors: V,
+        own: &Target<V, D>,
+        read: Read<'_, D, V::Number>,
+        j: usize,
+    ) -> Lane<V> {
+        Separation::new(vectors, own, &read.near[j]).kernel(vectors)
+    }
+
+    fn rest(&self, slot: usize, density: &mut f64) {
+        *density = self.records.near[slot].density();
+    }
+
+    #[inline(always)]
+    fn open(&self, _: usize, _: &mut f64) {}
+
+    #[inline(always)]
+    fn close(&self, (): (), _: &mut f64) {}
+}
+
+impl<const D: usize> Law<Kernels<'_, D>, D> for Summation {
+    type Own<V: Vectors> = ();
+    /// Mass of the gas and share of the walls.
+    type Sums<V: Vectors> = (Lane<V>, Lane<V>);
+    type Number = (f64, f64);
+
+    #[inline(always)]
+    fn load<V: Vectors>(
+        &self,
+        _: V,
+        _: Read<'_, D, V::Number>,
+        _: impl Fn(usize) -> usize + Copy,
+    ) -> Self::Own<V> {
+    }
+
+    #[inline(always)]
+    fn add<V: Vectors>(
+        &self,
+        _: (&Target<V, D>, &()),
+        kernel: &mut Lane<V>,
+        j: Neighbour<'_, V, D>,
+        (mass, _): &mut Self::Sums<V>,
+    ) {
+        *mass = kernel.mul_add(Lane::broadcast(j.vectors, j.read.near[j.slot].mass), *mass);
+    }
+
+    #[inline(always)]
+    fn add_ghost<V: Vectors>(
+        &self,
+        _: (&Target<V, D>, &()),
+        kernel: &mut Lane<V>,
+        j: Neighbour<'_, V, D>,
+        (_, share): &mut Self::Sums<V>,
+    ) {
+        *share = kernel.mul_add(
+            Lane::broadcast(j.vectors, j.read.near[j.slot].volume),
+            *share,
+        );
+    }
+
+    /// Masses and volumes are in the cubes of the records' lengths, kernels in those of the inverse.
+    #[inline(always)]
+    fn in_metres<V: Vectors>(&self, sums: Self::Sums<V>, _: Lane<V>) -> Self::Sums<V> {
+        sums
+    }
+
+    #[inline(always)]
+    fn finish(&self, _: (f64, f64), (mass, share): (f64, f64), (): &mut (), density: &mut f64) {
+        let share = (share / self.lattice).min(LARGEST_WALL_SHARE);
+        *density = mass / self.lattice / (1.0 - share);
+    }
+}

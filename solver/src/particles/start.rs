@@ -1,0 +1,162 @@
+//! The particles as a run begins: a lattice over the domain and the buffers of its open sides, and what is packed around
+//! bodies.
+
+use aero_geometry::Vector;
+use aero_geometry::kernel::SMOOTHING_RATIO;
+
+use super::{ByPressure, Particle, Particles};
+use crate::lattice;
+use crate::problem::{Body, Initial, Problem, State};
+use crate::records::Matrix;
+use crate::rings::Rings;
+use crate::sides::{Buffers, OpenParticle, Zone};
+
+impl<const D: usize> Problem<D> {
+    /// Spacing of the particles of the lattice at `position`: the same everywhere. Whatever asks how finely the gas is resolved
+    /// somewhere asks here.
+    pub fn spacing_at(&self, _position: &Vector<D>) -> f64 {
+        self.spacing
+    }
+
+    /// True where a gas particle may be put: not behind a side that is not open, not in a body
+    /// nor nearer to it than half a spacing.
+    pub fn is_free(&self, position: &Vector<D>) -> bool {
+        // The lattice may touch the half spacing exactly; round-off must not decide.
+        let least = 0.5 * self.spacing_at(position) * (1.0 - 1e-6);
+        self.is_clear(position, |_| least)
+    }
+
+    /// As [`Self::is_free`], with the distance that each body wants.
+    fn is_clear(&self, position: &Vector<D>, least: impl Fn(&Body<D>) -> f64) -> bool {
+        let bounds = &self.domain.bounds;
+        let behind_closed_side = (0..D).any(|axis| {
+            let [lower, upper] = self.domain.sides[axis];
+            (position[axis] < bounds.min[axis] && !lower.is_open())
+                || (position[axis] > bounds.max[axis] && !upper.is_open())
+        });
+        !behind_closed_side
+            && self.bodies.iter().all(|body| {
+                let least = least(body);
+                let reach = least.max(self.spacing_at(position));
+                !body.shape.bounds().grown(reach).contains(position)
+                    || body.shape.signed_distance(position) >= least
+            })
+    }
+
+    /// A particle of the starting lattice in `state`.
+    pub fn particle(&self, position: Vector<D>, state: &State<D>, id: u64) -> Particle<D> {
+        let spacing = self.spacing_at(&position);
+        let plane_mass = state.density * spacing.powi(D as i32);
+        Particle {
+            position,
+            velocity: state.velocity,
+            density: state.density,
+            energy: self.gas.energy(state.density, state.pressure),
+            smoothing_length: SMOOTHING_RATIO * spacing,
+            mass: plane_mass * Rings::new(self).circumference(&position),
+            first_plane_mass: plane_mass,
+            by_pressure: ByPressure::default(),
+            strain: Matrix::zeros(),
+            energy_slope: Vector::zeros(),
+            smoothness: 1.0,
+            is_calm: false,
+            id,
+        }
+    }
+
+    /// Place of point `index` of the lattice after it has drifted.
+    pub fn lattice_position(&self, index: &[i64; D], drift: &Vector<D>) -> Vector<D> {
+        lattice::position(&self.domain.bounds.min, self.spacing, index) + drift
+    }
+
+    /// True where the lattice starts as the undisturbed free stream, so that not even the first sums need be
+    /// taken far from bodies and walls. Rings are not spread evenly, and must show that they are calm.
+    fn starts_calm(&self) -> bool {
+        self.scheme.skip_undisturbed
+            && matches!(self.initial, Initial::FreeStream)
+            && self.disorder == 0.0
+            && !self.domain.is_axisymmetric()
+    }
+}
+
+/// The fluid of `problem`, and its open sides with their buffers filled.
+///
+/// # Errors
+/// Where the gas cannot start as it should.
+pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buffers<D>), String> {
+    let mut fluid = Vec::new();
+    let mut buffers = Buffers::new(problem);
+    let drift = Vector::zeros();
+    let (first, last) = buffers.sides.lattice_range(&drift);
+    let id = buffers.set_aside(lattice::count(&first, &last));
+    for (id, index) in (id..).zip(lattice::points(first, last)) {
+        let position = problem.lattice_position(&index, &drift);
+        let zone = buffers.sides.zone(&position);
+        if let (Zone::Beyond(side), Some(state)) = (zone, buffers.first_state(zone, &position)) {
+            // Buffers go on as they are refilled, by the lattice.
+            if problem.is_free(&position) {
+                let particle = problem.particle(position, &state, id);
+                buffers.add(OpenParticle::of_lattice(particle, side, Some(index)));
+            }
+        } else if problem.is_clear(&position, |body| {
+            body.starting_distance(problem.spacing_at(&position))
+        }) {
+            let disorder = problem.disorder * problem.spacing_at(&position);
+            let shift = lattice::displacement(&index) * disorder;
+            if let Some(particle) = born(problem, (position, shift), zone, id)? {
+                place(particle, zone, &mut fluid, &mut buffers);
+            }
+        }
+    }
+    if problem.starts_calm() {
+        let buffered = buffers.particles_mut().iter_mut();
+        let buffered = buffered.map(|open| &mut open.particle);
+        for particle in fluid.iter_mut().chain(buffered) {
+            particle.is_calm = true;
+        }
+    }
+    let packed = problem
+        .bodies
+        .iter()
+        .filter_map(|b| b.packed_fluid.as_ref());
+    for &position in packed.flat_map(|packed| &packed.position) {
+        let id = buffers.set_aside(1);
+        let zone = buffers.sides.zone(&position);
+        if buffers.sides.stream_at(zone).is_none() && problem.is_clear(&position, |_| 0.0) {
+            if let Some(particle) = born(problem, (position, Vector::zeros()), zone, id)? {
+                place(particle, zone, &mut fluid, &mut buffers);
+            }
+        }
+    }
+    Ok((Particles::new(fluid), buffers))
+}
+
+/// A particle at `position`, displaced by `shift` if it is fluid, in the state of the start; none in a vacuum or past all
+/// buffers.
+fn born<const D: usize>(
+    problem: &Problem<D>,
+    (position, shift): (Vector<D>, Vector<D>),
+    zone: Zone,
+    id: u64,
+) -> Result<Option<Particle<D>>, String> {
+    let displaced = match zone {
+        Zone::Interior => position + shift,
+        Zone::Beyond(_) => position,
+        Zone::Outside => return Ok(None),
+    };
+    let state = problem.initial_state(&position)?;
+    Ok(state.map(|state| problem.particle(displaced, &state, id)))
+}
+
+/// Puts a particle where it belongs.
+fn place<const D: usize>(
+    particle: Particle<D>,
+    zone: Zone,
+    fluid: &mut Vec<Particle<D>>,
+    buffers: &mut Buffers<D>,
+) {
+    match zone {
+        Zone::Beyond(side) => buffers.add(OpenParticle::of_lattice(particle, side, None)),
+        _ => fluid.push(particle),
+    }
+}

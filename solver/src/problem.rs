@@ -1,0 +1,77 @@
+//! A flow problem: checked, in SI or stated units, with bodies packed.
+
+use std::sync::Arc;
+
+use aero_geometry::Vector;
+
+pub use super::sides::{Domain, Side};
+pub use super::walls::{Body, Motion, PackedFluid, Turning, WallKind};
+
+use crate::gas::Gas;
+use crate::method::Method;
+pub use crate::scheme::Scheme;
+
+/// A flow problem ready to run, in `D` dimensions.
+#[derive(Clone, Debug)]
+pub struct Problem<const D: usize> {
+    /// Particle spacing `dx` of the undisturbed lattice.
+    pub spacing: f64,
+    /// Equation of state.
+    pub gas: Gas,
+    /// What carries the gas.
+    pub method: Method,
+    /// Equations and boundary treatment of particles.
+    pub scheme: Scheme,
+    /// Box of the flow and what bounds it.
+    pub domain: Domain<D>,
+    /// Undisturbed state: inlets, free-stream sides, reference of all coefficients.
+    pub free_stream: State<D>,
+    /// State at the start.
+    pub initial: Initial<D>,
+    /// Random displacement of the starting lattice inside the domain, as a fraction of the
+    /// spacing; zero for a perfect lattice.
+    pub disorder: f64,
+    /// Bodies in the flow.
+    pub bodies: Vec<Body<D>>,
+}
+
+/// Density, velocity and pressure at a point.
+#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize, serde::Deserialize)]
+pub struct State<const D: usize> {
+    /// Density.
+    pub density: f64,
+    /// Velocity.
+    pub velocity: Vector<D>,
+    /// Pressure.
+    pub pressure: f64,
+}
+
+/// State of the gas at the start.
+#[derive(Clone, Debug)]
+pub enum Initial<const D: usize> {
+    /// The free stream everywhere.
+    FreeStream,
+    /// Two states on either side of a plane `x = position`.
+    Riemann {
+        /// State at `x < position`.
+        left: State<D>,
+        /// State at `x > position`.
+        right: State<D>,
+        /// Position of the diaphragm on the first axis.
+        position: f64,
+        /// Smooth density and pressure over a few spacings (Villodi & Ramachandran, eq. 38).
+        smooth: bool,
+    },
+    /// Any state as a function of position.
+    Field(Field<D>),
+}
+
+/// A state of the gas as a function of position.
+#[derive(Clone)]
+pub struct Field<const D: usize>(pub Arc<dyn Fn(&Vector<D>) -> State<D> + Send + Sync>);
+
+impl<const D: usize> std::fmt::Debug for Field<D> {
+    fn fmt(&self, formatter: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        formatter.write_str("Field")
+    }
+}

@@ -1,0 +1,99 @@
+//! Flow that is the same all around an axis: particles of the meridian plane `(x, r)` stand for rings.
+//!
+//! The Euler equations in `(x, r)` differ from the plane ones by the hoop terms alone: the rings of a gas
+//! that moves outwards grow, which adds `v / r` to the divergence of its velocity [Omang, Borve &
+//! Trulsen 2006, sections 2-3]. The plane pair sums therefore serve as they are, on particles whose plane mass is
+//! what their ring has per length, `m / (2 pi r)`; beyond the axis lie their mirror images, as even in `r` as
+//! density and pressure are. Mass is kept by the rings to the last bit.
+
+use std::f64::consts::TAU;
+
+use aero_geometry::Vector;
+
+use super::particles::{Particle, Rates};
+use crate::gas::Gas;
+use crate::problem::Problem;
+
+/// A ring never counts as narrower than this many spacings, the radius of the innermost ring of the lattice: nearer
+/// the axis it would swell without bound and pair with its own image.
+const NARROWEST: f64 = 0.5;
+
+/// Axis in the meridian plane along which `r` is measured.
+const RADIAL: usize = 1;
+
+/// How far around the axis a particle reaches.
+#[derive(Clone, Copy, Debug)]
+pub struct Rings {
+    /// Smallest radius that counts; none in a plane flow or in space.
+    narrowest: Option<f64>,
+}
+
+impl Rings {
+    /// Those of `problem`: real ones where a side of its domain is the axis.
+    pub fn new<const D: usize>(problem: &Problem<D>) -> Self {
+        let axisymmetric = problem.domain.is_axisymmetric();
+        Self {
+            narrowest: axisymmetric.then_some(NARROWEST * problem.spacing),
+        }
+    }
+
+    /// Length around the axis at `position`, `2 pi r`; one without an axis.
+    pub fn circumference<const D: usize>(&self, position: &Vector<D>) -> f64 {
+        match self.narrowest {
+            Some(narrowest) => TAU * position[RADIAL].max(narrowest),
+            None => 1.0,
+        }
+    }
+
+    /// True in an axisymmetric flow.
+    pub fn are_real(&self) -> bool {
+        self.narrowest.is_some()
+    }
+
+    /// `vector` without what cancels around the axis.
+    pub fn axial<const D: usize>(&self, mut vector: Vector<D>) -> Vector<D> {
+        if self.are_real() {
+            vector[RADIAL] = 0.0;
+        }
+        vector
+    }
+
+    /// Mass per length around the axis: what the plane pair sums weigh with.
+    pub fn plane_mass<const D: usize>(&self, particle: &Particle<D>) -> f64 {
+        particle.mass / self.circumference(&particle.position)
+    }
+
+    /// Plane mass that the smoothing length goes by. A ring that has grown to many times its first radius, as
+    /// those next to a body's wall have, is squeezed into a thin sheet; its neighbours along the sheet
+    /// are as far as ever, and the kernel has to reach them.
+    pub fn spanned_mass<const D: usize>(&self, particle: &Particle<D>) -> f64 {
+        self.plane_mass(particle).max(particle.first_plane_mass)
+    }
+
+    /// Rate at which the ring of `particle` grows, `v / r`; zero without an axis.
+    pub fn growth<const D: usize>(&self, particle: &Particle<D>) -> f64 {
+        match self.narrowest {
+            Some(narrowest) => particle.velocity[RADIAL] / particle.position[RADIAL].max(narrowest),
+            None => 0.0,
+        }
+    }
+
+    /// Adds the growth of the rings, `v / r`, to the divergence that the rates of density and energy come from.
+    pub fn stretch<const D: usize>(
+        &self,
+        particles: &[Particle<D>],
+        gas: &Gas,
+        rates: &mut [Rates<D>],
+    ) {
+        if !self.are_real() {
+            return;
+        }
+        for (particle, rates) in particles.iter().zip(rates) {
+            let growth = self.growth(particle);
+            rates.density -= particle.density * growth;
+            let heating = gas.pressure_over_density(particle.density, particle.energy) * growth;
+            rates.energy -= heating;
+            rates.by_pressure.heating -= heating;
+        }
+    }
+}

@@ -1,0 +1,161 @@
+//! One time step: sort and list the neighbours, predict, read the density off the particles, evaluate, correct, cross the
+//! sides.
+
+mod clock;
+mod failure;
+mod stages;
+
+use super::Simulation;
+use super::evaluation::{Moment, evaluate, read_densities, sum_densities};
+use super::fill::{fill_ghosts, fill_near};
+use super::neighbourhood::Neighbourhood;
+use super::particles::Particles;
+use super::problem::Problem;
+use super::scheme::{Density, Integrator};
+use super::sides::{Buffers, closed};
+use super::walls::{Walls, loads};
+use stages::Senseless;
+
+pub use clock::Clock;
+pub use failure::Failure;
+
+/// How often a step is halved before the run stops.
+const HALVINGS: u32 = 5;
+
+/// Sorts all particles in space, writes the records and lists neighbours for a step whose half is `half_step` long; `time` is
+/// now.
+pub fn prepare<const D: usize>(
+    problem: &Problem<D>,
+    (time, half_step): (f64, f64),
+    fluid: &mut Particles<D>,
+    buffers: &mut Buffers<D>,
+    walls: &mut Walls<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    around.sort(problem, (time, half_step), fluid, buffers, walls);
+    fill_near(problem, 0.0, fluid, buffers, around);
+    fill_ghosts(walls, around);
+    around.list((time, half_step), fluid, buffers, walls);
+}
+
+impl<const D: usize> Simulation<D> {
+    /// Advances by one time step, no further than `limit`; returns the step taken.
+    ///
+    /// How is up to the scheme's [`Integrator`].
+    ///
+    /// # Errors
+    /// A [`Failure`] when a particle's state stops making sense; the simulation then stands at
+    /// its last good state.
+    pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
+        let is_leapfrog = self.problem.scheme.integrator == Integrator::Leapfrog;
+        let bound = self.prepare();
+        if self.clock.steps == 0 || !is_leapfrog {
+            self.evaluate_start();
+        }
+        let mut step = self.clock.next_step(bound, limit);
+        let mut halvings = if is_leapfrog { HALVINGS } else { 0 };
+        // The leapfrog takes a step that would leave a particle in a state that makes no sense again, at half the length.
+        while let Err(senseless) = self.try_step(step) {
+            if halvings == 0 {
+                return Err(self.failure(senseless));
+            }
+            halvings -= 1;
+            step *= 0.5;
+            self.clock.last_step = step;
+        }
+        let Self {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            books,
+            ..
+        } = self;
+        walls.update_smoothing_lengths();
+        let times = clock.go_on(step, limit);
+        buffers.exchange(problem, times, fluid, books);
+        closed::bring_back(&problem.domain, fluid);
+        books.extremes.updates += fluid.len() as u64;
+        Ok(step)
+    }
+
+    /// Sorts the particles and lists their neighbours for the next step; returns what bounds it.
+    pub(super) fn prepare(&mut self) -> f64 {
+        let Self {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = self;
+        let bound = clock.bound(problem, fluid, buffers, walls);
+        let now = (clock.time, 0.5 * bound);
+        prepare(problem, now, fluid, buffers, walls, around);
+        bound
+    }
+
+    /// Evaluates the state at the start of the step, and bounds the step by it.
+    pub(super) fn evaluate_start(&mut self) {
+        let Self {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = self;
+        let moment = Moment {
+            start: clock.time,
+            ahead: 0.0,
+        };
+        if problem.scheme.density == Density::Summation {
+            read_densities(problem, fluid, around);
+        }
+        evaluate(problem, moment, fluid, buffers, walls, around);
+        stages::remember_rates(fluid);
+        clock.stable_step = {
+            let rule = problem.scheme.step;
+            rule.time_step(problem.scheme.cfl, &problem.gas, fluid, fluid.rates())
+        };
+    }
+
+    /// Predicts, evaluates and corrects; goes back to where the step began if that leaves a state that makes no sense.
+    fn try_step(&mut self, step: f64) -> Result<(), Senseless<D>> {
+        let Self {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            books,
+        } = self;
+        let moment = Moment {
+            start: clock.time,
+            ahead: 0.5 * step,
+        };
+        let before = *books;
+        let attempt = (|| {
+            stages::predict(problem, moment.ahead, fluid, books)?;
+            if problem.scheme.density == Density::Summation {
+                sum_densities(problem, moment, fluid, buffers, walls, around);
+            }
+            evaluate(problem, moment, fluid, buffers, walls, around);
+            let received = loads::received(problem, step, fluid, walls, around);
+            books.receive(&received);
+            let calm = around.calm.as_ref();
+            let stable = stages::correct(problem, step, calm, fluid, books)?;
+            clock.stable_step = stable.unwrap_or(clock.stable_step);
+            Ok(())
+        })();
+        if attempt.is_err() {
+            fluid.restore();
+            books.received = before.received;
+        }
+        attempt
+    }
+}

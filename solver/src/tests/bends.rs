@@ -1,0 +1,102 @@
+//! Ghosts of a round body that turns and speeds up: bend, Coriolis, mirrors and friction, against the reference.
+
+use aero_geometry::{Placed, Placement, bodies};
+use nalgebra::Vector3;
+
+use super::agreement::compare;
+use super::reference::Matrix;
+use super::seam::{DEFAULT, PUBLISHED, Setup, Solver, body_on_the_lattice, instructions, turn};
+use super::*;
+
+const RADIUS: f64 = 0.6;
+
+/// A cylinder in the middle of a box of disordered gas.
+fn cylinder(wall: WallKind) -> Problem<2> {
+    let mut problem = cube::<2>(22, WALL);
+    problem.disorder = 0.2;
+    let centre = problem.domain.bounds.max * 0.5;
+    let circle = bodies::circle(RADIUS).expect("a circle");
+    let shape = Placed::new(circle, Placement::default().moved(centre));
+    let mut body = body_on_the_lattice(&problem, Arc::new(shape));
+    body.wall = wall;
+    let motion = [Vector::<2>::new(0.3, -0.2), Vector::<2>::new(0.8, 0.5)];
+    turn(&mut body, Vector3::new(0.0, 0.0, 1.7), centre, motion);
+    problem.bodies.push(body);
+    problem
+}
+
+#[test]
+fn ghosts_of_a_turning_cylinder_show_what_the_reference_shows() {
+    for setup in [
+        DEFAULT,
+        Setup {
+            mirrors: true,
+            ..DEFAULT
+        },
+        Setup {
+            shield: true,
+            ..PUBLISHED
+        },
+    ] {
+        for wall in [WallKind::Slip, WallKind::NoSlip] {
+            compare(setup, &cylinder(wall));
+        }
+    }
+}
+
+#[test]
+fn the_wall_of_a_turning_cylinder_bends_and_moves_as_a_rigid_circle() {
+    for (setup, bend) in [(DEFAULT, 1.0 / RADIUS), (PUBLISHED, 0.0)] {
+        let problem = setup.of(cylinder(WallKind::Slip));
+        let centre = problem.domain.bounds.max * 0.5;
+        let solver = Solver::new(problem, instructions()[0]);
+        let ghosts = solver.ghosts();
+        let mut seen = 0;
+        for ghost in ghosts.iter().filter(|ghost| ghost.body == 0) {
+            let radial = ghost.point.position - centre;
+            if radial.norm() < 0.1 {
+                continue;
+            }
+            seen += 1;
+            let (n, t) = (
+                radial.normalize(),
+                Vector::<2>::new(-radial[1], radial[0]).normalize(),
+            );
+            assert!((ghost.normal - n).norm() < 1e-9);
+            let exact: Matrix<2> = t * t.transpose() * bend;
+            assert!(
+                (ghost.curvature - exact).norm() < 0.01,
+                "{}",
+                ghost.curvature
+            );
+            let velocity = Vector::<2>::new(0.3, -0.2) + t * (1.7 * RADIUS);
+            assert!((ghost.surface_velocity - velocity).norm() < 1e-9);
+            let acceleration = Vector::<2>::new(0.8, 0.5) - n * (1.7 * 1.7 * RADIUS);
+            assert!((ghost.surface_acceleration - acceleration).norm() < 1e-9);
+        }
+        assert!(seen > 80, "{seen} ghosts");
+    }
+}
+
+/// Gas that circles with a turning body, `u = w x r`, is at rest in the body's frame; gas at rest, which the body turns
+/// under, is not accelerated at all: the wall's centripetal acceleration, Coriolis and the bend cancel there,
+/// `R w^2 n - 2 w u_t + u_t^2 / R = 0` for `u_t = -w R` on the wall.
+#[test]
+fn gas_at_rest_around_a_turning_cylinder_stays_at_one_pressure() {
+    let mut problem = cylinder(WallKind::Slip);
+    problem.disorder = 0.0;
+    let centre = problem.domain.bounds.max * 0.5;
+    let still = [Vector::<2>::zeros(); 2];
+    turn(
+        &mut problem.bodies[0],
+        Vector3::new(0.0, 0.0, 1.7),
+        centre,
+        still,
+    );
+    let mut solver = Solver::new(DEFAULT.of(problem), instructions()[0]);
+    solver.list();
+    solver.evaluate();
+    let off = |ghost: &reference::Wall<2>| (ghost.point.pressure - 1.0).abs();
+    let furthest = solver.ghosts().iter().map(off).fold(0.0, f64::max);
+    assert!(furthest < 5e-3, "the pressure is off by {furthest}");
+}

@@ -1,0 +1,57 @@
+use super::*;
+
+fn pair_sums_balance<const D: usize>(cells: usize, shifting: bool) {
+    let mut problem = stirred::<D>(cells);
+    problem.scheme.shifting = shifting;
+    let mut simulation = start(problem);
+    let before = simulation.totals();
+    let scale: f64 = simulation
+        .fluid
+        .iter()
+        .zip(simulation.fluid.rates())
+        .map(|(particle, rates)| particle.mass * rates.acceleration.norm())
+        .sum();
+    let rates = simulation.rates_of_totals();
+    assert!(
+        rates.energy.abs() < 1e-14 * scale,
+        "energy rate {}",
+        rates.energy
+    );
+    for k in 0..D {
+        assert!(
+            rates.momentum[k].abs() < 1e-14 * scale,
+            "momentum rate {:?}",
+            rates.momentum
+        );
+    }
+    advance(&mut simulation, 20);
+    let after = simulation.totals();
+    assert!((after.mass / before.mass - 1.0).abs() < 1e-14);
+    for k in 0..D {
+        let drift = after.momentum[k] - before.momentum[k];
+        assert!(drift.abs() < 1e-12 * before.mass, "momentum drift {drift}");
+    }
+}
+
+#[test]
+fn mass_momentum_and_the_rate_of_energy_balance_to_round_off_in_a_periodic_box() {
+    for shifting in [false, true] {
+        pair_sums_balance::<1>(40, shifting);
+        pair_sums_balance::<2>(20, shifting);
+        pair_sums_balance::<3>(11, shifting);
+    }
+}
+
+#[test]
+fn the_energy_of_a_periodic_box_stays_to_round_off_at_any_time_step() {
+    for (cfl, shifting) in [(0.5, false), (0.25, false), (0.5, true)] {
+        let mut problem = stirred::<2>(20);
+        problem.scheme.cfl = cfl;
+        problem.scheme.shifting = shifting;
+        let mut simulation = start(problem);
+        let before = simulation.totals().energy;
+        advance_to(&mut simulation, 0.5);
+        let drift = simulation.totals().energy / before - 1.0;
+        assert!(drift.abs() < 1e-12, "drift {drift} at cfl {cfl}");
+    }
+}

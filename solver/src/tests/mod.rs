@@ -1,0 +1,91 @@
+//! Golden physics: what must hold whatever the speed.
+
+mod agreement;
+mod bends;
+mod calm;
+mod combinations;
+mod conduction;
+mod conservation;
+mod invariance;
+mod lanes;
+mod leapfrog;
+mod life;
+mod mixed;
+mod rarefied;
+mod reference;
+mod rest;
+mod rings;
+mod seam;
+mod shifting;
+mod steps;
+mod surfaces;
+mod thin;
+mod walls;
+
+use std::sync::Arc;
+
+use aero_geometry::{Bounds, Vector};
+
+use super::Simulation;
+use crate::gas::Gas;
+use crate::problem::{Domain, Field, Initial, Problem, Side, State, WallKind};
+use crate::scheme::{Extrapolation, Scheme};
+
+const WALL: Side = Side::Wall {
+    kind: WallKind::Slip,
+    velocity: 0.0,
+    acceleration: 0.0,
+};
+
+/// A box of `cells` cells per axis with spacing 0.1, all sides alike, at rest with `c = 1`.
+fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
+    let spacing = 0.1;
+    let bounds = Bounds::new(Vector::zeros(), Vector::repeat(cells as f64 * spacing));
+    Problem {
+        spacing,
+        gas: Gas::ideal(1.4),
+        method: crate::method::Method::default(),
+        scheme: Scheme::default(),
+        domain: Domain {
+            bounds,
+            sides: [[side; 2]; D],
+        },
+        free_stream: State {
+            density: 1.4,
+            velocity: Vector::zeros(),
+            pressure: 1.0,
+        },
+        initial: Initial::FreeStream,
+        disorder: 0.0,
+        bodies: Vec::new(),
+    }
+}
+
+/// A periodic box of disordered gas in motion: velocity, density and pressure vary by order one.
+fn stirred<const D: usize>(cells: usize) -> Problem<D> {
+    let mut problem = cube::<D>(cells, Side::Periodic);
+    problem.disorder = 0.2;
+    let wave = std::f64::consts::TAU / problem.domain.bounds.max[0];
+    problem.initial = Initial::Field(Field(Arc::new(move |position: &Vector<D>| State {
+        density: 1.4 + 0.4 * (wave * position[0]).sin(),
+        velocity: Vector::from_fn(|k, _| 0.7 * (wave * position[D - 1 - k] + k as f64).cos()),
+        pressure: 1.0 + 0.3 * (wave * position[D - 1]).cos(),
+    })));
+    problem
+}
+
+fn start<const D: usize>(problem: Problem<D>) -> Simulation<D> {
+    Simulation::new(problem).expect("the problem is sound")
+}
+
+fn advance<const D: usize>(simulation: &mut Simulation<D>, steps: usize) {
+    for _ in 0..steps {
+        simulation.step(f64::INFINITY).expect("the flow is tame");
+    }
+}
+
+fn advance_to<const D: usize>(simulation: &mut Simulation<D>, time: f64) {
+    while simulation.time() < time {
+        simulation.step(time).expect("the flow is tame");
+    }
+}

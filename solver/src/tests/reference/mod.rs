@@ -1,0 +1,93 @@
+//! The method once more, as plain loops over all pairs in plain numbers: slow, short, and written from the equations
+//! rather than from the lanes, which have to match it to round-off.
+
+pub mod gas;
+mod images;
+pub mod kernel;
+pub mod laws;
+pub mod step;
+pub mod wall;
+
+use aero_geometry::Vector;
+use nalgebra::{SMatrix, Vector3};
+
+pub use images::{Map, images};
+
+/// Ratio of specific heats in all comparisons.
+pub const GAMMA: f64 = 1.4;
+
+pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
+
+/// A particle of gas, or what a ghost shows.
+#[derive(Clone, Copy, Debug)]
+pub struct Point<const D: usize> {
+    pub position: Vector<D>,
+    pub velocity: Vector<D>,
+    pub density: f64,
+    pub energy: f64,
+    pub pressure: f64,
+    pub h: f64,
+    /// Mass in the plane sums.
+    pub mass: f64,
+    pub volume: f64,
+    /// What the viscosity leaves alone.
+    pub strain: Matrix<D>,
+    /// What conduction leaves alone.
+    pub energy_slope: Vector<D>,
+    pub smoothness: f64,
+    pub renormalisation: Matrix<D>,
+    pub density_gradient: Vector<D>,
+    /// Transport velocity minus velocity.
+    pub shift: Vector<D>,
+}
+
+/// A ghost.
+#[derive(Clone, Copy, Debug)]
+pub struct Wall<const D: usize> {
+    pub point: Point<D>,
+    /// Into the gas.
+    pub normal: Vector<D>,
+    pub depth: f64,
+    pub surface_velocity: Vector<D>,
+    pub surface_acceleration: Vector<D>,
+    pub surface_pressure: f64,
+    /// Angular velocity of its body.
+    pub spin: Vector3<f64>,
+    /// Shape operator.
+    pub curvature: Matrix<D>,
+    pub slips: bool,
+    pub has_mirror: bool,
+    pub body: usize,
+}
+
+/// Rates of one particle.
+#[derive(Clone, Copy, Debug)]
+pub struct Rate<const D: usize> {
+    /// By gas and walls.
+    pub acceleration: Vector<D>,
+    pub wall_acceleration: Vector<D>,
+    pub density: f64,
+    pub energy: f64,
+    pub acceleration_by_pressure: Vector<D>,
+    pub heating_by_pressure: f64,
+    pub velocity_gradient: Matrix<D>,
+    pub energy_gradient: Vector<D>,
+    pub shift: Vector<D>,
+}
+
+/// How particles that move otherwise than with the flow leave it in place.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Transport {
+    None,
+    Advection,
+    Exchange,
+}
+
+/// Which laws are summed.
+#[derive(Clone, Copy, Debug)]
+pub struct Laws {
+    pub published: bool,
+    pub limits_viscosity: bool,
+    pub limits_conduction: bool,
+    pub transport: Transport,
+}

@@ -1,0 +1,198 @@
+//! What walls do: the state that their ghosts show, the shield, the forces on them.
+
+use aero_geometry::Vector;
+use nalgebra::{DMatrix, DVector, Vector3};
+
+use super::laws::{Pair, closing_speed, viscous_pressure};
+use super::{GAMMA, Laws, Matrix, Point, Wall, kernel};
+
+/// Gas as it is seen from a point: `centroid` is where the interpolation looked, relative to the point.
+pub struct Seen<const D: usize> {
+    pub velocity: Vector<D>,
+    pub strain: Matrix<D>,
+    pub pressure: f64,
+    pub energy: f64,
+    pub h: f64,
+    pub centroid: Vector<D>,
+}
+
+/// `sum f_j W_j / sum W_j` [Villodi & Ramachandran 2024, eq. 24]; none where no gas is in reach.
+pub fn shepard<const D: usize>(place: &Vector<D>, h: f64, gas: &[Point<D>]) -> Option<Seen<D>> {
+    let weights: Vec<f64> = gas.iter().map(|j| weight(place, h, j)).collect();
+    let total: f64 = weights.iter().sum();
+    (total > 0.0).then(|| seen(place, gas, &weights, total))
+}
+
+fn weight<const D: usize>(place: &Vector<D>, h: f64, j: &Point<D>) -> f64 {
+    kernel::value::<D>((place - j.position).norm(), f64::midpoint(h, j.h))
+}
+
+fn seen<const D: usize>(
+    place: &Vector<D>,
+    gas: &[Point<D>],
+    weights: &[f64],
+    total: f64,
+) -> Seen<D> {
+    let mut seen = Seen {
+        velocity: Vector::zeros(),
+        strain: Matrix::zeros(),
+        pressure: 0.0,
+        energy: 0.0,
+        h: 0.0,
+        centroid: Vector::zeros(),
+    };
+    for (j, weight) in gas.iter().zip(weights) {
+        let share = weight / total;
+        seen.velocity += j.velocity * share;
+        seen.strain += j.strain * share;
+        seen.pressure += j.pressure * share;
+        seen.energy += j.energy * share;
+        seen.h += j.h * share;
+        seen.centroid += (j.position - place) * share;
+    }
+    seen
+}
+
+/// The fit that is exact for linear fields [eq. 25; Liu & Liu 2006]: with the moments `M = sum w_j (1, d_j) (x) (1, d_j)`,
+/// `w_j = V_j W_j`, and `M (a, b) = (1, 0)`, the weights are `w_j (a + b.d_j)`. None with less than 0.3 of a full
+/// neighbourhood, with an ill-conditioned matrix, or where it gives what no gas is. The strain is Shepard's.
+pub fn linear_fit<const D: usize>(place: &Vector<D>, h: f64, gas: &[Point<D>]) -> Option<Seen<D>> {
+    let weights: Vec<f64> = gas.iter().map(|j| j.volume * weight(place, h, j)).collect();
+    let total: f64 = weights.iter().sum();
+    if total < 0.3 {
+        return None;
+    }
+    let spread: f64 = gas
+        .iter()
+        .zip(&weights)
+        .map(|(j, w)| w * (j.position - place).norm_squared())
+        .sum();
+    // Lengths in which the mean second moment is one.
+    let length = (spread / (D as f64 * total)).sqrt();
+    let basis = |j: &Point<D>| {
+        let arm = (j.position - place) / length;
+        DVector::from_fn(D + 1, |k, _| if k == 0 { 1.0 } else { arm[k - 1] })
+    };
+    let mut moments = DMatrix::<f64>::zeros(D + 1, D + 1);
+    for (j, w) in gas.iter().zip(&weights) {
+        moments += basis(j) * basis(j).transpose() * (w / total);
+    }
+    let inverse = moments.clone().try_inverse()?;
+    // The condition is that of the matrix filled up with ones to three axes.
+    let norm = |matrix: &DMatrix<f64>| (matrix.norm_squared() + (3 - D) as f64).sqrt();
+    if 1.0 / (norm(&moments) * norm(&inverse)) < 1e-3 {
+        return None;
+    }
+    let coefficients = inverse.column(0).into_owned();
+    let corrected: Vec<f64> = gas
+        .iter()
+        .zip(&weights)
+        .map(|(j, w)| w / total * coefficients.dot(&basis(j)))
+        .collect();
+    let fit = Seen {
+        strain: seen(place, gas, &weights, total).strain,
+        centroid: Vector::zeros(),
+        ..seen(place, gas, &corrected, 1.0)
+    };
+    (fit.pressure > 0.0 && fit.energy > 0.0 && fit.h > 0.0).then_some(fit)
+}
+
+/// What the ghost shows of the gas [Villodi & Ramachandran 2024, eqs 24-30], and the pressure at the wall. A ghost that sees no
+/// gas goes on as it was. `mirrors` asks for the fit at the mirror point, `keeps_entropy` for a pressure that rises
+/// along the normal as an isentrope.
+pub fn show<const D: usize>(
+    wall: &Wall<D>,
+    gas: &[Point<D>],
+    mirrors: bool,
+    keeps_entropy: bool,
+) -> Wall<D> {
+    let place = wall.point.position;
+    let h = wall.point.h;
+    let mirror = place + wall.normal * (2.0 * wall.depth);
+    let mirrored = (mirrors && wall.has_mirror)
+        .then(|| linear_fit(&mirror, h, gas))
+        .flatten();
+    let Some((seen, height)) = mirrored.map(|seen| (seen, 2.0 * wall.depth)).or_else(|| {
+        let seen = shepard(&place, h, gas)?;
+        let height = seen.centroid.dot(&wall.normal);
+        Some((seen, height))
+    }) else {
+        return *wall;
+    };
+    let n = wall.normal;
+    let relative = seen.velocity - wall.surface_velocity;
+    let mut shown = wall.point;
+    if wall.slips {
+        shown.velocity = seen.velocity - n * (2.0 * relative.dot(&n));
+        let mut mirror = Matrix::<D>::identity();
+        mirror -= n * n.transpose() * 2.0;
+        shown.strain = mirror * seen.strain * mirror.transpose();
+    } else {
+        shown.velocity = wall.surface_velocity - relative;
+        shown.strain = Matrix::zeros();
+    }
+    // Gas that follows the wall: dp/dn = -rho n.a, with n.a that of the wall, of Coriolis and of the bend.
+    let slide = relative - n * relative.dot(&n);
+    let full = |v: &Vector<D>| Vector3::from_fn(|k, _| if k < D { v[k] } else { 0.0 });
+    let coriolis = wall.spin.cross(&full(&slide)) * 2.0;
+    let normal_acceleration = wall.surface_acceleration.dot(&n) + coriolis.dot(&full(&n))
+        - slide.dot(&(wall.curvature * slide));
+    let density = seen.pressure / ((GAMMA - 1.0) * seen.energy);
+    let continued = |height: f64| {
+        let rise = density * normal_acceleration * height;
+        if rise >= 0.0 {
+            seen.pressure + rise
+        } else {
+            seen.pressure / (1.0 - rise / seen.pressure)
+        }
+    };
+    shown.pressure = continued(height);
+    shown.energy = seen.energy;
+    if keeps_entropy {
+        shown.energy *= (shown.pressure / seen.pressure).powf((GAMMA - 1.0) / GAMMA);
+    }
+    shown.density = shown.pressure / ((GAMMA - 1.0) * shown.energy);
+    shown.mass = shown.density * shown.volume;
+    Wall {
+        point: shown,
+        surface_pressure: continued(height - wall.depth),
+        ..*wall
+    }
+}
+
+/// `-2 (1 - s / s_nom) (n.u_rel) n` of gas that heads for a ghost nearer than its own spacing, `n` and the wall's velocity being
+/// means with the ghosts' weights [Villodi & Ramachandran 2024, eq. 32].
+pub fn shield<const D: usize>(i: &Point<D>, walls: &[Wall<D>]) -> Vector<D> {
+    let (mut total, mut nearest) = (0.0, f64::INFINITY);
+    let [mut normal, mut velocity] = [Vector::<D>::zeros(); 2];
+    for wall in walls {
+        let weight = wall.point.volume * weight(&i.position, i.h, &wall.point);
+        if weight > 0.0 {
+            normal += wall.normal * weight;
+            velocity += wall.surface_velocity * weight;
+            total += weight;
+            nearest = nearest.min((i.position - wall.point.position).norm());
+        }
+    }
+    let spacing = i.volume.powf(1.0 / D as f64);
+    if total == 0.0 || normal.norm() == 0.0 || nearest >= spacing {
+        return Vector::zeros();
+    }
+    let normal = normal.normalize();
+    let speed = normal.dot(&(i.velocity - velocity / total));
+    normal * (-2.0 * (1.0 - nearest / spacing) * speed.min(0.0))
+}
+
+/// Force on a ghost: minus what it gives the momentum of all gas.
+pub fn force<const D: usize>(laws: Laws, ghost: &Point<D>, gas: &[Point<D>]) -> Vector<D> {
+    let mut force = Vector::zeros();
+    for i in gas {
+        let pair = Pair::new(i, ghost);
+        let stress = i.renormalisation * i.pressure + ghost.renormalisation * ghost.pressure;
+        let push = stress * pair.gradient * (-ghost.volume / i.density);
+        let closing = closing_speed(laws, &pair, i, ghost);
+        let viscous = viscous_pressure(&pair, closing) * ghost.mass / pair.density;
+        force -= (push + pair.gradient * viscous) * i.mass;
+    }
+    force
+}

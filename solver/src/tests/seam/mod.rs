@@ -1,0 +1,259 @@
+//! The one place where the comparisons with the scalar reference touch the solver: problems, states in and
+//! out, passes. Everything else in [`super::reference`] and its tests is written in its plain [`Point`]s.
+
+mod problems;
+
+use aero_geometry::Vector;
+use nalgebra::Vector3;
+
+use super::reference::{GAMMA, Point, Rate, Wall};
+use crate::Simulation;
+use crate::evaluation::{Moment, evaluate, read_densities};
+use crate::pairs::renormalisation::Renormalisation;
+use crate::particles::Particle;
+use crate::problem::{Problem, Side, WallKind};
+use crate::rings::Rings;
+use crate::scheme::Precision;
+use crate::step::prepare;
+use crate::vectors::{Arch, avx2};
+use crate::walls::{Ghost, even_renormalisation, wall_sides};
+
+pub use problems::{DEFAULT, PUBLISHED, Setup, body_on_the_lattice, maps, room, turn};
+
+/// Instruction sets of this processor, the narrowest first.
+pub fn instructions() -> Vec<pulp::Arch> {
+    let widest = Some(pulp::Arch::new());
+    [Some(pulp::Arch::Scalar), avx2(), widest]
+        .into_iter()
+        .flatten()
+        .collect()
+}
+
+/// A simulation whose passes are called one by one.
+pub struct Solver<const D: usize>(pub Simulation<D>);
+
+impl<const D: usize> Solver<D> {
+    /// Sets up `problem`, to be computed in `f64` with these instructions.
+    pub fn new(problem: Problem<D>, instructions: pulp::Arch) -> Self {
+        let mut simulation = Simulation::new(problem).expect("the problem is sound");
+        simulation.around.arch = Arch::new(instructions, Precision::Double);
+        Self(simulation)
+    }
+
+    /// The gas in the order of the solver's results.
+    pub fn gas(&self) -> Vec<Point<D>> {
+        let simulation = &self.0;
+        let point = |particle| point_of(simulation, particle);
+        simulation.fluid.iter().map(point).collect()
+    }
+
+    /// The gas in the buffers of open sides.
+    pub fn buffers(&self) -> Vec<Point<D>> {
+        let simulation = &self.0;
+        let open = simulation.buffers.particles().iter();
+        open.map(|open| Point {
+            renormalisation: open.renormalisation,
+            density_gradient: open.gradient,
+            ..point_of(simulation, &open.particle)
+        })
+        .collect()
+    }
+
+    /// The ghosts in the order of the solver's, views left out.
+    pub fn ghosts(&self) -> Vec<Wall<D>> {
+        let simulation = &self.0;
+        let bodies = &simulation.problem.bodies;
+        let slips = self.slips();
+        let wall = |ghost: &Ghost<D>| {
+            let body = bodies.get(ghost.body as usize);
+            Wall {
+                point: Point {
+                    position: ghost.position,
+                    velocity: ghost.velocity,
+                    density: ghost.density,
+                    energy: ghost.energy,
+                    pressure: ghost.pressure,
+                    h: ghost.smoothing_length,
+                    mass: ghost.density * ghost.volume,
+                    volume: ghost.volume,
+                    strain: ghost.strain,
+                    energy_slope: Vector::zeros(),
+                    smoothness: 1.0,
+                    renormalisation: even_renormalisation(),
+                    density_gradient: Vector::zeros(),
+                    shift: Vector::zeros(),
+                },
+                normal: ghost.normal,
+                depth: ghost.depth,
+                surface_velocity: ghost.wall_velocity,
+                surface_acceleration: ghost.wall_acceleration,
+                surface_pressure: ghost.wall_pressure,
+                spin: body.map_or(Vector3::zeros(), |body| {
+                    body.motion.turning.rate(simulation.time())
+                }),
+                curvature: ghost.curvature,
+                slips: slips[ghost.body as usize],
+                has_mirror: ghost.has_mirror,
+                body: ghost.body as usize,
+            }
+        };
+        simulation.walls.own().iter().map(wall).collect()
+    }
+
+    /// Whether gas slides along each body and wall side.
+    fn slips(&self) -> Vec<bool> {
+        let problem = &self.0.problem;
+        let bodies = problem.bodies.iter().map(|body| body.wall);
+        let sides = wall_sides(&problem.domain).into_iter();
+        let sides = sides.map(|(axis, end)| match problem.domain.sides[axis][end] {
+            Side::Wall { kind, .. } => kind,
+            _ => unreachable!("only wall sides are listed"),
+        });
+        let kinds = bodies.chain(sides);
+        kinds.map(|kind| kind == WallKind::Slip).collect()
+    }
+
+    /// Gives the gas new states: number by number what `change` makes of the old one. Rings remember the plane mass that they
+    /// began with.
+    pub fn set_gas(&mut self, mut change: impl FnMut(usize, &mut Point<D>)) {
+        for (number, mut point) in self.gas().into_iter().enumerate() {
+            change(number, &mut point);
+            let rings = Rings::new(&self.0.problem);
+            let circumference = rings.circumference(&point.position);
+            let particle = &mut self.0.fluid[number];
+            particle.position = point.position;
+            particle.velocity = point.velocity;
+            particle.density = point.density;
+            particle.energy = point.energy;
+            particle.smoothing_length = point.h;
+            particle.mass = point.mass * circumference;
+            if !rings.are_real() {
+                particle.first_plane_mass = point.mass;
+            }
+            particle.strain = point.strain;
+            particle.energy_slope = point.energy_slope;
+            particle.smoothness = point.smoothness;
+        }
+    }
+
+    /// Sorts all particles and lists their neighbours.
+    pub fn list(&mut self) {
+        let Simulation {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = &mut self.0;
+        prepare(problem, (clock.time, 0.0), fluid, buffers, walls, around);
+    }
+
+    /// Reads the density off the particles.
+    pub fn read_densities(&mut self) {
+        let Simulation {
+            problem,
+            fluid,
+            around,
+            ..
+        } = &mut self.0;
+        read_densities(problem, fluid, around);
+    }
+
+    /// Extrapolates, renormalises, shifts and sums the rates.
+    pub fn evaluate(&mut self) {
+        let Simulation {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = &mut self.0;
+        let moment = Moment {
+            start: clock.time,
+            ahead: 0.0,
+        };
+        evaluate(problem, moment, fluid, buffers, walls, around);
+    }
+
+    /// The renormalisation matrices, density gradients, and gradients of concentration by all and by walls.
+    pub fn renormalisations(&self) -> Vec<Renormalisation<D>> {
+        self.0.fluid.renormalisations().to_vec()
+    }
+
+    /// The rates of the last evaluation.
+    pub fn rates(&self) -> Vec<Rate<D>> {
+        let rates = self.0.fluid.rates().iter();
+        rates
+            .map(|rates| Rate {
+                acceleration: rates.acceleration + rates.wall_acceleration,
+                wall_acceleration: rates.wall_acceleration,
+                density: rates.density,
+                energy: rates.energy,
+                acceleration_by_pressure: rates.by_pressure.acceleration,
+                heating_by_pressure: rates.by_pressure.heating,
+                velocity_gradient: rates.velocity_gradient,
+                energy_gradient: rates.energy_gradient,
+                shift: rates.shift,
+            })
+            .collect()
+    }
+
+    /// Force and moment on each body and wall side.
+    pub fn loads(&self) -> Vec<[f64; 6]> {
+        let loads = self.0.loads();
+        let both = |k: usize, load: &crate::frame::Load| {
+            load.force
+                .iter()
+                .chain(&load.moment)
+                .copied()
+                .nth(k)
+                .unwrap_or(0.0)
+        };
+        loads
+            .iter()
+            .map(|load| std::array::from_fn(|k| both(k, load)))
+            .collect()
+    }
+
+    /// The stable step at the rates of the last evaluation.
+    pub fn stable_step(&self) -> f64 {
+        let Simulation { problem, fluid, .. } = &self.0;
+        let scheme = &problem.scheme;
+        let rule = scheme.step;
+        rule.time_step(scheme.cfl, &problem.gas, fluid, fluid.rates())
+    }
+
+    /// Takes one step; returns its length.
+    pub fn step(&mut self) -> f64 {
+        self.0.step(f64::INFINITY).expect("the flow is tame")
+    }
+
+    /// The number that a particle keeps for life, in the order of [`Self::gas`].
+    pub fn ids(&self) -> Vec<u64> {
+        self.0.fluid.iter().map(|particle| particle.id).collect()
+    }
+}
+
+fn point_of<const D: usize>(simulation: &Simulation<D>, particle: &Particle<D>) -> Point<D> {
+    let mass = Rings::new(&simulation.problem).plane_mass(particle);
+    Point {
+        position: particle.position,
+        velocity: particle.velocity,
+        density: particle.density,
+        energy: particle.energy,
+        pressure: (GAMMA - 1.0) * particle.density * particle.energy,
+        h: particle.smoothing_length,
+        mass,
+        volume: mass / particle.density,
+        strain: particle.strain,
+        energy_slope: particle.energy_slope,
+        smoothness: particle.smoothness,
+        renormalisation: nalgebra::SMatrix::identity(),
+        density_gradient: Vector::zeros(),
+        shift: Vector::zeros(),
+    }
+}

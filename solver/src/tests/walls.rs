@@ -1,0 +1,54 @@
+use super::*;
+
+/// A tube closed on the left by a piston that accelerates into gas of `c = 1`.
+fn piston(extrapolation: Extrapolation, velocity: f64, acceleration: f64) -> Problem<1> {
+    let mut problem = cube::<1>(200, WALL);
+    problem.spacing = 0.01;
+    problem.domain.bounds.max[0] = 2.0;
+    problem.domain.sides[0][0] = Side::Wall {
+        kind: WallKind::Slip,
+        velocity,
+        acceleration,
+    };
+    problem.scheme.wall.extrapolation = extrapolation;
+    problem
+}
+
+/// Pressure on an accelerating piston: a simple wave carries `p = (1 + (g-1)/2 u/c)^(2g/(g-1))`
+/// off a piston at speed `u = a t` until a shock forms at `t = 2 c / ((g+1) a)` [Courant &
+/// Friedrichs 1948].
+fn simple_wave_pressure(speed: f64) -> f64 {
+    (1.0 + 0.2 * speed).powf(7.0)
+}
+
+#[test]
+fn an_accelerating_piston_feels_the_pressure_of_a_simple_wave() {
+    for extrapolation in [Extrapolation::Wom, Extrapolation::Wm] {
+        for acceleration in [1.0, -1.0] {
+            let mut simulation = start(piston(extrapolation, 0.0, acceleration));
+            advance_to(&mut simulation, 0.6);
+            let force = simulation.loads()[0].force[0];
+            // The load belongs to the middle of the last step.
+            let exact = simple_wave_pressure(acceleration * 0.6);
+            let error = (-force / exact - 1.0).abs();
+            assert!(error < 0.01, "{extrapolation:?}: {} for {exact}", -force);
+        }
+    }
+}
+
+#[test]
+fn a_moving_piston_does_the_work_that_the_gas_gains() {
+    let mut simulation = start(piston(Extrapolation::Wom, 0.5, 0.0));
+    let before = simulation.totals();
+    advance_to(&mut simulation, 0.6);
+    let (after, received) = (simulation.totals(), simulation.inflow());
+    let gained = after.energy - before.energy;
+    assert!(gained > 0.1);
+    assert!(
+        (gained / received.energy - 1.0).abs() < 0.01,
+        "{gained} for {}",
+        received.energy
+    );
+    let momentum = after.momentum[0] - before.momentum[0];
+    assert!((momentum - received.momentum[0]).abs() < 1e-12);
+}

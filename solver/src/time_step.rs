@@ -1,0 +1,102 @@
+//! The stable time step.
+
+use rayon::prelude::*;
+
+use super::gas::Gas;
+use super::particles::{Particle, Rates};
+use crate::scheme::StepRule;
+
+/// Factor of the force bound (Villodi & Ramachandran 2024, section 3.6).
+const C_FORCE: f64 = 0.5;
+
+/// Share of its density or energy, over the Courant number, that a particle may lose or gain in one
+/// step: at a wall that is withdrawn at once, neither speed of sound nor acceleration tell how fast
+/// the gas thins.
+const C_CHANGE: f64 = 1.0;
+
+/// What bounds the step, each the smaller the tighter; what they are is up to the [`StepRule`].
+#[derive(Clone, Copy, Debug)]
+pub struct Bounds([f64; 3]);
+
+impl Default for Bounds {
+    fn default() -> Self {
+        Self([f64::INFINITY; 3])
+    }
+}
+
+impl Bounds {
+    /// The smaller ones. Unlike a sum they do not depend on the order, and so not on the threads.
+    pub fn tighter(self, other: Self) -> Self {
+        Self(std::array::from_fn(|k| self.0[k].min(other.0[k])))
+    }
+}
+
+impl StepRule {
+    /// The longest stable step of all `particles`.
+    pub fn time_step<const D: usize>(
+        self,
+        cfl: f64,
+        gas: &Gas,
+        particles: &[Particle<D>],
+        rates: &[Rates<D>],
+    ) -> f64 {
+        let each = particles.par_iter().zip(rates);
+        let bounds = each
+            .map(|(particle, rates)| self.bounds(gas, particle, rates))
+            .reduce(Bounds::default, Bounds::tighter);
+        self.step(bounds, cfl, gas)
+    }
+
+    /// The bounds of one particle.
+    pub fn bounds<const D: usize>(
+        self,
+        gas: &Gas,
+        particle: &Particle<D>,
+        rates: &Rates<D>,
+    ) -> Bounds {
+        let h = particle.smoothing_length;
+        let acceleration = rates.acceleration + rates.wall_acceleration;
+        Bounds(match self {
+            Self::Extremes => [
+                h,
+                -gas.sound_speed(particle.density, particle.energy),
+                -acceleration.norm_squared(),
+            ],
+            Self::EachParticle => {
+                let thins = particle.density / rates.density.abs();
+                let cools = particle.energy / (-rates.energy).max(0.0);
+                [
+                    h * h / particle.energy,
+                    h * h / acceleration.norm_squared(),
+                    thins.min(cools),
+                ]
+            }
+        })
+    }
+
+    /// The longest step within `bounds`.
+    pub fn step(self, Bounds(bounds): Bounds, cfl: f64, gas: &Gas) -> f64 {
+        match self {
+            Self::Extremes => {
+                let [h, sound, acceleration] = bounds;
+                let acoustic = h / -sound;
+                cfl * acoustic.min(C_FORCE * (h / (-acceleration).sqrt()).sqrt())
+            }
+            Self::EachParticle => {
+                let [courant, force, change] = bounds;
+                let acoustic = courant.sqrt() / gas.sound_speed(1.0, 1.0);
+                let force = C_FORCE * force.sqrt().sqrt();
+                cfl * acoustic.min(force).min(C_CHANGE * change)
+            }
+        }
+    }
+}
+
+/// The bound from the speed of sound alone, known before any rate.
+pub fn acoustic_step<const D: usize>(cfl: f64, gas: &Gas, particles: &[Particle<D>]) -> f64 {
+    let each = particles
+        .par_iter()
+        .map(|p| p.smoothing_length * p.smoothing_length / p.energy);
+    let squared = each.reduce(|| f64::INFINITY, f64::min);
+    cfl * squared.sqrt() / gas.sound_speed(1.0, 1.0)
+}

@@ -1,0 +1,72 @@
+//! What a ghost is.
+
+use aero_geometry::Vector;
+use serde::{Deserialize, Serialize};
+
+use crate::faces::Sight;
+use crate::records::Matrix;
+
+/// A ghost: a fixed volume of a body or wall that takes its state from the gas.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Ghost<const D: usize> {
+    /// Position now.
+    pub position: Vector<D>,
+    /// Normal now, into the gas.
+    pub normal: Vector<D>,
+    /// Position at time zero.
+    pub origin: Vector<D>,
+    /// Normal at time zero.
+    pub origin_normal: Vector<D>,
+    /// Depth below the surface, positive.
+    pub depth: f64,
+    /// Volume; constant unless the experiment without constant volume is asked for.
+    pub volume: f64,
+    /// Mass that the experiment without constant volume holds constant instead.
+    pub reference_mass: f64,
+    /// The mirror point lies in the gas at the same distance from the same wall; false near
+    /// tips and edges, where it falls across them.
+    pub has_mirror: bool,
+    /// Number of the body: scene order, wall sides after.
+    pub body: u32,
+    /// Layer, 0 at the wall.
+    pub layer: u32,
+    /// From where it is seen.
+    pub sight: Sight,
+    /// Velocity of the wall here.
+    pub wall_velocity: Vector<D>,
+    /// Acceleration of the wall here.
+    pub wall_acceleration: Vector<D>,
+    /// Shape operator of the surface here at time zero.
+    pub origin_curvature: Matrix<D>,
+    /// Shape operator now: gas that slides at `u` is accelerated by `-u.K u` along the normal.
+    pub curvature: Matrix<D>,
+    /// Twice normal times angular velocity: gas that slides at `u` over a turning wall is accelerated by its
+    /// scalar product with `u` along the normal.
+    pub coriolis: Vector<D>,
+    /// Velocity given to the gas.
+    pub velocity: Vector<D>,
+    /// Rate of strain given to the gas.
+    pub strain: Matrix<D>,
+    /// Pressure.
+    pub pressure: f64,
+    /// Pressure at the surface above.
+    pub wall_pressure: f64,
+    /// Specific internal energy.
+    pub energy: f64,
+    /// Density, from the equation of state.
+    pub density: f64,
+    /// Smoothing length.
+    pub smoothing_length: f64,
+}
+
+impl<const D: usize> Ghost<D> {
+    /// Mirror point in the gas.
+    pub fn mirror(&self) -> Vector<D> {
+        self.position + self.normal * (2.0 * self.depth)
+    }
+
+    /// Closest point of the surface.
+    pub fn foot(&self) -> Vector<D> {
+        self.position + self.normal * self.depth
+    }
+}

@@ -1,0 +1,168 @@
+//! Forces and moments on bodies and walls, and the fluid's balance with them.
+
+use aero_geometry::Vector;
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::{Ghost, Walls, pad};
+use crate::frame::{Load, Totals};
+use crate::neighbourhood::Neighbourhood;
+use crate::pairs::rates::reactions;
+use crate::particles::{Particles, Rates};
+use crate::problem::Problem;
+use crate::records::GHOSTS;
+use crate::rings::Rings;
+use crate::sides::closed::reflections;
+use crate::sides::{Domain, Side};
+
+/// Particles that are summed up at once.
+const BLOCK: usize = 4096;
+
+/// Loads on the bodies, in scene order; then on the wall sides in the order of
+/// [`crate::wall_sides`]. They belong to the state of the last evaluation, half a step back of `time`.
+///
+/// By the pair laws' symmetry the force on a ghost is minus what the ghost gives the gas:
+/// `F = -sum m_i a_i^(body)`. A body that a symmetry plane cuts is reported whole; of a body that runs
+/// on through an open side, what lies in the domain.
+pub fn loads<const D: usize>(
+    problem: &Problem<D>,
+    time: f64,
+    walls: &Walls<D>,
+    around: &Neighbourhood<D>,
+) -> Vec<Load> {
+    let forces = ghost_forces(problem, walls, around);
+    let mut loads = vec![Load::default(); walls.body_count()];
+    let (bodies, domain) = (&problem.bodies, &problem.domain);
+    let rings = Rings::new(problem);
+    let reflections: Vec<_> = (0..loads.len())
+        .map(|body| {
+            let extent = bodies.get(body).map(|body| body.shape.bounds());
+            reflections(domain, extent.as_ref())
+        })
+        .collect();
+    let centres: Vec<Vector3<f64>> = (0..loads.len())
+        .map(|body| match bodies.get(body) {
+            Some(body_case) => {
+                let pose = walls.pose(body, time);
+                pad(&pose.position(&body_case.moment_centre))
+            }
+            None => Vector3::zeros(),
+        })
+        .collect();
+    for (ghost, force) in walls.ghosts.iter().zip(&forces) {
+        let body = ghost.body as usize;
+        if body < bodies.len() && !domain.bounds.contains(&foot(domain, ghost)) {
+            continue;
+        }
+        for (sign, shift) in &reflections[body] {
+            let force = pad(&rings.axial(sign.component_mul(force)));
+            let arm = rings.axial(sign.component_mul(&ghost.position) + shift);
+            let arm = pad(&arm) - centres[body];
+            let moment = arm.cross(&force);
+            for k in 0..3 {
+                loads[body].force[k] += force[k];
+                loads[body].moment[k] += moment[k];
+            }
+        }
+    }
+    loads
+}
+
+/// Impulse and work on the fluid of a step, at the rates of its middle.
+///
+/// Walls at rest do no work, so what the pair sums make of it is drift, not inflow. Beyond
+/// open sides and planes the neighbours' share cannot be told from the fluid's own and all is booked.
+pub fn received<const D: usize>(
+    problem: &Problem<D>,
+    step: f64,
+    fluid: &Particles<D>,
+    walls: &Walls<D>,
+    around: &Neighbourhood<D>,
+) -> Totals {
+    let mut received = Totals::default();
+    let has_planes = problem.domain.has(Side::is_mirror);
+    let is_open = problem.domain.has(Side::is_open);
+    if !is_open && !has_planes && walls.ghosts.is_empty() {
+        return received;
+    }
+    // Block by block, whatever the threads: a sum depends on its order.
+    let blocks: Vec<(Vector<D>, f64)> = fluid
+        .par_chunks(BLOCK)
+        .zip(fluid.rates().par_chunks(BLOCK))
+        .map(|(fluid, rates)| {
+            let (mut impulse, mut work) = (Vector::zeros(), 0.0);
+            for (particle, rates) in fluid.iter().zip(rates) {
+                let mut acceleration = rates.wall_acceleration;
+                if is_open || has_planes {
+                    acceleration += rates.acceleration;
+                }
+                impulse += acceleration * particle.mass;
+                if is_open {
+                    let power = particle.velocity.dot(&acceleration) + rates.energy;
+                    work += particle.mass * power;
+                }
+            }
+            (impulse, work)
+        })
+        .collect();
+    let mut impulse = Vector::<D>::zeros();
+    let mut work = 0.0;
+    for (block_impulse, block_work) in blocks {
+        impulse += block_impulse;
+        work += block_work;
+    }
+    if !is_open && walls.are_moving() {
+        let forces = ghost_forces(problem, walls, around);
+        for (ghost, force) in walls.ghosts.iter().zip(forces) {
+            work -= force.dot(&ghost.wall_velocity);
+        }
+    }
+    for k in 0..D {
+        received.momentum[k] = step * impulse[k];
+    }
+    received.energy = step * work;
+    received
+}
+
+/// Force of the gas on each ghost, all around an axis if there is one.
+fn ghost_forces<const D: usize>(
+    problem: &Problem<D>,
+    walls: &Walls<D>,
+    around: &Neighbourhood<D>,
+) -> Vec<Vector<D>> {
+    let mut rates = vec![Rates::default(); walls.ghosts.len()];
+    reactions(
+        &around.arch,
+        &around.wall_lists.near,
+        &around.records,
+        &problem.scheme,
+        &mut rates,
+    );
+    let rings = Rings::new(problem);
+    let masses = &around.records.near[around.records.segment(GHOSTS)];
+    rates
+        .iter()
+        .zip(masses)
+        .zip(&walls.ghosts)
+        .map(|((rates, near), ghost)| {
+            let around_the_axis = rings.circumference(&foot(&problem.domain, ghost));
+            rates.acceleration * (near.mass * around_the_axis)
+        })
+        .collect()
+}
+
+/// The foot of a ghost; of a view that looks from beyond a symmetry plane, as its own image does, the foot's
+/// mirror image in the domain.
+pub fn foot<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> Vector<D> {
+    let mut foot = ghost.foot();
+    if !ghost.sight.is_view() {
+        return foot;
+    }
+    for (axis, end, side, plane) in domain.each_side() {
+        let is_beyond = [foot[axis] < plane, foot[axis] > plane][end];
+        if side.is_mirror() && is_beyond {
+            foot[axis] = 2.0 * plane - foot[axis];
+        }
+    }
+    foot
+}

@@ -1,0 +1,139 @@
+//! The state that ghosts show the gas: that of the gas nearby, mirrored at the wall.
+
+use rayon::prelude::*;
+
+use super::super::backend::Backend;
+use super::super::neighbours::GROWTH;
+use super::super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
+use super::super::records::{Matrix, Records};
+use super::{Ghost, WallLists, Walls, mirror_seeker, seeker};
+use crate::gas::Gas;
+use crate::problem::WallKind;
+use crate::scheme::Extrapolation;
+
+impl<const D: usize> Walls<D> {
+    /// Gives every ghost the state of the gas nearby, mirrored at the wall [Villodi &
+    /// Ramachandran 2024, section 3.4]. A ghost without gas in reach keeps its last state.
+    pub fn extrapolate(&mut self, backend: &impl Backend, lists: &WallLists, records: &Records<D>) {
+        let ghosts = &self.ghosts;
+        self.found.resize(ghosts.len(), None);
+        interpolate(
+            backend,
+            &lists.near,
+            |g| seeker(&ghosts[g]),
+            records,
+            Consistency::Shepard,
+            &mut self.found,
+        );
+        self.mirrored.clear();
+        self.mirrored.resize(ghosts.len(), None);
+        if self.treatment.extrapolation == Extrapolation::Wm {
+            interpolate(
+                backend,
+                &lists.mirror,
+                |g| mirror_seeker(&ghosts[g]),
+                records,
+                Consistency::FirstOrder,
+                &mut self.mirrored,
+            );
+        }
+        let (bodies, treatment, law) = (&self.bodies, self.treatment, self.gas);
+        self.ghosts
+            .par_iter_mut()
+            .zip(&self.found)
+            .zip(&self.mirrored)
+            .for_each(|((ghost, found), mirrored)| {
+                let mirrored = mirrored.filter(|_| ghost.has_mirror);
+                let Some(gas) = mirrored.or(*found) else {
+                    return;
+                };
+                let arm = match mirrored {
+                    Some(_) => 2.0 * ghost.depth,
+                    None => gas.centroid.dot(&ghost.normal),
+                };
+                let kind = bodies[ghost.body as usize].1;
+                show(ghost, &gas, arm, kind, treatment.keeps_entropy, &law);
+                if !treatment.constant_volume {
+                    ghost.volume = ghost.reference_mass / ghost.density;
+                }
+            });
+        self.mirror_fallbacks = match self.treatment.extrapolation {
+            Extrapolation::Wom => 0,
+            Extrapolation::Wm => self
+                .ghosts
+                .iter()
+                .zip(&self.mirrored)
+                .zip(&self.found)
+                .filter(|((ghost, mirrored), found)| {
+                    found.is_some() && !(mirrored.is_some() && ghost.has_mirror)
+                })
+                .count(),
+        };
+    }
+
+    /// Lets each ghost's smoothing length follow that of the gas nearby; once per step.
+    pub fn update_smoothing_lengths(&mut self) {
+        for ((ghost, found), mirrored) in
+            self.ghosts.iter_mut().zip(&self.found).zip(&self.mirrored)
+        {
+            if let Some(gas) = mirrored.filter(|_| ghost.has_mirror).or(*found) {
+                ghost.smoothing_length = gas.smoothing_length.min(GROWTH * ghost.smoothing_length);
+            }
+        }
+    }
+}
+
+/// Mirrors the state of the gas at the wall. `arm` is the distance along the normal from the
+/// ghost to where the gas was read.
+fn show<const D: usize>(
+    ghost: &mut Ghost<D>,
+    gas: &Interpolated<D>,
+    arm: f64,
+    kind: WallKind,
+    keeps_entropy: bool,
+    law: &Gas,
+) {
+    let wall = ghost.wall_velocity;
+    ghost.velocity = match kind {
+        // Eqs 26-28 with the normal into the gas: the normal component relative to the wall
+        // turns round, or all of the relative velocity.
+        WallKind::Slip => {
+            gas.velocity - ghost.normal * (2.0 * (gas.velocity - wall).dot(&ghost.normal))
+        }
+        WallKind::NoSlip => wall * 2.0 - gas.velocity,
+    };
+    // Beyond a slip wall the flow is the mirror image; beyond the other kind it is none, and the viscosity
+    // there stays whole.
+    ghost.strain = match kind {
+        WallKind::Slip => {
+            let mirror = Matrix::identity() - ghost.normal * ghost.normal.transpose() * 2.0;
+            mirror * gas.strain * mirror
+        }
+        WallKind::NoSlip => Matrix::zeros(),
+    };
+    // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure; gas
+    // that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.
+    let slide = gas.velocity - wall;
+    let slide = slide - ghost.normal * slide.dot(&ghost.normal);
+    let density = law.density(gas.pressure, gas.energy);
+    let slope = density
+        * (ghost.wall_acceleration.dot(&ghost.normal) + ghost.coriolis.dot(&slide)
+            - slide.dot(&(ghost.curvature * slide)));
+    ghost.pressure = continued(gas.pressure, arm * slope);
+    ghost.wall_pressure = continued(gas.pressure, (arm - ghost.depth) * slope);
+    ghost.energy = gas.energy;
+    if keeps_entropy && slope != 0.0 {
+        // Pressure varies across the layer at the wall, entropy hardly [Dadone & Grossman 1994].
+        ghost.energy = law.isentropic_energy(gas.energy, gas.pressure, ghost.pressure);
+    }
+    ghost.density = law.density(ghost.pressure, ghost.energy);
+}
+
+/// A pressure that rises by `rise` to first order, and stays positive where it falls.
+fn continued(pressure: f64, rise: f64) -> f64 {
+    if rise < 0.0 {
+        pressure * pressure / (pressure - rise)
+    } else {
+        pressure + rise
+    }
+}

@@ -1,0 +1,239 @@
+//! Ghosts of bodies and wall sides: where they are, and what the pair loops read of them.
+
+use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_geometry::{Pencils, Vector};
+use rayon::prelude::*;
+
+mod body;
+mod curvature;
+mod ghost;
+pub mod loads;
+mod mirror;
+mod plane;
+mod rigid;
+mod setup;
+mod turning;
+
+pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
+pub use curvature::{shape_operator, tangents};
+pub use ghost::Ghost;
+pub use plane::wall_sides;
+pub use rigid::{Pose, pad};
+
+use super::faces::Faces;
+use super::lattice;
+use super::neighbourhood::Grid;
+use super::neighbours::{Candidates, Kind, Lists, Seeker};
+use super::pairs::extrapolation::Interpolated;
+use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
+use super::vectors::Arch;
+use crate::gas::Gas;
+use crate::problem::Problem;
+use crate::scheme::{Extrapolation, WallTreatment};
+
+/// All ghosts, and what their bodies do.
+#[derive(Clone, Debug)]
+pub struct Walls<const D: usize> {
+    /// Ghosts in the order of `pencils`, then their views in the order of `view_pencils`.
+    pub ghosts: Vec<Ghost<D>>,
+    /// Order of the ghosts in space.
+    pub pencils: Pencils<D>,
+    /// Order of the views in space.
+    pub view_pencils: Pencils<D>,
+    /// Ghosts whose mirror was short of neighbours at the last evaluation.
+    pub mirror_fallbacks: usize,
+    /// Bodies in scene order, then wall sides.
+    bodies: Vec<(Motion<D>, WallKind)>,
+    treatment: WallTreatment,
+    gas: Gas,
+    grid: Grid<D>,
+    faces: Option<Faces<D>>,
+    found: Vec<Option<Interpolated<D>>>,
+    mirrored: Vec<Option<Interpolated<D>>>,
+}
+
+/// Neighbours of the ghosts.
+#[derive(Clone, Debug, Default)]
+pub struct WallLists {
+    /// Around each ghost; the gas only.
+    pub near: Lists,
+    /// Around each mirror point; the gas only.
+    pub mirror: Lists,
+}
+
+impl<const D: usize> Walls<D> {
+    /// The ghosts of all bodies and wall sides of `problem`, sorted on `grid`.
+    pub fn new(problem: &Problem<D>, grid: &Grid<D>) -> Self {
+        let mut bodies: Vec<_> = problem
+            .bodies
+            .iter()
+            .map(|b| (b.motion.clone(), b.wall))
+            .collect();
+        let sides = plane::plane_walls(&problem.domain, problem.spacing);
+        bodies.extend(sides.iter().map(|side| (side.motion.clone(), side.kind)));
+        let (ghosts, faces) = setup::ghosts(problem, &sides);
+        let mut walls = Self {
+            ghosts,
+            pencils: Pencils::default(),
+            view_pencils: Pencils::default(),
+            mirror_fallbacks: 0,
+            bodies,
+            treatment: problem.scheme.wall,
+            gas: problem.gas,
+            grid: *grid,
+            faces,
+            found: Vec::new(),
+            mirrored: Vec::new(),
+        };
+        walls.move_to(0.0);
+        walls.sort();
+        walls
+    }
+
+    /// True where any body moves.
+    pub fn are_moving(&self) -> bool {
+        self.bodies.iter().any(|(motion, _)| motion.is_moving())
+    }
+
+    /// Number of bodies and wall sides.
+    pub fn body_count(&self) -> usize {
+        self.bodies.len()
+    }
+
+    /// Pose of body `number` at `time`.
+    pub fn pose(&self, number: usize, time: f64) -> Pose<D> {
+        Pose::new(&self.bodies[number].0, time)
+    }
+
+    /// Moves all ghosts to where they are at `time`.
+    pub fn move_to(&mut self, time: f64) {
+        let poses: Vec<_> = self
+            .bodies
+            .iter()
+            .map(|(motion, _)| Pose::new(motion, time))
+            .collect();
+        for ghost in &mut self.ghosts {
+            let pose = &poses[ghost.body as usize];
+            ghost.position = pose.position(&ghost.origin);
+            ghost.normal = pose.direction(&ghost.origin_normal);
+            // The wall moves as its surface does, not as the ghost below it.
+            let foot = ghost.foot();
+            ghost.wall_velocity = pose.velocity(&foot);
+            ghost.wall_acceleration = pose.acceleration(&foot);
+            ghost.curvature = pose.tensor(&ghost.origin_curvature);
+            ghost.coriolis = pose.coriolis(&ghost.normal);
+        }
+    }
+
+    /// Sorts the ghosts in space; needed after they have moved.
+    pub fn sort(&mut self) {
+        let (ghosts, views) = self.ghosts.split_at(self.own_count());
+        let mut all = sorted(ghosts, &mut self.pencils, &self.grid);
+        all.extend(sorted(views, &mut self.view_pencils, &self.grid));
+        self.ghosts = all;
+    }
+
+    /// Number of ghosts without their views.
+    pub fn own_count(&self) -> usize {
+        self.ghosts.partition_point(|ghost| !ghost.sight.is_view())
+    }
+
+    /// The ghosts without their views.
+    pub fn own(&self) -> &[Ghost<D>] {
+        &self.ghosts[..self.own_count()]
+    }
+
+    /// The faces of thin parts; none where there are no such parts.
+    pub fn faces(&self) -> Option<&Faces<D>> {
+        self.faces.as_ref()
+    }
+
+    /// Lists the gas around each ghost and, with mirrors, around each mirror point.
+    pub fn build_lists(
+        &self,
+        arch: Arch,
+        sets: &[Candidates<'_, D>],
+        half_step: f64,
+        lists: &mut WallLists,
+    ) {
+        // The sums over the gas around ghosts are few.
+        let arch = arch.double();
+        let ghosts = &self.ghosts;
+        let count = ghosts.len();
+        let everyone = |_| Kind::default();
+        let gas: Vec<_> = sets.iter().filter(|set| !set.is_wall()).copied().collect();
+        lists.near.build(
+            arch,
+            count,
+            |g| seeker(&ghosts[g]),
+            &gas,
+            half_step,
+            everyone,
+        );
+        if self.treatment.extrapolation == Extrapolation::Wm {
+            let seeker = |g: usize| mirror_seeker(&ghosts[g]);
+            lists
+                .mirror
+                .build(arch, count, seeker, &gas, half_step, everyone);
+        }
+    }
+
+    /// Writes the ghosts' records. Ghosts partition space evenly: their renormalisation is that
+    /// of a lattice, which the gas at rest has too.
+    pub fn fill(&self, records: &mut Records<D>) {
+        let slots = records.segment(GHOSTS);
+        let even = even_renormalisation();
+        let (near, state) = (
+            &mut records.near[slots.clone()],
+            &mut records.state[slots.clone()],
+        );
+        near.par_iter_mut()
+            .zip(state)
+            .zip(&self.ghosts)
+            .for_each(|((near, state), ghost)| {
+                *near = Near {
+                    position: ghost.position,
+                    half_h: 0.5 * ghost.smoothing_length,
+                    volume: ghost.volume,
+                    mass: ghost.density * ghost.volume,
+                    half_density: 0.5 * ghost.density,
+                    velocity: ghost.velocity,
+                };
+                *state = State::new(ghost.pressure, ghost.density, ghost.energy, &self.gas);
+                state.strain = Symmetric::new(&ghost.strain);
+                state.renormalise(&even, &Vector::zeros(), ghost.volume);
+            });
+    }
+}
+
+/// The ghosts in the order of `pencils`, which are made anew.
+fn sorted<const D: usize>(
+    ghosts: &[Ghost<D>],
+    pencils: &mut Pencils<D>,
+    grid: &Grid<D>,
+) -> Vec<Ghost<D>> {
+    let (place, rank) = (|g: usize| ghosts[g].position, |g| g as u64);
+    pencils.rebuild_on_grid(&grid.corner, grid.width, ghosts.len(), place, rank);
+    let order = pencils.order().iter();
+    order.map(|&g| ghosts[g as usize]).collect()
+}
+
+/// Renormalisation matrix of ghosts.
+pub fn even_renormalisation<const D: usize>() -> Matrix<D> {
+    Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO)
+}
+
+fn seeker<const D: usize>(ghost: &Ghost<D>) -> Seeker<D> {
+    Seeker {
+        position: ghost.position,
+        half_h: 0.5 * ghost.smoothing_length,
+        velocity: ghost.wall_velocity,
+    }
+}
+
+fn mirror_seeker<const D: usize>(ghost: &Ghost<D>) -> Seeker<D> {
+    Seeker {
+        position: ghost.mirror(),
+        ..seeker(ghost)
+    }
+}

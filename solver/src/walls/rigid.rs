@@ -1,0 +1,116 @@
+//! Rigid motion of bodies and walls.
+
+use aero_geometry::Vector;
+use nalgebra::Vector3;
+
+use super::{Motion, Turning};
+use crate::records::Matrix;
+
+/// Where a rigid body is at one time.
+#[derive(Clone, Copy, Debug)]
+pub struct Pose<const D: usize> {
+    rotation: Matrix<D>,
+    pivot: Vector<D>,
+    pivot_now: Vector<D>,
+    velocity: Vector<D>,
+    acceleration: Vector<D>,
+    angular_velocity: Vector3<f64>,
+    angular_acceleration: Vector3<f64>,
+}
+
+impl<const D: usize> Pose<D> {
+    /// The pose at `time`: the pivot moves at constant acceleration, the body turns about it.
+    pub fn new(motion: &Motion<D>, time: f64) -> Self {
+        Self {
+            rotation: rotation(&motion.turning.angle(time)),
+            pivot: motion.pivot,
+            pivot_now: motion.pivot
+                + motion.velocity * time
+                + motion.acceleration * (0.5 * time * time),
+            velocity: motion.velocity + motion.acceleration * time,
+            acceleration: motion.acceleration,
+            angular_velocity: motion.turning.rate(time),
+            angular_acceleration: motion.turning.acceleration(time),
+        }
+    }
+
+    /// Position now of a point that was at `origin` at time zero.
+    pub fn position(&self, origin: &Vector<D>) -> Vector<D> {
+        self.pivot_now + self.rotation * (origin - self.pivot)
+    }
+
+    /// Direction now of what pointed along `origin` at time zero.
+    pub fn direction(&self, origin: &Vector<D>) -> Vector<D> {
+        self.rotation * origin
+    }
+
+    /// Tensor now of what was `origin` at time zero.
+    pub fn tensor(&self, origin: &Matrix<D>) -> Matrix<D> {
+        self.rotation * origin * self.rotation.transpose()
+    }
+
+    /// What, times the velocity relative to the body, gives the Coriolis acceleration along `normal`:
+    /// `n.(2 w x u) = (2 n x w).u`.
+    pub fn coriolis(&self, normal: &Vector<D>) -> Vector<D> {
+        let full = pad(normal).cross(&self.angular_velocity) * 2.0;
+        Vector::from_fn(|k, _| full[k])
+    }
+
+    /// Position at time zero of the body's point that is at `position` now.
+    pub fn origin(&self, position: &Vector<D>) -> Vector<D> {
+        self.pivot + self.rotation.transpose() * (position - self.pivot_now)
+    }
+
+    /// Velocity of the body's point at `position`: `v + w x r`.
+    pub fn velocity(&self, position: &Vector<D>) -> Vector<D> {
+        self.velocity + cross(&self.angular_velocity, &(position - self.pivot_now))
+    }
+
+    /// Acceleration of the body's point at `position`: `a + dw/dt x r + w x (w x r)`.
+    pub fn acceleration(&self, position: &Vector<D>) -> Vector<D> {
+        let arm = position - self.pivot_now;
+        self.acceleration
+            + cross(&self.angular_acceleration, &arm)
+            + cross(&self.angular_velocity, &cross(&self.angular_velocity, &arm))
+    }
+}
+
+impl<const D: usize> Motion<D> {
+    /// A body at rest.
+    pub fn none() -> Self {
+        Self {
+            velocity: Vector::zeros(),
+            acceleration: Vector::zeros(),
+            turning: Turning::Steady(Vector3::zeros()),
+            pivot: Vector::zeros(),
+        }
+    }
+
+    /// True where the body ever turns.
+    pub fn is_turning(&self) -> bool {
+        self.turning != Turning::Steady(Vector3::zeros())
+    }
+
+    /// True where the body ever moves.
+    pub fn is_moving(&self) -> bool {
+        self.velocity != Vector::<D>::zeros()
+            || self.acceleration != Vector::<D>::zeros()
+            || self.is_turning()
+    }
+}
+
+/// A vector in three dimensions, missing axes zero.
+pub fn pad<const D: usize>(vector: &Vector<D>) -> Vector3<f64> {
+    Vector3::from_fn(|k, _| if k < D { vector[k] } else { 0.0 })
+}
+
+fn cross<const D: usize>(angular_velocity: &Vector3<f64>, arm: &Vector<D>) -> Vector<D> {
+    let full = angular_velocity.cross(&pad(arm));
+    Vector::from_fn(|k, _| full[k])
+}
+
+/// Rotation matrix of a rotation vector; in 2D only its third component turns anything.
+fn rotation<const D: usize>(turn: &Vector3<f64>) -> Matrix<D> {
+    let full = nalgebra::Rotation3::new(*turn);
+    Matrix::from_fn(|a, b| full[(a, b)])
+}

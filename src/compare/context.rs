@@ -1,0 +1,82 @@
+//! How much is compared, and why it may fail.
+
+use std::path::Path;
+
+use aero::run::RunError;
+use aero::scene::SceneError;
+use aero_validation::metrics::MetricError;
+
+/// How much to run.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Level {
+    /// Minutes in all.
+    Quick,
+    /// At the published resolution, every variant.
+    Full,
+}
+
+/// What a case gets.
+pub struct Context<'a> {
+    /// How much to run.
+    pub level: Level,
+    /// Settings of every run (`section.key=value`), on top of its own.
+    pub settings: &'a [String],
+    /// Folder for pictures.
+    pub out: &'a Path,
+    /// Told of every run before it starts.
+    pub announce: &'a dyn Fn(&str),
+}
+
+impl std::fmt::Debug for Context<'_> {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Context")
+            .field("level", &self.level)
+            .finish_non_exhaustive()
+    }
+}
+
+/// Why a comparison could not be made.
+#[derive(Debug, thiserror::Error)]
+pub enum CompareError {
+    /// No such case.
+    #[error("unknown case `{name}`; known are {known}")]
+    Unknown {
+        /// As typed.
+        name: String,
+        /// All names.
+        known: String,
+    },
+    /// A scene of the project is wrong.
+    #[error(transparent)]
+    Scene(#[from] SceneError),
+    /// A run stopped.
+    #[error("scene `{scene}` with {settings}: {source}")]
+    Run {
+        /// Name of the scene.
+        scene: String,
+        /// What was set on top of it.
+        settings: String,
+        /// Why.
+        source: Box<RunError>,
+    },
+    /// The flow does not show what is to be measured.
+    #[error(transparent)]
+    Metric(#[from] MetricError),
+    /// A frame that the next run starts from cannot be written.
+    #[error(transparent)]
+    Frame(#[from] aero::output::OutputError),
+    /// There is no exact solution.
+    #[error(transparent)]
+    Exact(#[from] aero_validation::exact::ExactError),
+    /// The page that holds it all cannot be written.
+    #[error("cannot write `{}`: {source}", path.display())]
+    Report {
+        /// The page.
+        path: std::path::PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
+    /// A picture cannot be written.
+    #[error(transparent)]
+    Picture(#[from] aero_validation::pictures::PictureError),
+}

@@ -1,0 +1,102 @@
+//! Compares runs with theory: ties the application to the independent `validation` crate.
+//!
+//! One file per case, which declares a [`Comparison`](comparison::Comparison): scene, variants, rows,
+//! pictures. Exact solutions and metrics are not here.
+
+mod apollo;
+pub mod biconvex;
+mod comparison;
+pub mod cone;
+mod context;
+pub mod cylinder;
+mod double_mach;
+mod nozzle;
+mod profiles;
+mod report;
+mod row;
+pub mod scenes;
+pub mod sod;
+mod sphere;
+mod square;
+mod stability;
+mod step;
+mod stress;
+mod variant;
+mod view;
+pub mod wedge;
+
+use aero_validation::table::Check;
+
+use comparison::Compare;
+pub use context::{CompareError, Context, Level};
+pub use variant::Scheme;
+
+/// A case by the name that is typed, and what it compares.
+type Case = (&'static str, &'static [&'static dyn Compare]);
+
+/// The cases that run where none is named, in this order.
+static CASES: [Case; 11] = [
+    ("wedge", &[&wedge::WEDGE]),
+    ("sod", &[&sod::SOD]),
+    ("cylinder", &[&cylinder::CYLINDER]),
+    ("nozzle", &[&nozzle::NOZZLE]),
+    ("step", &[&step::FORWARD_STEP]),
+    ("double-mach", &[&double_mach::DOUBLE_MACH]),
+    ("biconvex", &[&biconvex::BICONVEX]),
+    ("square", &[&square::SQUARE]),
+    ("cone", &[&cone::CONE]),
+    ("sphere", &[&sphere::SPHERE]),
+    ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),
+];
+
+/// Cases that run only where they are named: they show where the method ends, and some of their rows
+/// fail.
+static ON_REQUEST: [Case; 6] = [
+    (
+        "stress",
+        &[
+            &stress::TUBES,
+            &stress::BALLS,
+            &stress::SMOOTH,
+            &stress::BODIES,
+        ],
+    ),
+    ("stress-tubes", &[&stress::TUBES]),
+    ("stress-balls", &[&stress::BALLS]),
+    ("stress-smooth", &[&stress::SMOOTH]),
+    ("stress-bodies", &[&stress::BODIES]),
+    ("stability", &[&stability::Stability]),
+];
+
+/// Runs the named cases, all but those on request where none is named, and returns their rows; the page
+/// [`report::NAME`] about them grows with every case. A run that stops is a row that fails.
+///
+/// # Errors
+/// A name that is not a case, before anything runs; a scene of the project that is wrong; files that
+/// cannot be written.
+pub fn compare(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let all = || CASES.iter().chain(&ON_REQUEST);
+    if let Some(name) = names.iter().find(|name| all().all(|case| case.0 != **name)) {
+        let known: Vec<&str> = all().map(|(name, _)| *name).collect();
+        return Err(CompareError::Unknown {
+            name: name.clone(),
+            known: known.join(", "),
+        });
+    }
+    let mut checks = Vec::new();
+    for (number, (name, comparisons)) in all().enumerate() {
+        let is_usual = names.is_empty() && number < CASES.len();
+        if is_usual || names.iter().any(|asked| asked == name) {
+            for comparison in *comparisons {
+                checks.extend(comparison.compare(context)?);
+            }
+            report::write(&checks, context.level, context.out).map_err(|source| {
+                CompareError::Report {
+                    path: context.out.join(report::NAME),
+                    source,
+                }
+            })?;
+        }
+    }
+    Ok(checks)
+}

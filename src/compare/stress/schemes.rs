@@ -1,0 +1,25 @@
+//! What the flows of the suite share: the gas past bodies, and which schemes are compared.
+
+use crate::compare::context::Level;
+use crate::compare::variant::Scheme;
+
+pub const GAMMA: f64 = 1.4;
+/// Pressure of the stream past bodies where lengths, densities and speeds are of order one, `1 / gamma`.
+pub const PRESSURE: f64 = 1.0 / GAMMA;
+
+/// The schemes that are compared at a level: the published one at the full level alone.
+pub fn schemes(level: Level) -> Vec<Scheme> {
+    let usual = Scheme::USUAL;
+    let published = usual.paper();
+    match level {
+        Level::Quick => vec![usual, usual.wm()],
+        Level::Full => vec![usual, usual.wm(), published, published.wm()],
+    }
+}
+
+/// The same for flows without walls, in which extrapolations play no part.
+pub fn equations(level: Level) -> Vec<Scheme> {
+    let mut schemes = schemes(level);
+    schemes.retain(|scheme| scheme.extrapolation == "wom");
+    schemes
+}

@@ -1,0 +1,134 @@
+//! A run in memory: its end as plain arrays, and of the way there what was asked for.
+
+use std::ops::ControlFlow;
+
+use super::error::RunError;
+use super::recorder::Recorder;
+use super::stopwatch::Stopwatch;
+use super::under_way::simulate;
+use crate::case::{AnyCase, Case};
+use crate::output::{OutputError, Summary};
+use aero_solver::Flow;
+use aero_solver::frame::{Frame, Kind, Load, SurfaceFrame};
+
+/// The end of a run.
+#[derive(Clone, Debug)]
+pub struct Outcome {
+    /// All particles.
+    pub frame: Frame,
+    /// The moving gas alone, inside the domain.
+    pub gas: Frame,
+    /// Surfaces.
+    pub surface: SurfaceFrame,
+    /// Counts, loads, cost.
+    pub summary: Summary,
+    /// What was kept of the way there.
+    pub history: History,
+}
+
+/// What is kept of a run beside its end.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Keep {
+    /// Nothing.
+    #[default]
+    End,
+    /// Loads on the first body after every step.
+    Loads,
+    /// Frames of the scene's `[output]` in the second half of the run.
+    Frames,
+}
+
+/// The way to the end of a run, as far as it was kept.
+#[derive(Clone, Debug, Default)]
+pub struct History {
+    /// Times of `loads`.
+    pub time: Vec<f64>,
+    /// Loads on the first body.
+    pub load: Vec<Load>,
+    /// Frames, the last one included.
+    pub frames: Vec<Frame>,
+}
+
+/// Runs a case of any dimension to its end and writes nothing.
+///
+/// # Errors
+/// A case that cannot be set up, and a run that stops before its end.
+pub fn run_in_memory(case: AnyCase, keep: Keep, stopwatch: Stopwatch) -> Result<Outcome, RunError> {
+    match case {
+        AnyCase::One(case) => finish(*case, keep, stopwatch),
+        AnyCase::Two(case) => finish(*case, keep, stopwatch),
+        AnyCase::Three(case) => finish(*case, keep, stopwatch),
+    }
+}
+
+fn finish<const D: usize>(
+    case: Case<D>,
+    keep: Keep,
+    stopwatch: Stopwatch,
+) -> Result<Outcome, RunError> {
+    let mut keeper = Keeper {
+        keep,
+        frames_from: 0.5 * case.plan.end_time,
+        history: History::default(),
+    };
+    let (simulation, summary) = simulate(case, &mut keeper, stopwatch)?;
+    let frame = simulation.frame();
+    let gas = gas(&frame);
+    Ok(Outcome {
+        gas,
+        frame,
+        surface: simulation.surface(),
+        summary,
+        history: keeper.history,
+    })
+}
+
+/// The fluid particles of a frame.
+fn gas(frame: &Frame) -> Frame {
+    let chosen: Vec<usize> = (0..frame.kind.len())
+        .filter(|&i| frame.kind[i] == Kind::Fluid as u8)
+        .collect();
+    Frame {
+        time: frame.time,
+        step: frame.step,
+        position: pick(&frame.position, &chosen),
+        velocity: pick(&frame.velocity, &chosen),
+        density: pick(&frame.density, &chosen),
+        pressure: pick(&frame.pressure, &chosen),
+        energy: pick(&frame.energy, &chosen),
+        mach: pick(&frame.mach, &chosen),
+        smoothing_length: pick(&frame.smoothing_length, &chosen),
+        volume: pick(&frame.volume, &chosen),
+        kind: pick(&frame.kind, &chosen),
+        id: pick(&frame.id, &chosen),
+    }
+}
+
+fn pick<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
+    chosen.iter().map(|&i| values[i]).collect()
+}
+
+/// Records what is to be kept.
+struct Keeper {
+    keep: Keep,
+    frames_from: f64,
+    history: History,
+}
+
+impl<const D: usize> Recorder<D> for Keeper {
+    fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError> {
+        if self.keep == Keep::Frames && simulation.time() >= self.frames_from {
+            self.history.frames.push(simulation.frame());
+        }
+        Ok(())
+    }
+
+    fn step(&mut self, simulation: &Flow<D>, _: f64) -> Result<ControlFlow<()>, OutputError> {
+        if self.keep == Keep::Loads {
+            self.history.time.push(simulation.time());
+            let first = simulation.loads().first().copied();
+            self.history.load.push(first.unwrap_or_default());
+        }
+        Ok(ControlFlow::Continue(()))
+    }
+}

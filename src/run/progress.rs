@@ -1,0 +1,14 @@
+//! How far a run is.
+
+/// How far a run is.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Progress {
+    /// Steps taken.
+    pub steps: u64,
+    /// Time reached.
+    pub time: f64,
+    /// Time at which the run ends.
+    pub end_time: f64,
+    /// Length of the last step.
+    pub dt: f64,
+}

@@ -1,0 +1,63 @@
+//! Runs that go to the steady flow without regard to time.
+
+use aero_solver::fixed::Settled;
+
+use super::error::RunError;
+use super::recorder::Recorder;
+use super::steady::Window;
+use super::under_way::UnderWay;
+use crate::output::Summary;
+
+/// After so many iterations a flow that has not settled will not: from one end of a thousand points to the other it takes some two
+/// thousand.
+const MOST: u64 = 5000;
+
+impl<const D: usize> UnderWay<D> {
+    /// Iterates until the flow has settled, or shows that it will not.
+    pub(super) fn settle(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
+        let reason = loop {
+            let settled = match self.simulation.settle_step() {
+                Some(Ok(settled)) => settled,
+                Some(Err(failure)) => return Err(self.stop(recorder, failure.to_string())),
+                None => {
+                    let reason = "particles move with the gas and cannot be settled".to_owned();
+                    return Err(self.stop(recorder, reason));
+                }
+            };
+            let wish = recorder.step(&self.simulation, 1.0)?;
+            if settled.is_settled || settled.iterations >= MOST {
+                break verdict(&settled);
+            }
+            if wish.is_break() || recorder.is_checkpoint_due() {
+                recorder.checkpoint(self.checkpoint())?;
+            }
+            if wish.is_break() {
+                return Err(self.stop(recorder, format!("interrupted ({})", self.moment())));
+            }
+        };
+        recorder.frame(&self.simulation)?;
+        recorder.finish()?;
+        let bodies = self.simulation.problem().bodies.len();
+        self.tally.settle(Window::now(&self.simulation, bodies));
+        Ok(self.tally.summary(&self.simulation, &reason))
+    }
+}
+
+/// How the flow came to rest, or that it did not.
+fn verdict(settled: &Settled) -> String {
+    let Settled {
+        iterations,
+        residual,
+        change,
+        is_settled,
+    } = settled;
+    let word = if *is_settled {
+        "settled"
+    } else {
+        "not settled"
+    };
+    format!(
+        "{word} after {iterations} iterations: forces, mass and its centre change by {:.1e} at most, residual {residual:.1e}",
+        change
+    )
+}

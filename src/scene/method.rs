@@ -1,0 +1,65 @@
+//! What carries the gas, from `[scheme]`.
+
+use super::SceneError;
+use super::file::{MotionWord, SchemeEntry};
+use crate::case::Stop;
+use aero_solver::method::{FixedPoints, Method, Refine, Time};
+
+/// The method that `entry` means in a run that ends by `stop`.
+pub(super) fn method(entry: &SchemeEntry, stop: Stop) -> Result<Method, SceneError> {
+    if entry.motion == Some(MotionWord::Fixed) {
+        check_particle_keys(entry)?;
+        let usual = match stop {
+            Stop::EndTime => Time::Accurate,
+            Stop::Steady => Time::Settle,
+        };
+        return Ok(Method::Fixed(FixedPoints {
+            time: entry.time.map_or(usual, Into::into),
+            refine: entry.refine.map_or(Refine::default(), |refine| refine.0),
+        }));
+    }
+    let of_points = [
+        ("scheme.time", entry.time.is_some()),
+        ("scheme.refine", entry.refine.is_some()),
+    ];
+    refuse(
+        &of_points,
+        "is of points that stay where they are; set `scheme.motion = \"fixed\"` or leave it out",
+    )?;
+    Ok(Method::WithTheGas)
+}
+
+/// Refuses what only particles have.
+fn check_particle_keys(entry: &SchemeEntry) -> Result<(), SceneError> {
+    let of_particles = [
+        ("scheme.equations", entry.equations.is_some()),
+        ("scheme.extrapolation", entry.extrapolation.is_some()),
+        ("scheme.shield", entry.shield.is_some()),
+        ("scheme.shifting", entry.shifting.is_some()),
+        (
+            "scheme.constant_ghost_volume",
+            entry.constant_ghost_volume.is_some(),
+        ),
+        (
+            "scheme.limited_viscosity",
+            entry.limited_viscosity.is_some(),
+        ),
+        (
+            "scheme.limited_conduction",
+            entry.limited_conduction.is_some(),
+        ),
+        ("scheme.surface_tags", entry.surface_tags.is_some()),
+        ("scheme.precision", entry.precision.is_some()),
+    ];
+    refuse(
+        &of_particles,
+        "is of particles that move with the gas; leave it out, or leave out `scheme.motion = \"fixed\"`",
+    )
+}
+
+fn refuse(keys: &[(&str, bool)], message: &str) -> Result<(), SceneError> {
+    match keys.iter().find(|(_, is_given)| *is_given) {
+        Some((key, _)) => Err(SceneError::value(*key, message)),
+        None => Ok(()),
+    }
+}
