@@ -4,7 +4,7 @@ mod support;
 
 use support::{Answer, BOX, Workplace, read_vtp};
 
-const PARTICLE_ARRAYS: [&str; 8] = [
+const PARTICLE_ARRAYS: [&str; 9] = [
     "velocity",
     "density",
     "pressure",

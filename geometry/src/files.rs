@@ -67,9 +67,14 @@ pub fn bounds(soup: &Soup) -> Bounds<3> {
 /// Name of the body in a file: the file's without its endings.
 pub fn body_name(path: &Path) -> String {
     let name = path.file_name().unwrap_or_default().to_string_lossy();
-    let lower = name.to_ascii_lowercase();
-    let packed = if lower.ends_with(".gz") { 3 } else { 0 };
-    let name = &name[..name.len() - packed];
+    let is_packed = path
+        .extension()
+        .is_some_and(|ending| ending.eq_ignore_ascii_case("gz"));
+    let name = if is_packed {
+        &name[..name.len() - ".gz".len()]
+    } else {
+        &name
+    };
     match name.rsplit_once('.') {
         Some((stem, _)) if !stem.is_empty() => stem.to_owned(),
         _ => name.to_owned(),

@@ -92,6 +92,7 @@ pub const RINGS: Comparison<Part> = Comparison {
     together: None,
 };
 
+#[allow(clippy::unnecessary_wraps)] // what a comparison asks for
 fn rows(flow: &Flow<'_, Part>) -> Result<Vec<Row>, CompareError> {
     let outcome = flow.outcome;
     let front = forebody(outcome, flow.spacing);

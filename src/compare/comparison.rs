@@ -34,8 +34,11 @@ pub struct Comparison<P: 'static = ()> {
     /// Pictures of a flow.
     pub pictures: fn(&Flow<'_, P>) -> Result<(), CompareError>,
     /// A picture of all runs together, by their labels.
-    pub together: Option<fn(&[(String, History)], &Context<'_>) -> Result<(), CompareError>>,
+    pub together: Option<Together>,
 }
+
+/// Draws the runs of a case, by their labels, into one picture.
+pub type Together = fn(&[(String, History)], &Context<'_>) -> Result<(), CompareError>;
 
 /// The end of one run, as the functions of a case see it.
 pub struct Flow<'a, P = ()> {

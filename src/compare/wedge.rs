@@ -40,8 +40,8 @@ const fn corner(mach: f64, cells: u32, end_time: f64, plateau: f64) -> Variant {
 const fn row(mach: f64, angle: f64, gamma: f64, end_time: f64) -> Variant {
     let row = corner(mach, 32, end_time, 1.5);
     row.with(Corner {
-        angle,
         gamma,
+        angle,
         ..row.own
     })
 }

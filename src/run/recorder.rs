@@ -120,7 +120,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             particles: Collection::new(folder.join("run.pvd")),
             surfaces: has_surfaces.then(|| Collection::new(folder.join("surface.pvd"))),
             background: Background::default(),
-            region: case.plan.output.region.clone(),
+            region: case.plan.output.region,
             is_compressed: case.plan.output.is_compressed,
             history,
             history_every: case.plan.output.history_every as u64,

@@ -57,7 +57,7 @@ fn verdict(settled: &Settled) -> String {
         "not settled"
     };
     format!(
-        "{word} after {iterations} iterations: forces, mass and its centre change by {:.1e} at most, residual {residual:.1e}",
-        change
+        "{word} after {iterations} iterations: forces, mass and its centre change by {change:.1e} at most, \
+         residual {residual:.1e}"
     )
 }

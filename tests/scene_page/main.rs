@@ -37,10 +37,8 @@ fn made(page: &str, types: &Types) -> (String, Vec<String>) {
         let (name, after) = after.split_once(" -->").unwrap();
         let (_, after) = after.split_once(END).unwrap();
         text.push_str(before);
-        text.push_str(&format!(
-            "{BEGIN}{name} -->\n\n{}\n{END}",
-            table(name, types)
-        ));
+        let table = table(name, types);
+        text.extend([BEGIN, name, " -->\n\n", &table, "\n", END]);
         names.push(name.to_owned());
         rest = after;
     }

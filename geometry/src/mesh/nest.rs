@@ -190,9 +190,8 @@ impl<'a> Nest<'a> {
         let part = &self.parts[number];
         let wholly = || self.surroundings(number, thin, MANY_PROBES).inside > WHOLE;
         match part.inwards().map(|inwards| inwards != mirrored) {
-            Some(false) => Ok(Fate::Outwards),
             Some(true) if inside >= CLEAR && wholly() => Ok(Fate::Inwards),
-            Some(true) => Ok(Fate::Outwards),
+            Some(_) => Ok(Fate::Outwards),
             None if inside < CLEAR => Ok(Fate::Outwards),
             None => {
                 let fewer = 100.0 * part.turned.min(1.0 - part.turned);

@@ -34,7 +34,7 @@ impl IdealGas {
     }
 
     /// Ratio of the specific heats, less one: what makes pressure of energy.
-    pub fn heat(&self) -> f64 {
+    pub fn heat(self) -> f64 {
         self.gamma - 1.0
     }
 }

@@ -248,17 +248,6 @@ impl Cut {
     }
 }
 
-/// Area vector of a loop of points, and the middle of the area: out of the loop that runs counter-clockwise.
-pub fn loop_area<const D: usize>(points: &[Vector<D>]) -> Vector<D> {
-    let mut area = Vector::<D>::zeros();
-    if D == 3 {
-        for k in 1..points.len().saturating_sub(1) {
-            area += 0.5 * cross(&(points[k] - points[0]), &(points[k + 1] - points[0]));
-        }
-    }
-    area
-}
-
 /// The vector product, of vectors in space.
 pub fn cross<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> Vector<D> {
     let mut product = Vector::<D>::zeros();
@@ -274,6 +263,14 @@ pub fn cross<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> Vector<D> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Area vector of a loop of points in space, out of the loop that runs counter-clockwise.
+    fn loop_area(points: &[Vector<3>]) -> Vector<3> {
+        let corners = points.windows(2).skip(1);
+        corners
+            .map(|pair| 0.5 * cross(&(pair[0] - points[0]), &(pair[1] - points[0])))
+            .sum()
+    }
     use approx::assert_relative_eq;
 
     fn volume(cell: &Polytope<3>) -> f64 {

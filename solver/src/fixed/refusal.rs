@@ -29,7 +29,7 @@ impl<const D: usize> Problem<D> {
                 return Err(format!("body `{name}` moves; {REMEDY}"));
             }
             if body.wall == WallKind::NoSlip {
-                return Err(format!("{}", sticks(&format!("body `{name}`"))));
+                return Err(sticks(&format!("body `{name}`")));
             }
         }
         for (axis, sides) in self.domain.sides.iter().enumerate() {

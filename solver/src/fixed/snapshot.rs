@@ -7,6 +7,7 @@ use aero_geometry::{Bounds, Vector};
 
 use super::FixedSimulation;
 use super::gas::Gas;
+use super::net::Block;
 use super::state::Conserved;
 use crate::Statistics;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
@@ -122,12 +123,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Counts and extremes.
     pub fn statistics(&self) -> Statistics {
-        let faces: usize = self
-            .net
-            .blocks
-            .iter()
-            .map(|block| block.inner_faces())
-            .sum();
+        let faces: usize = self.net.blocks.iter().map(Block::inner_faces).sum();
         Statistics {
             fluid: self.points.len(),
             ghost: self.net.blocks.iter().map(|block| block.walls.len()).sum(),

@@ -138,3 +138,75 @@ pub fn push<const D: usize>(image: &Image<D>, pressure: f64) -> Conserved<D> {
         energy: 0.0,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gas::IdealGas;
+    use super::super::sides::{Beyond, Side};
+    use super::*;
+    use crate::fixed::gradients::Slopes;
+
+    const AIR: IdealGas = IdealGas { gamma: 1.4 };
+
+    /// Below a cell at a tenth above it.
+    fn image() -> Image<2> {
+        Image {
+            normal: [0.0, -1.0],
+            size: 0.2,
+            distance: 0.1,
+        }
+    }
+
+    fn cell(velocity: [f64; 2]) -> Primitive<2> {
+        Primitive {
+            density: 1.2,
+            velocity,
+            pressure: 0.8,
+        }
+    }
+
+    /// Gas that parts at a plane, `v = 3 y`, has no speed at the plane, and its pressure is that of the cell.
+    #[test]
+    fn gas_that_parts_at_a_plane_presses_on_it_with_its_own_pressure() {
+        let cell = cell([0.5, 0.3]);
+        let mut slopes = Slopes::LEVEL;
+        slopes.along[1].velocity[1] = 3.0;
+        let wall = Wall {
+            i: 0,
+            image: image(),
+            owner: 0,
+            curvature: Matrix::zeros(),
+            foot: Vector::zeros(),
+        };
+        let pressure = wall.pressure(&AIR, &cell, &slopes.along, 1.0);
+        assert!((pressure - 0.8).abs() < 1e-15, "{pressure}");
+        let side = Side {
+            i: 0,
+            image: image(),
+            beyond: Beyond::Mirror,
+        };
+        let flux = side.flux(&AIR, &cell, &slopes);
+        assert!((flux.momentum[1] + 0.8).abs() < 1e-15, "{flux:?}");
+        assert_eq!((flux.mass, flux.energy), (0.0, 0.0));
+    }
+
+    /// Around a bulge the pressure grows outwards, `dp/dn = rho u^2 kappa`: less on the wall than in the cell; more in a hollow.
+    #[test]
+    fn gas_that_follows_a_bend_presses_less_on_a_bulge_and_more_on_a_hollow() {
+        let cell = cell([2.0, 0.0]);
+        for bend in [1e-3, -1e-3] {
+            let mut curvature = Matrix::zeros();
+            curvature[(0, 0)] = bend;
+            let wall = Wall {
+                i: 0,
+                image: image(),
+                owner: 0,
+                curvature,
+                foot: Vector::zeros(),
+            };
+            let pressure = wall.pressure(&AIR, &cell, &Slopes::LEVEL.along, 1.0);
+            let expected = 0.8 - 0.1 * 1.2 * 4.0 * bend;
+            assert!((pressure - expected).abs() < 1e-6, "{pressure} {expected}");
+        }
+    }
+}

@@ -34,15 +34,15 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for Advection {
         _: (&Own<V, D>, &Self::Own<V>),
         _: &mut Encounter<V, D>,
         _: Neighbour<'_, V, D>,
-        _: &mut Self::Sums<V>,
+        (): &mut Self::Sums<V>,
     ) {
     }
 
     #[inline(always)]
     fn finish(
         &self,
-        _: Self::Number,
-        _: Self::Number,
+        (): Self::Number,
+        (): Self::Number,
         site: &mut Site<'_, D>,
         rates: &mut Rates<D>,
     ) {

@@ -122,10 +122,11 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
     for &position in packed.flat_map(|packed| &packed.position) {
         let id = buffers.set_aside(1);
         let zone = buffers.sides.zone(&position);
-        if buffers.sides.stream_at(zone).is_none() && problem.is_clear(&position, |_| 0.0) {
-            if let Some(particle) = born(problem, (position, Vector::zeros()), zone, id)? {
-                place(particle, zone, &mut fluid, &mut buffers);
-            }
+        if buffers.sides.stream_at(zone).is_none()
+            && problem.is_clear(&position, |_| 0.0)
+            && let Some(particle) = born(problem, (position, Vector::zeros()), zone, id)?
+        {
+            place(particle, zone, &mut fluid, &mut buffers);
         }
     }
     Ok((Particles::new(fluid), buffers))

@@ -158,14 +158,14 @@ fn a_ramp_settles_where_it_marches_to() {
 fn the_undisturbed_stream_is_left_out_and_nothing_changes() {
     let run = |skips: bool| {
         let mut problem = problem(
-            [96, 32],
+            [256, 32],
             1.0 / 32.0,
             [[Side::Inlet, Side::Outlet], [Side::FreeStream; 2]],
         );
         problem.scheme.skip_undisturbed = skips;
         problem.free_stream = state(1.0, [3.0, 0.0], 1.0 / 1.4);
         problem.initial = field(|x: &Vector<2>| {
-            let far = ((x[0] - 2.0).powi(2) + (x[1] - 0.5).powi(2)) / 0.01;
+            let far = ((x[0] - 6.0).powi(2) + (x[1] - 0.5).powi(2)) / 0.01;
             let hump = if far < 1.0 { (1.0 - far).powi(2) } else { 0.0 };
             state(1.0, [3.0, 0.0], 1.0 / 1.4 + hump)
         });
@@ -175,7 +175,7 @@ fn the_undisturbed_stream_is_left_out_and_nothing_changes() {
     };
     let (part, full) = (run(true), run(false));
     let updates = [&part, &full].map(|flow| flow.statistics().particle_updates as f64);
-    assert!(updates[0] < 0.7 * updates[1], "{updates:?}");
+    assert!(updates[0] < 0.6 * updates[1], "{updates:?}");
     let [part, full] = [part, full].map(|flow| flow.frame().density);
     let differences = part.iter().zip(&full).map(|(a, b)| (a - b).abs());
     assert!(differences.fold(0.0, f64::max) < 1e-8);
@@ -195,14 +195,24 @@ fn a_flow_goes_on_from_its_memory_with_the_same_bits_on_any_number_of_threads() 
     };
     let (first, second) = (pool(1), pool(3));
     let mut whole = flow(start());
-    first.install(|| (0..6).for_each(|_| drop(whole.step(1e9).unwrap())));
+    first.install(|| {
+        (0..6).for_each(|_| {
+            whole.step(1e9).unwrap();
+        });
+    });
     let mut begun = flow(start());
     let mut resumed = second.install(|| {
-        (0..3).for_each(|_| drop(begun.step(1e9).unwrap()));
+        (0..3).for_each(|_| {
+            begun.step(1e9).unwrap();
+        });
         let problem = start();
         FixedSimulation::resume_on(lattice(&problem), problem, begun.memory()).unwrap()
     });
-    second.install(|| (0..3).for_each(|_| drop(resumed.step(1e9).unwrap())));
+    second.install(|| {
+        (0..3).for_each(|_| {
+            resumed.step(1e9).unwrap();
+        });
+    });
     assert_eq!(whole.frame(), resumed.frame());
     assert_eq!(whole.loads(), resumed.loads());
 }
