@@ -187,11 +187,13 @@ fn files_of_other_formats_are_read_packed_or_not_or_refused_with_a_way_to_conver
     );
     for corner in &corners {
         let _ = writeln!(obj, "v {corner}");
-        ply += &format!("{corner}\n");
+        ply.push_str(corner);
+        ply.push('\n');
     }
     for [a, b, c, d] in quads {
         let _ = writeln!(obj, "f {} {} {} {}", a + 1, b + 1, c + 1, d + 1);
-        ply += &format!("4 {a} {b} {c} {d}\n");
+        let face = format!("4 {a} {b} {c} {d}\n");
+        ply.push_str(&face);
     }
     let [low, high] = CUBE;
     let (_, ghosts) = packs("cube.stl", stl(&block(low, high)), &[], &[]);
