@@ -53,6 +53,8 @@ pub struct RunPlan<const D: usize> {
     pub end_time: f64,
     /// Whether it may end before.
     pub stop: Stop,
+    /// Degrees at which the stream meets the axes of the bodies, where the scene states them.
+    pub incidence: Option<f64>,
     /// When to write what.
     pub output: OutputPlan<D>,
 }
@@ -66,6 +68,16 @@ pub enum Stop {
     Steady,
 }
 
+/// The pressure that force coefficients are made of.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum Pressure {
+    /// Less that of the free stream.
+    #[default]
+    Gauge,
+    /// As it is.
+    Absolute,
+}
+
 /// When to write what.
 #[derive(Clone, Debug, PartialEq)]
 pub struct OutputPlan<const D: usize> {
@@ -75,6 +87,8 @@ pub struct OutputPlan<const D: usize> {
     pub region: Option<Bounds<D>>,
     /// Frames are compressed.
     pub is_compressed: bool,
+    /// The pressure that coefficients are made of.
+    pub coefficients: Pressure,
     /// Steps between rows of the history.
     pub history_every: usize,
     /// Longest wall time between checkpoints, s.

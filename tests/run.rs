@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{Answer, BOX, Workplace, read_vtp};
+use support::{Answer, BOX, Workplace, read_surface, read_vtp};
 
 const PARTICLE_ARRAYS: [&str; 9] = [
     "velocity",
@@ -246,13 +246,18 @@ place = { translate = [0.5, 0.25] }
     let end = scene.find("[output]").unwrap();
     let scene = format!("{}{body}{}", &scene[..start], &scene[end..]);
     place.run(&scene, &[]).succeeds();
-    let (points, arrays) = read_vtp(&place.path("results/surface-000002.vtp"));
-    assert!(points > 8);
-    let names: Vec<&str> = arrays.iter().map(|(name, _)| name.as_str()).collect();
-    assert_eq!(
-        names,
-        ["normal", "pressure", "pressure_coefficient", "body"]
-    );
+    let surface = read_surface(&place.path("results/surface-000002.vtp"));
+    assert!(surface.cells.len() > 8);
+    let names: Vec<&str> = surface.arrays.keys().map(String::as_str).collect();
+    let known = [
+        "area",
+        "body",
+        "mach",
+        "normal",
+        "pressure",
+        "pressure_coefficient",
+    ];
+    assert_eq!(names, known);
     let post = &place.json("results/summary.json")["bodies"]["post"];
     assert_eq!(post["reference_area"], 0.2);
     for key in ["force", "moment", "cd", "cl", "cm", "cd_mean", "cl_mean"] {

@@ -222,6 +222,13 @@ impl Shape<3> for Mesh {
         self.mirrors.clone()
     }
 
+    fn facets(&self, _: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        (0..self.facets.len() as u32)
+            .filter(|&f| !self.hidden[f as usize])
+            .map(|f| self.corners(f))
+            .collect()
+    }
+
     fn measure(&self) -> Option<f64> {
         Some(self.volume())
     }

@@ -4,7 +4,7 @@ use aero_geometry::Bounds;
 use serde::{Deserialize, Serialize};
 
 use crate::fixed::{FixedMemory, FixedSimulation, Settled};
-use crate::frame::{Frame, Load, SurfaceFrame, Totals};
+use crate::frame::{Frame, Load, PanelFrame, SurfaceFrame, Totals};
 use crate::method::Method;
 use crate::problem::Problem;
 use crate::{Failure, Memory, Simulation, Statistics};
@@ -119,6 +119,16 @@ impl<const D: usize> Flow<D> {
     /// State on the bodies' surfaces now.
     pub fn surface(&self) -> SurfaceFrame {
         of_either!(self, flow => flow.surface())
+    }
+
+    /// The surfaces themselves with the pressure on them now.
+    pub fn panels(&self) -> PanelFrame {
+        of_either!(self, flow => flow.panels())
+    }
+
+    /// Loads of a pressure of one everywhere, on bodies, then on wall sides: nothing on what is closed.
+    pub fn uniform_loads(&self) -> Vec<Load> {
+        of_either!(self, flow => flow.uniform_loads())
     }
 
     /// Loads on bodies, then on wall sides.

@@ -62,6 +62,30 @@ pub struct SurfaceFrame {
     pub body: Vec<u32>,
 }
 
+/// The surfaces themselves with the state on them: segments in the plane (of the meridian about an axis), triangles in space,
+/// points on a line. Forces are the sum of `-pressure area normal`.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct PanelFrame {
+    /// Time.
+    pub time: f64,
+    /// Corners of each panel: as many as there are dimensions.
+    pub corners: usize,
+    /// The corners, panel by panel.
+    pub points: Vec<[f64; 3]>,
+    /// Unit normals out of the body.
+    pub normal: Vec<[f64; 3]>,
+    /// Areas: lengths in the plane, whole rings about an axis.
+    pub area: Vec<f64>,
+    /// Wall pressure.
+    pub pressure: Vec<f64>,
+    /// `(p - p_inf) / (rho_inf u_inf^2 / 2)`.
+    pub pressure_coefficient: Vec<f64>,
+    /// Mach number of the gas in front.
+    pub mach: Vec<f64>,
+    /// Number of the body, in scene order; wall sides after.
+    pub body: Vec<u32>,
+}
+
 /// Force and moment of the gas on one body, missing axes zero (per metre of span in 2D, per
 /// square metre in 1D).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -28,7 +28,9 @@
 //! ```
 //!
 //! Where things are: `particles` their life and start, `sides` what bounds the domain, `walls` bodies and ghosts, `faces` thin
-//! parts, `neighbourhood` order and copies, `neighbours` lists, `pairs` the laws, `step` time, `show` what is handed out.
+//! parts, `panels` the surfaces that pressure is shown on, `neighbourhood` order and copies, `neighbours` lists, `pairs` the laws, `step` time, `show` what is handed out.
+
+use std::sync::OnceLock;
 
 use problem::Problem;
 
@@ -49,6 +51,7 @@ pub mod method;
 mod neighbourhood;
 mod neighbours;
 mod pairs;
+mod panels;
 mod particles;
 mod passes;
 pub mod problem;
@@ -70,6 +73,7 @@ mod walls;
 use books::Books;
 use evaluation::Moment;
 use neighbourhood::Neighbourhood;
+use panels::Panels;
 use particles::Particles;
 use sides::Buffers;
 use step::Clock;
@@ -94,6 +98,8 @@ pub struct Simulation<const D: usize> {
     /// Who is near whom.
     around: Neighbourhood<D>,
     books: Books,
+    /// Made when somebody asks for them.
+    panels: OnceLock<Panels<D>>,
 }
 
 impl<const D: usize> Simulation<D> {
@@ -101,7 +107,8 @@ impl<const D: usize> Simulation<D> {
     ///
     /// # Errors
     /// Where no gas fits into the domain, or it cannot start in the state that is asked for.
-    pub fn new(problem: Problem<D>) -> Result<Self, String> {
+    pub fn new(mut problem: Problem<D>) -> Result<Self, String> {
+        walls::part_ridges(&mut problem);
         let mut around = Neighbourhood::new(&problem)?;
         let (mut fluid, mut buffers) = particles::start(&problem)?;
         if fluid.is_empty() {
@@ -140,6 +147,7 @@ impl<const D: usize> Simulation<D> {
             walls,
             around,
             books: Books::default(),
+            panels: OnceLock::new(),
         })
     }
 

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use aero::case::AnyCase;
-use aero::output::{CHECKPOINT, Summary};
+use aero::output::{BodySummary, CHECKPOINT, Summary};
 use aero::run::{Destination, RunError, Stopwatch, run_any};
 use aero::scene::Scene;
 use clap::Args;
@@ -132,14 +132,31 @@ fn lines(summary: &Summary, out: &Path) -> String {
         summary.leaked,
     );
     for (name, body) in &summary.bodies {
-        let [x, y, z] = body.force;
-        let _ = write!(text, "body `{name}`: force {x:.4e} {y:.4e} {z:.4e}");
-        if let (Some(cd), Some(cl)) = (body.cd_mean, body.cl_mean) {
-            let _ = write!(text, ", mean cd {cd:.4}, cl {cl:.4}");
-        }
-        text.push('\n');
+        text.push_str(&loads(name, body));
     }
     let _ = writeln!(text, "results in `{}`", out.display());
+    text
+}
+
+/// The loads on a body, and what their coefficients are made of.
+fn loads(name: &str, body: &BodySummary) -> String {
+    use std::fmt::Write as _;
+    let [x, y, z] = body.force;
+    let mut text = format!("body `{name}`: force {x:.4e} {y:.4e} {z:.4e}");
+    // Writing to a string cannot fail.
+    if let (Some(cd), Some(cl), Some(cm)) = (body.cd_mean, body.cl_mean, body.cm_mean) {
+        let _ = write!(text, ", mean cd {cd:.4}, cl {cl:.4}, cm {cm:.4} nose up");
+        if let (Some(ca), Some(cn)) = (body.ca_mean, body.cn_mean) {
+            let _ = write!(text, ", axial {ca:.4}, normal {cn:.4}");
+        }
+        let [x, y, z] = body.moment_centre;
+        let _ = write!(
+            text,
+            "\n  of {} pressure, area {}, length {}, moments about {x} {y} {z}",
+            body.coefficients, body.reference_area, body.reference_length
+        );
+    }
+    text.push('\n');
     text
 }
 

@@ -6,6 +6,7 @@ use std::io::{self, BufWriter, Seek, SeekFrom, Write as _};
 use std::path::{Path, PathBuf};
 
 use super::error::OutputError;
+use super::summary::BodyCoefficients;
 use aero_solver::frame::{Load, Totals};
 
 /// One row.
@@ -21,6 +22,8 @@ pub struct HistoryRow<'a> {
     pub loads: &'a [Load],
     /// Conserved totals of the fluid.
     pub totals: Totals,
+    /// Coefficients of the bodies, the first of the names; none in a gas at rest.
+    pub coefficients: &'a [Option<BodyCoefficients>],
 }
 
 /// A history being written. It grows in place, so that it can be followed while the run goes on;
@@ -30,12 +33,13 @@ pub struct History {
     path: PathBuf,
     writer: BufWriter<File>,
     loads: usize,
+    bodies: usize,
     bytes: u64,
 }
 
 impl History {
-    /// Starts the file with its header; `names` are those of whatever carries a load.
-    pub fn create(path: &Path, names: &[String]) -> Result<Self, OutputError> {
+    /// Starts the file with its header; `names` are those of whatever carries a load, the `bodies` first.
+    pub fn create(path: &Path, names: &[String], bodies: usize) -> Result<Self, OutputError> {
         let fail = |source| OutputError::new(path, source);
         let mut writer = BufWriter::new(File::create(path).map_err(fail)?);
         let mut header = String::from("step,time,dt");
@@ -45,18 +49,27 @@ impl History {
                 let _ = write!(header, ",{name}.{column}");
             }
         }
-        header.push_str(",mass,momentum_x,momentum_y,momentum_z,energy\n");
+        header.push_str(",mass,momentum_x,momentum_y,momentum_z,energy");
+        for name in &names[..bodies] {
+            let _ = write!(header, ",{name}.cd,{name}.cl,{name}.cm");
+        }
+        header.push('\n');
         writer.write_all(header.as_bytes()).map_err(fail)?;
         Ok(Self {
             path: path.to_owned(),
             writer,
             loads: names.len(),
+            bodies,
             bytes: header.len() as u64,
         })
     }
 
     /// Goes on with the file after its first `bytes`; what came later is cut off.
-    pub fn resume(path: &Path, loads: usize, bytes: u64) -> Result<Self, OutputError> {
+    pub fn resume(
+        path: &Path,
+        [loads, bodies]: [usize; 2],
+        bytes: u64,
+    ) -> Result<Self, OutputError> {
         let open = || {
             let mut file = File::options().write(true).open(path)?;
             if file.metadata()?.len() < bytes {
@@ -73,6 +86,7 @@ impl History {
             path: path.to_owned(),
             writer: BufWriter::new(file),
             loads,
+            bodies,
             bytes,
         })
     }
@@ -96,6 +110,14 @@ impl History {
         let [x, y, z] = totals.momentum;
         for value in [totals.mass, x, y, z, totals.energy] {
             let _ = write!(line, ",{value:?}");
+        }
+        for number in 0..self.bodies {
+            match row.coefficients.get(number) {
+                Some(Some(c)) => {
+                    let _ = write!(line, ",{:?},{:?},{:?}", c.cd, c.cl, c.cm);
+                }
+                _ => line.push_str(",,,"),
+            }
         }
         line.push('\n');
         self.bytes += line.len() as u64;

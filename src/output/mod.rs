@@ -28,5 +28,5 @@ pub use memory::peak_memory;
 pub use packing::write_packing;
 pub use particles::write_frame;
 pub use pvd::Collection;
-pub use summary::{BodySummary, Conservation, Particles, Summary};
+pub use summary::{BodyCoefficients, BodySummary, Conservation, Particles, Summary};
 pub use surface::write_surface;

@@ -77,23 +77,54 @@ pub struct Conservation {
     pub energy: f64,
 }
 
+/// Force coefficients of one body.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyCoefficients {
+    /// Along the stream.
+    pub cd: f64,
+    /// Across the stream.
+    pub cl: f64,
+    /// Of the moment, positive nose up.
+    pub cm: f64,
+    /// Along the body, where the scene states an incidence.
+    pub ca: Option<f64>,
+    /// Across the body, where the scene states an incidence.
+    pub cn: Option<f64>,
+}
+
 /// Loads on one body. Coefficients refer to the free stream and are absent where it is at rest.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BodySummary {
-    /// Force at the end.
+    /// Force at the end, by absolute pressure.
     pub force: [f64; 3],
-    /// Moment at the end, about the body's moment centre.
+    /// Moment at the end, about the body's moment centre, by absolute pressure.
     pub moment: [f64; 3],
+    /// Force at the end, by pressure less that of the free stream; the same on a closed body.
+    pub force_gauge: [f64; 3],
+    /// Moment at the end, by pressure less that of the free stream.
+    pub moment_gauge: [f64; 3],
+    /// The pressure that the coefficients are made of: `gauge` or `absolute`.
+    pub coefficients: String,
     /// Drag coefficient at the end: force along the free stream.
     pub cd: Option<f64>,
     /// Lift coefficient at the end: force across the free stream, towards `+y`.
     pub cl: Option<f64>,
-    /// Moment coefficients at the end.
-    pub cm: Option<[f64; 3]>,
+    /// Moment coefficient at the end, positive nose up, about the axis across drag and lift.
+    pub cm: Option<f64>,
+    /// Axial coefficient at the end: force along `+x`, where the scene states an incidence.
+    pub ca: Option<f64>,
+    /// Normal coefficient at the end: force along `+y`, where the scene states an incidence.
+    pub cn: Option<f64>,
     /// Drag coefficient, time mean from `mean_from` to the end.
     pub cd_mean: Option<f64>,
     /// Lift coefficient, time mean from `mean_from` to the end.
     pub cl_mean: Option<f64>,
+    /// Moment coefficient, time mean from `mean_from` to the end.
+    pub cm_mean: Option<f64>,
+    /// Axial coefficient, time mean from `mean_from` to the end.
+    pub ca_mean: Option<f64>,
+    /// Normal coefficient, time mean from `mean_from` to the end.
+    pub cn_mean: Option<f64>,
     /// Force, time mean from `mean_from` to the end.
     pub force_mean: [f64; 3],
     /// Standard deviation of the force's components over the same time.
@@ -104,4 +135,6 @@ pub struct BodySummary {
     pub reference_area: f64,
     /// Length that the moment coefficients refer to besides.
     pub reference_length: f64,
+    /// Point that moments refer to.
+    pub moment_centre: [f64; 3],
 }

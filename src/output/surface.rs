@@ -1,17 +1,19 @@
-//! `surface-NNNNNN.vtp`: pressure on the bodies at one time.
+//! `surface-NNNNNN.vtp`: the surfaces and the pressure on them at one time.
 
 use std::path::Path;
 
 use super::error::OutputError;
 use super::vtp::Cloud;
-use aero_solver::frame::SurfaceFrame;
+use aero_solver::frame::PanelFrame;
 
-/// Writes the state on the surfaces.
-pub fn write_surface(path: &Path, surface: &SurfaceFrame) -> Result<(), OutputError> {
-    Cloud::new(&surface.position)
+/// Writes the surfaces; the force on each body is the sum of `-pressure area normal` over its cells.
+pub fn write_surface(path: &Path, surface: &PanelFrame) -> Result<(), OutputError> {
+    Cloud::of_cells(surface.corners, &surface.points)
         .vectors("normal", &surface.normal)
         .scalars("pressure", &surface.pressure[..])
         .scalars("pressure_coefficient", &surface.pressure_coefficient[..])
+        .scalars("mach", &surface.mach[..])
+        .scalars("area", &surface.area[..])
         .scalars("body", &surface.body[..])
         .write(path)
 }

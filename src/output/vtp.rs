@@ -1,6 +1,7 @@
-//! Point clouds as VTK XML `PolyData`, one vertex cell per point, so that `ParaView` draws them
-//! without a filter.
+//! VTK XML `PolyData`: point clouds, one vertex cell per point, so that `ParaView` draws them without a filter; and surfaces of
+//! segments or triangles, whose arrays belong to the cells.
 
+use std::collections::HashMap;
 use std::io;
 use std::path::Path;
 
@@ -17,9 +18,11 @@ use super::error::OutputError;
 /// Effort that zlib spends, of 9: more takes longer and hardly saves.
 const LEVEL: u32 = 4;
 
-/// Points with arrays, ready to be written.
+/// Points, or what spans them, with arrays, ready to be written.
 pub(super) struct Cloud {
     points: Vec<f64>,
+    /// Corners of each cell, and all of them cell by cell; none of a cloud.
+    cells: Option<(usize, Vec<u64>)>,
     arrays: Vec<Attribute>,
     compressor: Compressor,
 }
@@ -29,8 +32,30 @@ impl Cloud {
     pub(super) fn new(points: &[[f64; 3]]) -> Self {
         Self {
             points: points.as_flattened().to_vec(),
+            cells: None,
             arrays: Vec::new(),
             compressor: Compressor::None,
+        }
+    }
+
+    /// Cells of so many corners each, without arrays yet: points, segments or triangles. Corners at the same place are one
+    /// point.
+    pub(super) fn of_cells(each: usize, corners: &[[f64; 3]]) -> Self {
+        let mut known = HashMap::new();
+        let mut points = Vec::new();
+        let mut numbers = Vec::with_capacity(corners.len());
+        for corner in corners {
+            // Zero has two signs.
+            let place = corner.map(|x| (x + 0.0).to_bits());
+            let number = *known.entry(place).or_insert_with(|| {
+                points.push(*corner);
+                points.len() as u64 - 1
+            });
+            numbers.push(number);
+        }
+        Self {
+            cells: Some((each, numbers)),
+            ..Self::new(&points)
         }
     }
 
@@ -72,6 +97,23 @@ impl Cloud {
     /// Writes the file.
     pub(super) fn write(self, path: &Path) -> Result<(), OutputError> {
         let count = (self.points.len() / 3) as u64;
+        let (each, connectivity) = self.cells.unwrap_or_else(|| (0, (0..count).collect()));
+        let corners = each.max(1);
+        let offsets = 1..=connectivity.len() / corners;
+        let topology = Some(VertexNumbers::XML {
+            offsets: offsets.map(|n| (n * corners) as u64).collect(),
+            connectivity,
+        });
+        let [mut verts, mut lines, mut polys] = [None, None, None];
+        match each {
+            0 | 1 => verts = topology,
+            2 => lines = topology,
+            _ => polys = topology,
+        }
+        let (point, cell) = match each {
+            0 => (self.arrays, Vec::new()),
+            _ => (Vec::new(), self.arrays),
+        };
         let vtk = Vtk {
             version: Version::new_xml(1, 0),
             byte_order: ByteOrder::LittleEndian,
@@ -79,14 +121,10 @@ impl Cloud {
             file_path: None,
             data: DataSet::inline(PolyDataPiece {
                 points: self.points.into(),
-                verts: Some(VertexNumbers::XML {
-                    connectivity: (0..count).collect(),
-                    offsets: (1..=count).collect(),
-                }),
-                data: Attributes {
-                    point: self.arrays,
-                    cell: Vec::new(),
-                },
+                verts,
+                lines,
+                polys,
+                data: Attributes { point, cell },
                 ..Default::default()
             }),
         };

@@ -2,6 +2,7 @@
 //! up. Knows neither the equations nor the formats of the files.
 
 mod checkpoint;
+mod coefficients;
 mod error;
 mod outcome;
 mod progress;

@@ -8,8 +8,9 @@ use std::time::{Duration, Instant};
 use aero_geometry::Bounds;
 
 use super::checkpoint::{Checkpoint, Written};
+use super::coefficients::Coefficients;
 use super::progress::Progress;
-use crate::case::Case;
+use crate::case::{Case, RunPlan};
 use crate::output::{self, Background, Collection, History, HistoryRow, OutputError};
 use aero_solver::{Flow, wall_sides};
 
@@ -49,6 +50,8 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     region: Option<Bounds<D>>,
     is_compressed: bool,
     history: History,
+    plan: RunPlan<D>,
+    coefficients: Option<Coefficients>,
     history_every: u64,
     checkpoint_every: Duration,
     last_checkpoint: Instant,
@@ -81,7 +84,8 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
     ) -> Result<Self, OutputError> {
         output::remove_checkpoint(folder)?;
         let names = load_names(case);
-        let history = History::create(&folder.join("history.csv"), &names)?;
+        let bodies = case.problem.bodies.len();
+        let history = History::create(&folder.join("history.csv"), &names, bodies)?;
         Ok(Self::new(folder, case, scene, history, watch))
     }
 
@@ -93,8 +97,8 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
         written: Written,
         watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, OutputError> {
-        let loads = load_names(case).len();
-        let history = History::resume(&folder.join("history.csv"), loads, written.history)?;
+        let counts = [load_names(case).len(), case.problem.bodies.len()];
+        let history = History::resume(&folder.join("history.csv"), counts, written.history)?;
         let mut recorder = Self::new(folder, case, scene, history, watch);
         for (number, &time) in written.times.iter().enumerate() {
             recorder.particles.note(time, &frame_name(number));
@@ -123,6 +127,8 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             region: case.plan.output.region,
             is_compressed: case.plan.output.is_compressed,
             history,
+            plan: case.plan.clone(),
+            coefficients: None,
             history_every: case.plan.output.history_every as u64,
             checkpoint_every: Duration::from_secs_f64(case.plan.output.checkpoint_seconds),
             last_checkpoint: Instant::now(),
@@ -145,7 +151,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         let surface = self.surfaces.as_mut().map(|surfaces| {
             surfaces.note(time, &surface_name(number));
             let path = self.folder.join(surface_name(number));
-            (path, simulation.surface(), surfaces.clone())
+            (path, simulation.panels(), surfaces.clone())
         });
         self.written.times.push(time);
         let is_compressed = self.is_compressed;
@@ -165,12 +171,20 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         self.background.check()?;
         let (step, time) = (simulation.steps(), simulation.time());
         if step.is_multiple_of(self.history_every) {
+            let plan = &self.plan;
+            let scales = self
+                .coefficients
+                .get_or_insert_with(|| Coefficients::new(plan, simulation));
+            let loads = simulation.loads();
+            let bodies = loads.iter().take(simulation.problem().bodies.len());
+            let coefficients: Vec<_> = bodies.enumerate().map(|(n, l)| scales.of(n, l)).collect();
             self.history.add(HistoryRow {
                 step,
                 time,
                 dt,
-                loads: &simulation.loads(),
+                loads: &loads,
                 totals: simulation.totals(),
+                coefficients: &coefficients,
             })?;
         }
         Ok((self.watch)(Progress {

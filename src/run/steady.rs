@@ -28,6 +28,8 @@ pub(super) struct Window {
     pub(super) impulse: Vec<[f64; 3]>,
     /// Squares of its components.
     pub(super) square: Vec<[f64; 3]>,
+    /// Moment on each body.
+    pub(super) turn: Vec<[f64; 3]>,
     mass: f64,
     centre: [f64; 3],
 }
@@ -177,6 +179,7 @@ impl Window {
             from,
             impulse: vec![[0.0; 3]; bodies],
             square: vec![[0.0; 3]; bodies],
+            turn: vec![[0.0; 3]; bodies],
             ..Self::default()
         }
     }
@@ -184,8 +187,10 @@ impl Window {
     fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
         self.duration += dt;
         let sums = self.impulse.iter_mut().zip(&mut self.square);
-        for ((impulse, square), load) in sums.zip(simulation.loads()) {
+        let sums = sums.zip(&mut self.turn);
+        for (((impulse, square), turn), load) in sums.zip(simulation.loads()) {
             for k in 0..3 {
+                turn[k] += load.moment[k] * dt;
                 impulse[k] += load.force[k] * dt;
                 square[k] += load.force[k] * load.force[k] * dt;
             }

@@ -1,16 +1,16 @@
 //! What is summed up over a run: drift of conserved totals, mean loads, speed.
 
-use aero_geometry::Vector;
 use serde::{Deserialize, Serialize};
 
+use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use crate::case::RunPlan;
+use crate::case::{Pressure, RunPlan};
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_solver::Flow;
 use aero_solver::frame::{Load, Totals};
 use aero_solver::method::Method;
-use aero_solver::problem::{Body, Problem};
+use aero_solver::problem::Body;
 use aero_solver::scheme::{Extrapolation, Precision};
 
 /// Part of the run, at its end, over which loads are averaged.
@@ -23,6 +23,7 @@ pub(super) struct Tally {
     /// Processor time of this process when its first step began: packing is not part of the speed.
     cpu_before: f64,
     mean_from: f64,
+    coefficients: Coefficients,
     sums: Sums,
 }
 
@@ -31,6 +32,8 @@ pub(super) struct Tally {
 pub(super) struct Sums {
     start: Totals,
     impulse: Vec<[f64; 3]>,
+    /// Moments over time.
+    turn: Vec<[f64; 3]>,
     /// Squares of the forces' components over time.
     square: Vec<[f64; 3]>,
     duration: f64,
@@ -58,16 +61,18 @@ impl Tally {
         let sums = Sums {
             start: simulation.totals(),
             impulse: vec![[0.0; 3]; bodies.len()],
+            turn: vec![[0.0; 3]; bodies.len()],
             square: vec![[0.0; 3]; bodies.len()],
             duration: 0.0,
             spent: Spent::default(),
         };
-        Self::resume(plan, sums, stopwatch)
+        Self::resume(plan, simulation, sums, stopwatch)
     }
 
     /// Goes on from earlier sums.
     pub(super) fn resume<const D: usize>(
         plan: &RunPlan<D>,
+        simulation: &Flow<D>,
         sums: Sums,
         stopwatch: Stopwatch,
     ) -> Self {
@@ -76,6 +81,7 @@ impl Tally {
             stopwatch,
             cpu_before: stopwatch.cpu_seconds(),
             mean_from: (1.0 - MEAN_PART) * plan.end_time,
+            coefficients: Coefficients::new(plan, simulation),
             sums,
         }
     }
@@ -104,8 +110,10 @@ impl Tally {
         }
         self.sums.duration += dt;
         let sums = self.sums.impulse.iter_mut().zip(&mut self.sums.square);
-        for ((impulse, square), load) in sums.zip(simulation.loads()) {
+        let sums = sums.zip(&mut self.sums.turn);
+        for (((impulse, square), turn), load) in sums.zip(simulation.loads()) {
             for k in 0..3 {
+                turn[k] += load.moment[k] * dt;
                 impulse[k] += load.force[k] * dt;
                 square[k] += load.force[k] * load.force[k] * dt;
             }
@@ -117,6 +125,7 @@ impl Tally {
         self.mean_from = window.from;
         self.sums.impulse = window.impulse;
         self.sums.square = window.square;
+        self.sums.turn = window.turn;
         self.sums.duration = window.duration;
     }
 
@@ -134,7 +143,7 @@ impl Tally {
         let loads = simulation.loads();
         let bodies = problem.bodies.iter().enumerate().map(|(number, body)| {
             let load = loads.get(number).copied().unwrap_or_default();
-            (body.name.clone(), self.body(problem, number, body, &load))
+            (body.name.clone(), self.body(number, body, &load))
         });
         Summary {
             case: self.name.clone(),
@@ -184,13 +193,7 @@ impl Tally {
         }
     }
 
-    fn body<const D: usize>(
-        &self,
-        problem: &Problem<D>,
-        number: usize,
-        body: &Body<D>,
-        load: &Load,
-    ) -> BodySummary {
+    fn body<const D: usize>(&self, number: usize, body: &Body<D>, load: &Load) -> BodySummary {
         let force_mean = if self.sums.duration > 0.0 {
             self.sums.impulse[number].map(|impulse| impulse / self.sums.duration)
         } else {
@@ -201,21 +204,38 @@ impl Tally {
             // The difference of two large numbers may round to below zero.
             (square - force_mean[k] * force_mean[k]).max(0.0).sqrt()
         });
-        let stream = &problem.free_stream;
-        let scale = 0.5 * stream.density * stream.velocity.norm_squared() * body.reference_area;
-        let axes = stream_axes(&stream.velocity).filter(|_| scale > 0.0);
-        let along = |axis: usize, force: &[f64; 3]| {
-            let axes = axes.as_ref()?;
-            Some((0..3).map(|k| axes[axis][k] * force[k]).sum::<f64>() / scale)
+        let now = self.coefficients.of(number, load);
+        let moment = if self.sums.duration > 0.0 {
+            self.sums.turn[number].map(|turn| turn / self.sums.duration)
+        } else {
+            load.moment
         };
+        let mean = Load {
+            force: force_mean,
+            moment,
+        };
+        let mean = self.coefficients.of(number, &mean);
+        let gauge = self.coefficients.gauge(number, load);
         BodySummary {
             force: load.force,
             moment: load.moment,
-            cd: along(0, &load.force),
-            cl: along(1, &load.force),
-            cm: axes.map(|_| load.moment.map(|m| m / (scale * body.reference_length))),
-            cd_mean: along(0, &force_mean),
-            cl_mean: along(1, &force_mean),
+            force_gauge: gauge.force,
+            moment_gauge: gauge.moment,
+            coefficients: match self.coefficients.pressure() {
+                Pressure::Gauge => "gauge",
+                Pressure::Absolute => "absolute",
+            }
+            .into(),
+            cd: now.map(|c| c.cd),
+            cl: now.map(|c| c.cl),
+            cm: now.map(|c| c.cm),
+            ca: now.and_then(|c| c.ca),
+            cn: now.and_then(|c| c.cn),
+            cd_mean: mean.map(|c| c.cd),
+            cl_mean: mean.map(|c| c.cl),
+            cm_mean: mean.map(|c| c.cm),
+            ca_mean: mean.and_then(|c| c.ca),
+            cn_mean: mean.and_then(|c| c.cn),
             force_mean,
             force_spread: if self.sums.duration > 0.0 {
                 force_spread
@@ -225,28 +245,11 @@ impl Tally {
             mean_from: self.mean_from,
             reference_area: body.reference_area,
             reference_length: body.reference_length,
+            moment_centre: std::array::from_fn(|k| {
+                body.moment_centre.get(k).copied().unwrap_or(0.0)
+            }),
         }
     }
-}
-
-/// Unit vectors along the stream and across it towards `+y` (towards `+z` where the stream itself
-/// goes along `y` in space); none for a gas at rest.
-fn stream_axes<const D: usize>(velocity: &Vector<D>) -> Option<[[f64; 3]; 2]> {
-    /// Nearly along an axis, what is left of it across is round-off.
-    const ALONG: f64 = 1e-6;
-    let drag = velocity.try_normalize(0.0)?;
-    let drag: [f64; 3] = std::array::from_fn(|k| if k < D { drag[k] } else { 0.0 });
-    if D < 3 {
-        return Some([drag, [-drag[1], drag[0], 0.0]]);
-    }
-    let across = |up: usize| {
-        let mut lift = drag.map(|d| -drag[up] * d);
-        lift[up] += 1.0;
-        let length = lift.iter().map(|l| l * l).sum::<f64>().sqrt();
-        (length > ALONG).then(|| lift.map(|l| l / length))
-    };
-    let lift = across(1).or_else(|| across(2))?;
-    Some([drag, lift])
 }
 
 fn drift(start: &Totals, now: &Totals, inflow: &Totals) -> Conservation {
@@ -266,18 +269,6 @@ fn drift(start: &Totals, now: &Totals, inflow: &Totals) -> Conservation {
 #[cfg(test)]
 mod tests {
     use super::*;
-
-    #[test]
-    fn lift_points_up_and_across_the_stream() {
-        let [drag, lift] = stream_axes(&Vector::<3>::new(2.0, 0.0, 0.0)).unwrap();
-        assert_eq!(drag, [1.0, 0.0, 0.0]);
-        assert_eq!(lift, [0.0, 1.0, 0.0]);
-        let [_, lift] = stream_axes(&Vector::<3>::new(0.0, 1.0, 0.0)).unwrap();
-        assert_eq!(lift, [0.0, 0.0, 1.0]);
-        let [_, lift] = stream_axes(&Vector::<2>::new(0.0, 1.0)).unwrap();
-        assert_eq!(lift, [-1.0, 0.0, 0.0]);
-        assert!(stream_axes(&Vector::<2>::zeros()).is_none());
-    }
 
     #[test]
     fn what_came_in_is_no_drift() {

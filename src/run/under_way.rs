@@ -77,7 +77,7 @@ impl<const D: usize> UnderWay<D> {
         let Case { problem, plan } = case;
         let simulation = Flow::resume(problem, checkpoint.simulation)?;
         Ok(Self {
-            tally: Tally::resume(&plan, checkpoint.sums, stopwatch),
+            tally: Tally::resume(&plan, &simulation, checkpoint.sums, stopwatch),
             plan,
             simulation,
             pace: checkpoint.pace,

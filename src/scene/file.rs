@@ -13,7 +13,7 @@ use super::refine::RefineEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::{SideEntry, WallWord};
 use super::spin::Spin;
-use crate::case::Stop;
+use crate::case::{Pressure, Stop};
 use aero_solver::method::Time;
 use aero_solver::scheme::{Extrapolation, Precision, Scheme};
 
@@ -142,6 +142,25 @@ impl From<StopWord> for Stop {
     }
 }
 
+/// The pressure of force coefficients, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum PressureWord {
+    /// Less that of the free stream.
+    Gauge,
+    /// As it is.
+    Absolute,
+}
+
+impl From<PressureWord> for Pressure {
+    fn from(word: PressureWord) -> Self {
+        match word {
+            PressureWord::Gauge => Self::Gauge,
+            PressureWord::Absolute => Self::Absolute,
+        }
+    }
+}
+
 /// Numbers of the pair sums, as a scene spells it.
 #[derive(Clone, Copy, Debug, Deserialize)]
 #[serde(rename_all = "kebab-case")]
@@ -228,6 +247,8 @@ pub struct FreeStreamEntry {
     pub velocity: Option<Vec<Finite>>,
     /// Direction, with a Mach number or a speed; along the first axis unless given.
     pub direction: Option<Vec<Finite>>,
+    /// In place of a direction: degrees by which the stream comes from below, so that `(cos, sin)` is its direction.
+    pub incidence: Option<Finite>,
 }
 
 /// `[domain]`
@@ -366,6 +387,8 @@ pub struct OutputEntry {
     pub region: Option<RegionEntry>,
     /// Compressed frames; off unless given.
     pub compress: Option<bool>,
+    /// The pressure that force coefficients are made of; `gauge` unless given.
+    pub coefficients: Option<PressureWord>,
     /// Steps between rows of the history; 1 unless given.
     pub history_every: Option<Count>,
     /// Longest time between checkpoints in seconds; 60 unless given.

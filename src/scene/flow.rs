@@ -166,9 +166,13 @@ fn stream_state<const D: usize>(
         (Some(mach), None, None) => direction(entry)? * (mach.get() * sound_speed),
         (None, Some(speed), None) => direction(entry)? * speed.get(),
         (None, None, Some(velocity)) => {
-            if entry.direction.is_some() {
+            let given = [
+                ("direction", entry.direction.is_some()),
+                ("incidence", entry.incidence.is_some()),
+            ];
+            if let Some((key, _)) = given.iter().find(|(_, is_given)| *is_given) {
                 return Err(SceneError::value(
-                    "free_stream.direction",
+                    format!("free_stream.{key}"),
                     "goes with mach or speed; velocity has a direction already, so leave one out",
                 ));
             }
@@ -209,6 +213,22 @@ fn density(entry: &FreeStreamEntry) -> Result<f64, SceneError> {
 
 fn direction<const D: usize>(entry: &FreeStreamEntry) -> Result<Vector<D>, SceneError> {
     let place = "free_stream.direction";
+    if let Some(incidence) = &entry.incidence {
+        if entry.direction.is_some() {
+            return Err(SceneError::value(
+                "free_stream.incidence",
+                "is a direction too; leave out one of incidence and direction",
+            ));
+        }
+        if D == 1 {
+            return Err(SceneError::value(
+                "free_stream.incidence",
+                "has no meaning in a scene of dimension 1; leave it out",
+            ));
+        }
+        let (sin, cos) = incidence.get().to_radians().sin_cos();
+        return Ok(Vector::from_fn(|k, _| [cos, sin, 0.0][k]));
+    }
     let Some(numbers) = &entry.direction else {
         return Ok(Vector::<D>::from_fn(|k, _| f64::from(u8::from(k == 0))));
     };

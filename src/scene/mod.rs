@@ -197,6 +197,7 @@ impl Scene {
                 name: self.name.clone(),
                 end_time: file.end_time.get(),
                 stop,
+                incidence: incidence(file),
                 output,
             },
         })
@@ -222,6 +223,12 @@ impl Scene {
             format!("is {dimension}, but a scene of dimension {D} is wanted here"),
         ))
     }
+}
+
+/// Degrees at which the stream meets the bodies, where the scene states them.
+fn incidence(file: &SceneFile) -> Option<f64> {
+    let stream = file.free_stream.as_ref()?;
+    stream.incidence.map(number::Finite::get)
 }
 
 fn scheme(entry: SchemeEntry) -> Scheme {

@@ -7,7 +7,7 @@ use super::file::{OutputEntry, RegionEntry};
 use super::number::Count;
 use super::vector::AXES;
 use super::vector::vector;
-use crate::case::OutputPlan;
+use crate::case::{OutputPlan, Pressure};
 
 /// What a run of that length writes.
 pub(super) fn plan<const D: usize>(
@@ -34,6 +34,7 @@ pub(super) fn plan<const D: usize>(
         frame_interval,
         region: entry.region.as_ref().map(region).transpose()?,
         is_compressed: entry.compress.unwrap_or(false),
+        coefficients: entry.coefficients.map_or(Pressure::Gauge, Into::into),
         history_every: entry.history_every.map_or(1, Count::get),
         checkpoint_seconds: entry
             .checkpoint_seconds

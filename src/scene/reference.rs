@@ -20,8 +20,8 @@ pub(super) fn modelled_part<const D: usize>(bounds: &Bounds<D>, domain: &Domain<
     part
 }
 
-/// Extent of a box across the stream in 2D; in 3D, and around an axis, the ellipse that fits its two extents across the
-/// stream, which is exact for round bodies along an axis.
+/// Extent of a box across the axis nearest to the stream in 2D; in 3D, and around an axis, the ellipse that fits its two extents across that
+/// axis, which is exact for round bodies along an axis.
 pub(super) fn frontal_area<const D: usize>(
     size: &Vector<D>,
     velocity: &Vector<D>,
@@ -30,12 +30,10 @@ pub(super) fn frontal_area<const D: usize>(
     if domain.is_axisymmetric() {
         return std::f64::consts::FRAC_PI_4 * size[1] * size[1];
     }
-    let along = velocity
-        .try_normalize(0.0)
-        .unwrap_or_else(|| Vector::<D>::from_fn(|k, _| f64::from(u8::from(k == 0))));
-    // Area of the box seen along the stream: its faces, each foreshortened.
-    let volume_without = |k: usize| (0..D).filter(|&j| j != k).map(|j| size[j]).product::<f64>();
-    let seen: f64 = (0..D).map(|k| along[k].abs() * volume_without(k)).sum();
+    // The same at any incidence: seen along the axis that the stream is nearest to.
+    let along = velocity.iamax();
+    let others = (0..D).filter(|&k| k != along);
+    let seen: f64 = others.map(|k| size[k]).product();
     let round = if D == 3 {
         std::f64::consts::FRAC_PI_4
     } else {

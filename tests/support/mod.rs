@@ -162,3 +162,49 @@ pub fn read_vtp(path: &Path) -> (usize, Vec<(String, usize)>) {
     });
     (points, arrays.collect())
 }
+
+/// Segments or triangles with their arrays, as `surface-NNNNNN.vtp` holds them.
+pub struct Surface {
+    /// Corners, cell by cell.
+    pub cells: Vec<Vec<[f64; 3]>>,
+    /// Values by name of the array.
+    pub arrays: std::collections::BTreeMap<String, Vec<f64>>,
+}
+
+/// Reads a surface.
+pub fn read_surface(path: &Path) -> Surface {
+    use vtkio::model::{Attribute, DataSet, Piece, Vtk};
+    let vtk = Vtk::import(path).expect("a VTK file");
+    let DataSet::PolyData { pieces, .. } = vtk.data else {
+        panic!("not PolyData");
+    };
+    let Some(Piece::Inline(piece)) = pieces.into_iter().next() else {
+        panic!("no piece");
+    };
+    let points: Vec<f64> = piece.points.clone().into_vec().expect("coordinates");
+    let topology = piece
+        .polys
+        .as_ref()
+        .or(piece.lines.as_ref())
+        .expect("cells");
+    let (connectivity, offsets) = topology.clone().into_xml();
+    let mut from = 0;
+    let cells = offsets.iter().map(|&to| {
+        let corners = &connectivity[from..to as usize];
+        from = to as usize;
+        let corner = |&n: &u64| std::array::from_fn(|k| points[3 * n as usize + k]);
+        corners.iter().map(corner).collect()
+    });
+    let cells = cells.collect();
+    let arrays = piece.data.cell.iter().map(|attribute| match attribute {
+        Attribute::DataArray(array) => {
+            let values = array.data.clone().cast_into::<f64>().expect("numbers");
+            (array.name.clone(), values)
+        }
+        Attribute::Field { .. } => panic!("a field in an XML file"),
+    });
+    Surface {
+        cells,
+        arrays: arrays.collect(),
+    }
+}

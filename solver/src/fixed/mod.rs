@@ -24,6 +24,7 @@ mod merge;
 mod nearby;
 mod net;
 pub mod outlines;
+mod panels;
 mod part;
 mod polytope;
 mod quiet;
@@ -44,6 +45,7 @@ mod voronoi;
 mod walls;
 
 use std::f64::consts::TAU;
+use std::sync::OnceLock;
 
 use aero_geometry::Vector;
 
@@ -51,6 +53,7 @@ pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
 pub use checkpoint::FixedMemory;
 pub use settle::{Settled, Settling};
 
+use crate::panels::Panels;
 use crate::problem::Problem;
 use crate::scheme::Precision;
 use crate::vectors::Arch;
@@ -100,6 +103,8 @@ pub struct FixedSimulation<const D: usize> {
     updates: u64,
     min_density: f64,
     min_energy: f64,
+    /// Made when somebody asks for them.
+    panels: OnceLock<Panels<D>>,
 }
 
 impl<const D: usize> FixedSimulation<D> {
@@ -183,6 +188,7 @@ impl<const D: usize> FixedSimulation<D> {
             updates: 0,
             min_density: f64::INFINITY,
             min_energy: f64::INFINITY,
+            panels: OnceLock::new(),
             problem,
         };
         simulation.start();

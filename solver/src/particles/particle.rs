@@ -38,6 +38,14 @@ pub struct Particle<const D: usize> {
 }
 
 impl<const D: usize> Particle<D> {
+    /// The same that stands for `share` of what it did.
+    #[must_use]
+    pub fn of_share(mut self, share: f64) -> Self {
+        self.mass *= share;
+        self.first_plane_mass *= share;
+        self
+    }
+
     /// True of a state that gas can be in.
     pub fn makes_sense(&self) -> bool {
         self.density > 0.0

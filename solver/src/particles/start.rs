@@ -9,7 +9,7 @@ use crate::lattice;
 use crate::problem::{Body, Initial, Problem, State};
 use crate::records::Matrix;
 use crate::rings::Rings;
-use crate::sides::{Buffers, OpenParticle, Zone};
+use crate::sides::{Buffers, OpenParticle, Rows, Zone};
 
 impl<const D: usize> Problem<D> {
     /// Spacing of the particles of the lattice at `position`: the same everywhere. Whatever asks how finely the gas is resolved
@@ -20,9 +20,9 @@ impl<const D: usize> Problem<D> {
 
     /// True where a gas particle may be put: not behind a side that is not open, not in a body
     /// nor nearer to it than half a spacing.
-    pub fn is_free(&self, position: &Vector<D>) -> bool {
+    pub fn is_free(&self, position: &Vector<D>, rows: &Rows<D>) -> bool {
         // The lattice may touch the half spacing exactly; round-off must not decide.
-        let least = 0.5 * self.spacing_at(position) * (1.0 - 1e-6);
+        let least = 0.5 * self.spacing_at(position) * (1.0 - 1e-6) * rows.nearest();
         self.is_clear(position, |_| least)
     }
 
@@ -64,11 +64,6 @@ impl<const D: usize> Problem<D> {
         }
     }
 
-    /// Place of point `index` of the lattice after it has drifted.
-    pub fn lattice_position(&self, index: &[i64; D], drift: &Vector<D>) -> Vector<D> {
-        lattice::position(&self.domain.bounds.min, self.spacing, index) + drift
-    }
-
     /// True where the lattice starts as the undisturbed free stream, so that not even the first sums need be
     /// taken far from bodies and walls. Rings are not spread evenly, and must show that they are calm.
     fn starts_calm(&self) -> bool {
@@ -86,24 +81,28 @@ impl<const D: usize> Problem<D> {
 pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buffers<D>), String> {
     let mut fluid = Vec::new();
     let mut buffers = Buffers::new(problem);
+    let rows = buffers.sides.rows;
     let drift = Vector::zeros();
     let (first, last) = buffers.sides.lattice_range(&drift);
     let id = buffers.set_aside(lattice::count(&first, &last));
     for (id, index) in (id..).zip(lattice::points(first, last)) {
-        let position = problem.lattice_position(&index, &drift);
+        let position = rows.position(&index, &drift);
         let zone = buffers.sides.zone(&position);
         if let (Zone::Beyond(side), Some(state)) = (zone, buffers.first_state(zone, &position)) {
             // Buffers go on as they are refilled, by the lattice.
-            if problem.is_free(&position) {
-                let particle = problem.particle(position, &state, id);
+            if problem.is_free(&position, &rows) {
+                let particle = problem
+                    .particle(position, &state, id)
+                    .of_share(rows.share());
                 buffers.add(OpenParticle::of_lattice(particle, side, Some(index)));
             }
         } else if problem.is_clear(&position, |body| {
-            body.starting_distance(problem.spacing_at(&position))
+            body.starting_distance(problem.spacing_at(&position) * rows.nearest())
         }) {
             let disorder = problem.disorder * problem.spacing_at(&position);
             let shift = lattice::displacement(&index) * disorder;
             if let Some(particle) = born(problem, (position, shift), zone, id)? {
+                let particle = particle.of_share(rows.share());
                 place(particle, zone, &mut fluid, &mut buffers);
             }
         }

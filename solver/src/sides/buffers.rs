@@ -163,7 +163,7 @@ impl<const D: usize> Buffers<D> {
         particles.retain_mut(|open| {
             let own = sides.stream_at(Zone::Beyond(usize::from(open.side)));
             if let (Some(index), Some(own)) = (&open.lattice, own) {
-                open.particle.position = problem.lattice_position(index, &streams[own].drift);
+                open.particle.position = sides.rows.position(index, &streams[own].drift);
             }
             match sides.zone(&open.particle.position) {
                 Zone::Interior => {
@@ -229,7 +229,8 @@ impl<const D: usize> Buffers<D> {
             if side.stream == Some(number) {
                 let old = open.particle;
                 let state = side.model.profile(&state, &old.position, now);
-                open.particle = problem.particle(old.position, &state, old.id);
+                let particle = problem.particle(old.position, &state, old.id);
+                open.particle = particle.of_share(self.sides.rows.share());
             }
         }
     }
@@ -246,16 +247,18 @@ impl<const D: usize> Buffers<D> {
             let id = *ids;
             *ids += lattice::count(&first, &last);
             for (id, index) in (id..).zip(lattice::points(first, last)) {
-                let position = problem.lattice_position(&index, &drift);
-                let before = problem.lattice_position(&index, earlier);
+                let position = self.sides.rows.position(&index, &drift);
+                let before = self.sides.rows.position(&index, earlier);
                 let zone = self.sides.zone(&position);
                 if let (Zone::Beyond(side), true) = (zone, is_own(zone))
                     && !is_own(self.sides.zone(&before))
-                    && problem.is_free(&position)
+                    && problem.is_free(&position, &self.sides.rows)
                 {
                     let model = &self.sides.side(side).model;
                     let state = model.profile(&state, &position, now);
-                    let particle = problem.particle(position, &state, id);
+                    let particle = problem
+                        .particle(position, &state, id)
+                        .of_share(self.sides.rows.share());
                     particles.push(OpenParticle::of_lattice(particle, side, Some(index)));
                 }
             }

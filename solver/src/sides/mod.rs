@@ -13,12 +13,14 @@ mod inlet;
 mod outlet;
 mod particle;
 mod reservoir;
+mod rows;
 mod zone;
 
 pub use buffers::{Buffers, Contents};
 pub use domain::Domain;
 pub use particle::OpenParticle;
 pub use reservoir::Reservoir;
+pub use rows::Rows;
 pub use zone::Zone;
 
 use super::particles::Particle;

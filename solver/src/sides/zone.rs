@@ -1,7 +1,8 @@
 //! Where a point is in relation to the domain, and which lattice points lie in the buffers.
 
-use aero_geometry::{Bounds, Vector};
+use aero_geometry::Vector;
 
+use super::rows::Rows;
 use super::{OpenModel, Place, model};
 use crate::layers::BUFFER;
 use crate::problem::{Problem, State};
@@ -34,8 +35,9 @@ pub struct OpenSides<const D: usize> {
     sides: Vec<OpenSide<D>>,
     /// Numbers of those by axis and end.
     numbers: [[Option<usize>; 2]; D],
-    bounds: Bounds<D>,
     spacing: f64,
+    /// The lattice of the gas.
+    pub rows: Rows<D>,
 }
 
 impl<const D: usize> OpenSides<D> {
@@ -70,8 +72,8 @@ impl<const D: usize> OpenSides<D> {
         let all = Self {
             sides,
             numbers,
-            bounds: problem.domain.bounds,
             spacing: problem.spacing,
+            rows: Rows::new(problem),
         };
         (all, streams)
     }
@@ -123,10 +125,9 @@ impl<const D: usize> OpenSides<D> {
     pub fn lattice_range(&self, drift: &Vector<D>) -> ([i64; D], [i64; D]) {
         let mut first = [0; D];
         let mut last = [0; D];
-        let size = self.bounds.size();
         for k in 0..D {
-            let drift = drift[k] / self.spacing;
-            let cells = (size[k] / self.spacing).round() as i64;
+            let drift = drift[k] / self.rows.pitch(k);
+            let cells = self.rows.cells(k);
             let [lower, upper] = self.numbers[k].map(|n| n.map_or(0, |_| BUFFER as i64));
             if lower + upper == 0 {
                 (first[k], last[k]) = (0, cells);

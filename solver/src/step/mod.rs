@@ -133,6 +133,7 @@ impl<const D: usize> Simulation<D> {
             walls,
             around,
             books,
+            ..
         } = self;
         let moment = Moment {
             start: clock.time,

@@ -38,7 +38,7 @@ const WALL: Side = Side::Wall {
 };
 
 /// A box of `cells` cells per axis with spacing 0.1, all sides alike, at rest with `c = 1`.
-fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
+pub(crate) fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
     let spacing = 0.1;
     let bounds = Bounds::new(Vector::zeros(), Vector::repeat(cells as f64 * spacing));
     Problem {

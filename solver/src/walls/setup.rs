@@ -8,6 +8,7 @@ use super::super::faces::{Faces, Sight, ThinParts, View, thin_parts};
 use super::super::records::Matrix;
 use super::Ghost;
 use super::curvature::shape_operator;
+use super::joints::join;
 use super::plane::SideWall;
 use crate::problem::Problem;
 
@@ -39,10 +40,10 @@ pub fn ghosts<const D: usize>(
         }
     }
     let inside_a_body = |position: &Vector<D>| {
-        problem
-            .bodies
-            .iter()
-            .any(|body| body.shape.signed_distance(position) < 0.0)
+        // What is under a body at rest closes the corner with it.
+        let moving = problem.bodies.iter().filter(|body| body.motion.is_moving());
+        let mut shapes = moving.map(|body| &body.shape);
+        shapes.any(|shape| shape.signed_distance(position) < 0.0)
     };
     for (number, side) in sides.iter().enumerate() {
         for point in &side.ghosts {
@@ -55,6 +56,7 @@ pub fn ghosts<const D: usize>(
             ghosts.push(ghost);
         }
     }
+    join(problem, &mut ghosts);
     let thin = problem
         .scheme
         .surface_tags
@@ -74,6 +76,8 @@ pub fn ghosts<const D: usize>(
             first += hidden.len();
         }
     }
+    // What no gas sees, or another solid fills.
+    ghosts.retain(|ghost| ghost.volume > 0.0);
     (ghosts, thin.map(|thin| thin.faces))
 }
 

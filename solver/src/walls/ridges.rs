@@ -1,0 +1,81 @@
+//! Ghosts on ridges: those that two faces of a body are equally near to. One ghost can mirror the gas at one face alone, and would
+//! show the gas before the other a wall that leans; so it is parted into as many as there are faces, at the same place, each with
+//! its share of the volume.
+
+use aero_geometry::{Shape, Vector};
+use aero_packer::Ghosts;
+
+use crate::problem::Problem;
+
+/// How far, as a part of the depth, a point is moved away from one face to find another as near.
+const PROBE: f64 = 1e-3;
+
+/// Feet that lie nearer to each other than this part of the depth are on one face.
+const APART: f64 = 0.1;
+
+/// Most faces that meet in a ridge.
+const MOST: usize = 4;
+
+/// Parts the ghosts of all bodies of `problem` that lie on ridges.
+pub fn part<const D: usize>(problem: &mut Problem<D>) {
+    let planes: Vec<(usize, f64)> = problem
+        .domain
+        .each_side()
+        .filter(|(_, _, side, _)| side.is_mirror())
+        .map(|(axis, _, _, plane)| (axis, plane))
+        .collect();
+    for body in &mut problem.bodies {
+        let shape = body.shape.as_ref();
+        let ghosts = &mut body.ghosts;
+        for g in 0..ghosts.position.len() {
+            let feet = feet(shape, ghosts, g);
+            // On a plane that mirrors the flow the ghost's own image shows the other face.
+            let is_imaged = planes.iter().any(|&(axis, plane)| {
+                (ghosts.position[g][axis] - plane).abs() < 1e-6 * problem.spacing
+            });
+            if feet.len() < 2 || is_imaged {
+                continue;
+            }
+            let share = 1.0 / feet.len() as f64;
+            ghosts.volume[g] *= share;
+            for (foot, face) in feet.into_iter().skip(1) {
+                let arm = foot - ghosts.position[g];
+                ghosts.position.push(ghosts.position[g]);
+                ghosts.distance.push(-arm.norm());
+                ghosts.normal.push(arm.normalize());
+                ghosts.volume.push(ghosts.volume[g]);
+                ghosts.layer.push(ghosts.layer[g]);
+                ghosts.face.push(face);
+            }
+        }
+    }
+}
+
+/// The feet of ghost `g` on all faces that it is as near to as to its own, its own first, and their faces.
+fn feet<const D: usize>(
+    shape: &dyn Shape<D>,
+    ghosts: &Ghosts<D>,
+    g: usize,
+) -> Vec<(Vector<D>, u32)> {
+    let (place, depth) = (ghosts.position[g], -ghosts.distance[g]);
+    let mut feet = vec![(place + ghosts.normal[g] * depth, ghosts.face[g])];
+    if depth <= 0.0 {
+        return feet;
+    }
+    while feet.len() < MOST {
+        let mean = feet.iter().map(|(foot, _)| foot).sum::<Vector<D>>() / feet.len() as f64;
+        let Some(away) = (place - mean).try_normalize(1e-9 * depth) else {
+            break;
+        };
+        let seen = shape.closest(&(place + away * (PROBE * depth)));
+        let is_near = ((seen.point - place).norm() - depth).abs() < PROBE * depth;
+        let is_new = feet
+            .iter()
+            .all(|(foot, _)| (seen.point - foot).norm() > APART * depth);
+        if !(is_near && is_new) {
+            break;
+        }
+        feet.push((seen.point, seen.face));
+    }
+    feet
+}
