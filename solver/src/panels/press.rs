@@ -21,6 +21,9 @@ use crate::sides::closed::Map;
 /// hardly bends it is not made one.
 const FLAT: f64 = 0.02;
 
+/// Panels whose normal's cosine with that of the near side is below this are the far side of a thin part.
+const FAR_SIDE: f64 = -0.5;
+
 /// Pressure and Mach number on a panel.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Pressed {
@@ -44,8 +47,9 @@ struct Seen<const D: usize> {
 struct Presser<const D: usize> {
     position: Vector<D>,
     reach: f64,
-    /// `2 p V`.
-    even: f64,
+    pressure: f64,
+    /// Area in the plane.
+    volume: f64,
     mach: f64,
     /// Force of the walls on it, where its pair sums have been taken.
     force: Option<Vector<D>>,
@@ -58,81 +62,135 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     let seen = seen(flow, panels, reach);
     let places: Vec<Vector<D>> = seen.iter().map(|seen| seen.centre).collect();
     let grid = Pencils::new(&places, reach.max(flow.problem.spacing));
-    let met = |presser: &Presser<D>, visit: &mut dyn FnMut(&Seen<D>, f64)| {
+    let near = |presser: &Presser<D>| {
+        let mut met = Vec::new();
         let at = &presser.position;
         grid.for_each_run_near(at, at, presser.reach, |run| {
-            for &n in &grid.order()[run] {
-                let seen = &seen[n as usize];
-                let weight = seen.weight(presser);
-                if weight > 0.0 {
-                    visit(seen, weight);
-                }
-            }
+            let run = grid.order()[run].iter().map(|&n| &seen[n as usize]);
+            met.extend(run.filter_map(|seen| seen.met(presser)));
         });
+        part_sides(&mut met);
+        met
     };
-    let corrections: Vec<Option<Vector<D>>> = pressers
+    let ambient = ambient(&pressers, panels, &near);
+    let shares: Vec<Vec<Share>> = pressers
         .par_iter()
-        .map(|presser| correction(presser, |visit| met(presser, visit)))
+        .map(|presser| {
+            shares(presser, &near(presser), |number| {
+                ambient[panels.all()[number as usize].owner as usize]
+            })
+        })
         .collect();
     let mut sums = vec![[0.0; 3]; panels.all().len()];
-    for (presser, correction) in pressers.iter().zip(&corrections) {
-        let Some(correction) = correction else {
-            continue;
-        };
-        met(presser, &mut |seen, weight| {
-            let share = weight * (presser.even + seen.normal.dot(correction));
-            let sum = &mut sums[seen.number as usize];
-            sum[0] += share;
-            sum[1] += weight;
-            sum[2] += weight * presser.mach;
-        });
+    for (presser, shares) in pressers.iter().zip(&shares) {
+        for share in shares {
+            let sum = &mut sums[share.number as usize];
+            sum[0] += share.force;
+            sum[1] += share.weight;
+            sum[2] += share.weight * presser.mach;
+        }
     }
     let pressures = sums.iter().zip(panels.all());
     pressures
         .map(|(&[force, weight, mach], panel)| Pressed {
-            pressure: force / panel.size,
+            pressure: ambient[panel.owner as usize] + force / panel.size,
             mach: if weight > 0.0 { mach / weight } else { 0.0 },
         })
         .collect()
 }
 
+/// A panel within reach of a particle.
+#[derive(Clone, Copy, Debug)]
+struct Met<const D: usize> {
+    number: u32,
+    normal: Vector<D>,
+    /// Area times kernel.
+    weight: f64,
+    /// The particle is in front of it.
+    faces: bool,
+}
+
+/// What a particle presses a panel with, over what the body's mean pressure does.
+#[derive(Clone, Copy, Debug)]
+struct Share {
+    number: u32,
+    force: f64,
+    /// Nothing where the particle is behind it.
+    weight: f64,
+}
+
 impl<const D: usize> Seen<D> {
-    /// Area times kernel, of a panel that faces the particle.
-    fn weight(&self, presser: &Presser<D>) -> f64 {
+    /// None out of the kernel's reach.
+    fn met(&self, presser: &Presser<D>) -> Option<Met<D>> {
         let arm = presser.position - self.centre;
-        if arm.dot(&self.normal) <= 0.0 {
-            return 0.0;
-        }
-        self.size * QuinticSpline::<D>::value(arm.norm(), presser.reach / SUPPORT)
+        let kernel = QuinticSpline::<D>::value(arm.norm(), presser.reach / SUPPORT);
+        (kernel > 0.0).then_some(Met {
+            number: self.number,
+            normal: self.normal,
+            weight: self.size * kernel,
+            faces: arm.dot(&self.normal) > 0.0,
+        })
     }
 }
 
-/// What to add to `2 p V`, times the normal of each panel, for the force to be that of the pair sums; none for a particle that no
-/// panel is near.
-fn correction<const D: usize>(
-    presser: &Presser<D>,
-    each: impl FnOnce(&mut dyn FnMut(&Seen<D>, f64)),
-) -> Option<Vector<D>> {
-    let mut even = Vector::<D>::zeros();
-    let mut moment = Matrix::<D>::zeros();
-    each(&mut |seen, weight| {
-        even += seen.normal * weight;
-        moment += seen.normal * seen.normal.transpose() * weight;
-    });
-    let trace = moment.trace();
-    if trace == 0.0 {
-        return None;
+/// Leaves out the far side of thin parts, which the gas in front of the near side does not feel.
+fn part_sides<const D: usize>(met: &mut Vec<Met<D>>) {
+    let facing = met.iter().filter(|met| met.faces);
+    let mean: Vector<D> = facing.map(|met| met.normal * met.weight).sum();
+    if let Some(mean) = mean.try_normalize(0.0) {
+        met.retain(|met| met.faces || met.normal.dot(&mean) > FAR_SIDE);
     }
-    let Some(force) = presser.force else {
-        return Some(Vector::zeros());
+}
+
+/// Mean pressure in front of each body and wall side: on a closed body it presses with nothing, and what is no more than that is shown
+/// even at edges.
+fn ambient<const D: usize>(
+    pressers: &[Presser<D>],
+    panels: &Panels<D>,
+    near: &(impl Fn(&Presser<D>) -> Vec<Met<D>> + Sync),
+) -> Vec<f64> {
+    let owners = panels.all().iter().map(|panel| panel.owner as usize + 1);
+    let mut sums = vec![[0.0; 2]; owners.max().unwrap_or(0)];
+    let met: Vec<_> = pressers.par_iter().map(near).collect();
+    for (presser, met) in pressers.iter().zip(&met) {
+        for met in met.iter().filter(|met| met.faces) {
+            let sum = &mut sums[panels.all()[met.number as usize].owner as usize];
+            sum[0] += met.weight * presser.volume * presser.pressure;
+            sum[1] += met.weight * presser.volume;
+        }
+    }
+    let mean = |[pressure, weight]: [f64; 2]| if weight > 0.0 { pressure / weight } else { 0.0 };
+    sums.into_iter().map(mean).collect()
+}
+
+/// What a particle presses the panels near it with. Of the force of the pair sums, what an even pressure explains goes by the panels'
+/// own shares; the rest by the least squares.
+fn shares<const D: usize>(
+    presser: &Presser<D>,
+    met: &[Met<D>],
+    ambient: impl Fn(u32) -> f64,
+) -> Vec<Share> {
+    let twice = 2.0 * presser.volume;
+    let mut lacking = presser.force.unwrap_or_default();
+    let mut moment = Matrix::<D>::zeros();
+    for met in met {
+        lacking -= met.normal * (twice * presser.pressure * met.weight);
+        moment += met.normal * met.normal.transpose() * met.weight;
+    }
+    let stiffened = moment + Matrix::identity() * (FLAT * moment.trace());
+    let inverse = presser.force.and_then(|_| stiffened.try_inverse());
+    let correction = inverse.map_or_else(Vector::zeros, |inverse| {
+        // Twice, so that of what the walls can press nothing is lost [iterated regularisation: Engl 1987].
+        let first = inverse * lacking;
+        first + inverse * (lacking - moment * first)
+    });
+    let share = |met: &Met<D>| Share {
+        number: met.number,
+        force: met.weight
+            * (twice * (presser.pressure - ambient(met.number)) + met.normal.dot(&correction)),
+        weight: if met.faces { met.weight } else { 0.0 },
     };
-    let lacking = force - even * presser.even;
-    let stiffened = moment + Matrix::identity() * (FLAT * trace);
-    Some(
-        stiffened
-            .try_inverse()
-            .map_or_else(Vector::zeros, |inverse| inverse * lacking),
-    )
+    met.iter().map(share).collect()
 }
 
 /// All gas within reach of which panels may be, buffers too.
@@ -152,7 +210,8 @@ fn pressers<const D: usize>(flow: &Simulation<D>) -> Vec<Presser<D>> {
         Presser {
             position: particle.position,
             reach: SUPPORT * particle.smoothing_length,
-            even: 2.0 * pressure * mass / particle.density,
+            pressure,
+            volume: mass / particle.density,
             mach: if sound > 0.0 {
                 particle.velocity.norm() / sound
             } else {
