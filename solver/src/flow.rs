@@ -7,7 +7,7 @@ use crate::fixed::{FixedMemory, FixedSimulation, Settled};
 use crate::frame::{Frame, Load, PanelFrame, SurfaceFrame, Totals};
 use crate::method::Method;
 use crate::problem::Problem;
-use crate::{Failure, Memory, Simulation, Statistics};
+use crate::{Failure, Memory, Simulation, Statistics, compiled};
 
 /// A flow under way.
 #[derive(Debug)]
@@ -43,25 +43,15 @@ impl<const D: usize> Flow<D> {
     /// # Errors
     /// What its method cannot do.
     pub fn new(problem: Problem<D>) -> Result<Self, String> {
-        match problem.method {
-            Method::WithTheGas => Simulation::new(problem).map(|it| Self::WithTheGas(Box::new(it))),
-            Method::Fixed(_) => FixedSimulation::new(problem).map(|it| Self::Fixed(Box::new(it))),
-        }
+        compiled::start(problem)
     }
 
     /// Goes on from `memory`, which a flow of the same `problem` left.
     ///
     /// # Errors
     /// A memory of another problem.
-    pub fn resume(problem: Problem<D>, memory: FlowMemory<'_, D>) -> Result<Self, String> {
-        match memory {
-            FlowMemory::WithTheGas(memory) => {
-                Simulation::resume(problem, memory).map(|it| Self::WithTheGas(Box::new(it)))
-            }
-            FlowMemory::Fixed(memory) => {
-                FixedSimulation::resume(problem, memory).map(|it| Self::Fixed(Box::new(it)))
-            }
-        }
+    pub fn resume(problem: Problem<D>, memory: FlowMemory<'static, D>) -> Result<Self, String> {
+        compiled::resume(problem, memory)
     }
 
     /// What [`Self::resume`] needs to go on from here.
@@ -92,7 +82,7 @@ impl<const D: usize> Flow<D> {
     /// # Errors
     /// Where the state stops making sense; the flow then stands at its last good state.
     pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
-        of_either!(self, flow => flow.step(limit))
+        compiled::step(self, limit)
     }
 
     /// One iteration towards the steady flow, of points that stay; particles have none.
@@ -100,25 +90,22 @@ impl<const D: usize> Flow<D> {
     /// # Errors
     /// As of [`Self::step`].
     pub fn settle_step(&mut self) -> Option<Result<Settled, Failure>> {
-        match self {
-            Self::WithTheGas(_) => None,
-            Self::Fixed(flow) => Some(flow.settle_step()),
-        }
+        compiled::settle_step(self)
     }
 
     /// All that carries gas now, with ghosts and buffers.
     pub fn frame(&self) -> Frame {
-        of_either!(self, flow => flow.frame())
+        compiled::frame(self)
     }
 
     /// The same within a box.
     pub fn frame_within(&self, region: &Bounds<D>) -> Frame {
-        of_either!(self, flow => flow.frame_within(region))
+        compiled::frame_within(self, region)
     }
 
     /// State on the bodies' surfaces now.
     pub fn surface(&self) -> SurfaceFrame {
-        of_either!(self, flow => flow.surface())
+        compiled::surface(self)
     }
 
     /// The surfaces themselves with the pressure on them now.
@@ -133,12 +120,12 @@ impl<const D: usize> Flow<D> {
 
     /// Loads on bodies, then on wall sides.
     pub fn loads(&self) -> Vec<Load> {
-        of_either!(self, flow => flow.loads())
+        compiled::loads(self)
     }
 
     /// Conserved totals of the gas now.
     pub fn totals(&self) -> Totals {
-        of_either!(self, flow => flow.totals())
+        compiled::totals(self)
     }
 
     /// What came in through sides and walls so far.
@@ -153,6 +140,62 @@ impl<const D: usize> Flow<D> {
 
     /// Counts and extremes.
     pub fn statistics(&self) -> Statistics {
+        compiled::statistics(self)
+    }
+}
+
+/// The same work, for this crate to compile.
+impl<const D: usize> Flow<D> {
+    pub(crate) fn start(problem: Problem<D>) -> Result<Self, String> {
+        match problem.method {
+            Method::WithTheGas => Simulation::new(problem).map(|it| Self::WithTheGas(Box::new(it))),
+            Method::Fixed(_) => FixedSimulation::new(problem).map(|it| Self::Fixed(Box::new(it))),
+        }
+    }
+
+    pub(crate) fn go_on(problem: Problem<D>, memory: FlowMemory<'_, D>) -> Result<Self, String> {
+        match memory {
+            FlowMemory::WithTheGas(memory) => {
+                Simulation::resume(problem, memory).map(|it| Self::WithTheGas(Box::new(it)))
+            }
+            FlowMemory::Fixed(memory) => {
+                FixedSimulation::resume(problem, memory).map(|it| Self::Fixed(Box::new(it)))
+            }
+        }
+    }
+
+    pub(crate) fn advance(&mut self, limit: f64) -> Result<f64, Failure> {
+        of_either!(self, flow => flow.step(limit))
+    }
+
+    pub(crate) fn settle(&mut self) -> Option<Result<Settled, Failure>> {
+        match self {
+            Self::WithTheGas(_) => None,
+            Self::Fixed(flow) => Some(flow.settle_step()),
+        }
+    }
+
+    pub(crate) fn all_shown(&self) -> Frame {
+        of_either!(self, flow => flow.frame())
+    }
+
+    pub(crate) fn shown_within(&self, region: &Bounds<D>) -> Frame {
+        of_either!(self, flow => flow.frame_within(region))
+    }
+
+    pub(crate) fn surface_shown(&self) -> SurfaceFrame {
+        of_either!(self, flow => flow.surface())
+    }
+
+    pub(crate) fn loads_summed(&self) -> Vec<Load> {
+        of_either!(self, flow => flow.loads())
+    }
+
+    pub(crate) fn totals_summed(&self) -> Totals {
+        of_either!(self, flow => flow.totals())
+    }
+
+    pub(crate) fn counted(&self) -> Statistics {
         of_either!(self, flow => flow.statistics())
     }
 }
