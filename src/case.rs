@@ -36,12 +36,26 @@ impl AnyCase {
 }
 
 fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let of_body = |body: &Body<D>| {
-        let lines = body.report.repairs.iter().chain(&body.report.warnings);
+    let repaired = |body: &Body<D>| {
         let remark = |line: &String| format!("body `{}`: {line}", body.name);
-        lines.map(remark).collect::<Vec<_>>()
+        body.report.repairs.iter().map(remark).collect::<Vec<_>>()
     };
-    case.problem.bodies.iter().flat_map(of_body).collect()
+    let bodies = &case.problem.bodies;
+    let noted = case.plan.warnings.clone();
+    let warnings = noted.unwrap_or_else(|| warnings(bodies)).into_iter();
+    let repairs = bodies.iter().flat_map(repaired);
+    repairs
+        .chain(warnings.map(|warning| format!("warning: {warning}")))
+        .collect()
+}
+
+/// What the user should know about the packing of bodies.
+pub fn warnings<const D: usize>(bodies: &[Body<D>]) -> Vec<String> {
+    let of_body = |body: &Body<D>| {
+        let warning = |line: &String| format!("body `{}`: {line}", body.name);
+        body.report.warnings.iter().map(warning).collect::<Vec<_>>()
+    };
+    bodies.iter().flat_map(of_body).collect()
 }
 
 /// How a problem is run.
@@ -55,6 +69,8 @@ pub struct RunPlan<const D: usize> {
     pub stop: Stop,
     /// Degrees at which the stream meets the axes of the bodies, where the scene states them.
     pub incidence: Option<f64>,
+    /// What the user should know, where the case has been checked.
+    pub warnings: Option<Vec<String>>,
     /// When to write what.
     pub output: OutputPlan<D>,
 }

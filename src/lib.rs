@@ -4,6 +4,7 @@
 //! nowhere above. The command line, the comparisons and the charts stand on it.
 
 pub mod case;
+pub mod check;
 pub mod output;
 pub mod pack;
 pub mod run;

@@ -7,7 +7,7 @@ use aero_geometry::Bounds;
 
 use crate::fixed::Settled;
 use crate::flow::{Flow, FlowMemory};
-use crate::frame::{Frame, Load, SurfaceFrame, Totals};
+use crate::frame::{Frame, Load, PanelFrame, SurfaceFrame, Totals};
 use crate::problem::Problem;
 use crate::{Failure, Statistics};
 
@@ -85,6 +85,10 @@ compiled! {
     fn frame_within(seen flow: &Flow<D>, seen region: &Bounds<D>) -> Frame = Flow::shown_within;
     /// See [`Flow::surface`].
     fn surface(seen flow: &Flow<D>) -> SurfaceFrame = Flow::surface_shown;
+    /// See [`Flow::panels`].
+    fn panels(seen flow: &Flow<D>) -> PanelFrame = Flow::panels_shown;
+    /// See [`Flow::uniform_loads`].
+    fn uniform_loads(seen flow: &Flow<D>) -> Vec<Load> = Flow::uniform_loads_summed;
     /// See [`Flow::loads`].
     fn loads(seen flow: &Flow<D>) -> Vec<Load> = Flow::loads_summed;
     /// See [`Flow::totals`].

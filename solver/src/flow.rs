@@ -110,12 +110,12 @@ impl<const D: usize> Flow<D> {
 
     /// The surfaces themselves with the pressure on them now.
     pub fn panels(&self) -> PanelFrame {
-        of_either!(self, flow => flow.panels())
+        compiled::panels(self)
     }
 
     /// Loads of a pressure of one everywhere, on bodies, then on wall sides: nothing on what is closed.
     pub fn uniform_loads(&self) -> Vec<Load> {
-        of_either!(self, flow => flow.uniform_loads())
+        compiled::uniform_loads(self)
     }
 
     /// Loads on bodies, then on wall sides.
@@ -185,6 +185,14 @@ impl<const D: usize> Flow<D> {
 
     pub(crate) fn surface_shown(&self) -> SurfaceFrame {
         of_either!(self, flow => flow.surface())
+    }
+
+    pub(crate) fn panels_shown(&self) -> PanelFrame {
+        of_either!(self, flow => flow.panels())
+    }
+
+    pub(crate) fn uniform_loads_summed(&self) -> Vec<Load> {
+        of_either!(self, flow => flow.uniform_loads())
     }
 
     pub(crate) fn loads_summed(&self) -> Vec<Load> {

@@ -52,7 +52,7 @@ pub mod method;
 mod neighbourhood;
 mod neighbours;
 mod pairs;
-mod panels;
+pub mod panels;
 mod particles;
 mod passes;
 pub mod problem;

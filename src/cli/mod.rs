@@ -1,6 +1,7 @@
 //! What can be typed, and what becomes of it.
 
 mod chart;
+mod check;
 mod error;
 mod interrupt;
 mod pack;
@@ -24,6 +25,8 @@ pub struct Cli {
 enum Command {
     /// Pack ghost particles into a body or into all bodies of a scene
     Pack(pack::PackArgs),
+    /// Say what a scene is, what it costs and what is wrong with it
+    Check(check::CheckArgs),
     /// Run a scene
     Run(run::RunArgs),
     /// Compare cases with theory
@@ -37,6 +40,7 @@ impl Cli {
     pub fn run(self) -> Result<(), CommandError> {
         match self.command {
             Command::Pack(args) => pack::pack(&args),
+            Command::Check(args) => check::check(&args),
             Command::Run(args) => run::run(&args),
             Command::Validate(args) => validate::validate(&args),
             Command::Chart(args) => chart::chart(&args),

@@ -63,6 +63,7 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     };
     on_threads(args.threads, || {
         let case = scene.build_any().map_err(CommandError::wrong)?;
+        let case = case.checked().map_err(CommandError::wrong)?;
         run_case(case, destination, stopwatch)
     })
 }
@@ -133,6 +134,9 @@ fn lines(summary: &Summary, out: &Path) -> String {
     );
     for (name, body) in &summary.bodies {
         text.push_str(&loads(name, body));
+    }
+    for line in &summary.warnings {
+        let _ = writeln!(text, "warning: {line}");
     }
     let _ = writeln!(text, "results in `{}`", out.display());
     text

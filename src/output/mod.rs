@@ -3,6 +3,7 @@
 
 mod atomic;
 mod background;
+mod check_picture;
 mod checkpoint;
 mod error;
 mod ghosts;
@@ -18,6 +19,7 @@ mod vtp;
 
 pub use atomic::write_json;
 pub use background::Background;
+pub use check_picture::draw_scene;
 pub use checkpoint::{
     CHECKPOINT, CheckpointError, checkpoint_bytes, read_checkpoint, remove_checkpoint,
     write_checkpoint,

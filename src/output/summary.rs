@@ -53,6 +53,8 @@ pub struct Summary {
     pub min_density: f64,
     /// Smallest specific internal energy met.
     pub min_energy: f64,
+    /// What the user should know.
+    pub warnings: Vec<String>,
 }
 
 /// Numbers of particles.

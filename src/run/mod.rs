@@ -1,6 +1,7 @@
 //! Drives a run from its start to its end: when frames are due, what is recorded, what is summed
 //! up. Knows neither the equations nor the formats of the files.
 
+mod burst;
 mod checkpoint;
 mod coefficients;
 mod error;
@@ -14,6 +15,7 @@ mod tally;
 mod to_folder;
 mod under_way;
 
+pub use burst::{Burst, burst};
 pub use error::RunError;
 pub use outcome::{History, Keep, Outcome, run_in_memory};
 pub use progress::Progress;

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use crate::case::{Pressure, RunPlan};
+use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_solver::Flow;
 use aero_solver::frame::{Load, Totals};
@@ -24,6 +24,7 @@ pub(super) struct Tally {
     cpu_before: f64,
     mean_from: f64,
     coefficients: Coefficients,
+    warnings: Option<Vec<String>>,
     sums: Sums,
 }
 
@@ -82,6 +83,7 @@ impl Tally {
             cpu_before: stopwatch.cpu_seconds(),
             mean_from: (1.0 - MEAN_PART) * plan.end_time,
             coefficients: Coefficients::new(plan, simulation),
+            warnings: plan.warnings.clone(),
             sums,
         }
     }
@@ -190,6 +192,10 @@ impl Tally {
             mirror_fallbacks: statistics.mirror_fallbacks,
             min_density: statistics.min_density,
             min_energy: statistics.min_energy,
+            warnings: self
+                .warnings
+                .clone()
+                .unwrap_or_else(|| warnings(&problem.bodies)),
         }
     }
 

@@ -198,6 +198,7 @@ impl Scene {
                 end_time: file.end_time.get(),
                 stop,
                 incidence: incidence(file),
+                warnings: None,
                 output,
             },
         })

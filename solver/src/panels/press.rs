@@ -171,7 +171,7 @@ fn shares<const D: usize>(
     ambient: impl Fn(u32) -> f64,
 ) -> Vec<Share> {
     let twice = 2.0 * presser.volume;
-    let mut lacking = presser.force.unwrap_or_default();
+    let mut lacking = presser.force.unwrap_or_else(Vector::zeros);
     let mut moment = Matrix::<D>::zeros();
     for met in met {
         lacking -= met.normal * (twice * presser.pressure * met.weight);

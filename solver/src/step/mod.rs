@@ -13,7 +13,7 @@ use super::particles::Particles;
 use super::problem::Problem;
 use super::scheme::{Density, Integrator};
 use super::sides::{Buffers, closed};
-use super::walls::{Walls, loads};
+use super::walls::{Walls, loads, rebound};
 use stages::Senseless;
 
 pub use clock::Clock;
@@ -74,6 +74,9 @@ impl<const D: usize> Simulation<D> {
         } = self;
         walls.update_smoothing_lengths();
         let times = clock.go_on(step, limit);
+        if is_leapfrog {
+            rebound(problem, times[1], fluid, walls, books);
+        }
         buffers.exchange(problem, times, fluid, books);
         closed::bring_back(&problem.domain, fluid);
         books.extremes.updates += fluid.len() as u64;

@@ -11,6 +11,7 @@ mod joints;
 pub mod loads;
 mod mirror;
 mod plane;
+mod rebound;
 mod ridges;
 mod rigid;
 mod setup;
@@ -20,6 +21,7 @@ pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
 pub use curvature::{shape_operator, tangents};
 pub use ghost::Ghost;
 pub use plane::wall_sides;
+pub use rebound::rebound;
 pub use ridges::part as part_ridges;
 pub use rigid::{Pose, pad};
 

@@ -1,0 +1,75 @@
+//! Panels: they cover the surface, gas at rest presses them with its pressure, and what they show adds up to the loads.
+
+use aero_geometry::{Placed, Placement, Shape, bodies};
+use nalgebra::Vector3;
+
+use super::seam::body_on_the_lattice;
+use super::*;
+
+fn boxed(shape: impl Shape<2> + 'static, at: [f64; 2]) -> Problem<2> {
+    let mut problem = cube::<2>(30, WALL);
+    let place = Placement::default().moved(Vector::from(at));
+    let body = body_on_the_lattice(&problem, Arc::new(Placed::new(shape, place)));
+    problem.bodies.push(body);
+    problem
+}
+
+/// Sum of `-pressure area normal` over a body.
+fn integral(simulation: &Simulation<2>, body: u32) -> Vector3<f64> {
+    let shown = simulation.panels();
+    let mut force = Vector3::zeros();
+    for n in (0..shown.body.len()).filter(|&n| shown.body[n] == body) {
+        force -= Vector3::from(shown.normal[n]) * (shown.pressure[n] * shown.area[n]);
+    }
+    force
+}
+
+#[test]
+fn gas_at_rest_presses_every_panel_with_its_pressure() {
+    let square = bodies::rectangle(0.8, 0.8, 0.0).expect("a square");
+    let shown = start(boxed(square, [1.5, 1.5])).panels();
+    assert!(shown.body.len() > 4 * 30 + 4 * 8);
+    for (n, pressure) in shown.pressure.iter().enumerate() {
+        let place = shown.points[2 * n];
+        assert!((pressure - 1.0).abs() < 0.02, "{pressure} at {place:?}");
+    }
+    let length: f64 = shown
+        .area
+        .iter()
+        .zip(&shown.body)
+        .filter(|(_, b)| **b == 0)
+        .map(|(a, _)| a)
+        .sum();
+    assert!((length - 3.2).abs() < 1e-12, "{length}");
+}
+
+#[test]
+fn what_panels_show_adds_up_to_the_load() {
+    let square = bodies::rectangle(0.8, 0.8, 0.0).expect("a square");
+    let mut problem = boxed(square, [1.5, 1.5]);
+    problem.initial = Initial::Field(Field(Arc::new(|position: &Vector<2>| State {
+        density: 1.4,
+        velocity: Vector::<2>::new(0.4, 0.1),
+        pressure: 1.0 + 0.3 * position[0] + 0.2 * position[1],
+    })));
+    let mut simulation = start(problem);
+    advance(&mut simulation, 10);
+    let load = Vector3::from(simulation.loads()[0].force);
+    let shown = integral(&simulation, 0);
+    let error = (shown - load).norm() / load.norm();
+    assert!(error < 0.01, "{shown:?} {load:?}");
+}
+
+#[test]
+fn a_pressure_of_one_presses_a_closed_body_with_nothing() {
+    let disc = bodies::circle(0.5).expect("a disc");
+    let simulation = start(boxed(disc, [1.4, 1.6]));
+    let loads = simulation.uniform_loads();
+    assert!(
+        loads[0].force.iter().all(|f| f.abs() < 1e-12),
+        "{:?}",
+        loads[0]
+    );
+    // The lower x side is pressed to the left, all along its 3 metres.
+    assert!((loads[1].force[0] + 3.0).abs() < 1e-12, "{:?}", loads[1]);
+}

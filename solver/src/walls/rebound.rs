@@ -1,0 +1,134 @@
+//! Gas that a step has carried through the surface of a wall, as a shock in the first moments of a run may: it comes back as off a
+//! mirror, no deeper than it went, and no longer moves into the wall. Ghosts alone press it out too, but slowly, and out of a hollow
+//! in three dimensions some of it never.
+
+use aero_geometry::Vector;
+use rayon::prelude::*;
+
+use super::{Pose, Walls, wall_sides};
+use crate::books::Books;
+use crate::frame::Totals;
+use crate::particles::{Columns, Particle, Particles};
+use crate::problem::Problem;
+
+/// What lies deeper than this, in spacings, has not come there in a step: it is left to be told as a leak.
+const DEEPEST: f64 = 2.0;
+
+/// Walls that meet may each send a particle into the other.
+const TRIES: usize = 3;
+
+/// Where a wall is above a particle that is in it.
+struct Hit<const D: usize> {
+    normal: Vector<D>,
+    depth: f64,
+    /// Where it comes back to.
+    to: Vector<D>,
+    velocity: Vector<D>,
+}
+
+/// Brings the gas that is in walls at `time`, the end of a step, back, and books the impulse. The columns still hold the step.
+pub fn rebound<const D: usize>(
+    problem: &Problem<D>,
+    time: f64,
+    fluid: &mut Particles<D>,
+    walls: &Walls<D>,
+    books: &mut Books,
+) {
+    if walls.body_count() == 0 {
+        return;
+    }
+    let poses: Vec<Pose<D>> = (0..walls.body_count())
+        .map(|number| walls.pose(number, time))
+        .collect();
+    let sides = wall_sides(&problem.domain);
+    let hit = |position: &Vector<D>, before: &Vector<D>| {
+        let bodies = problem.bodies.iter().zip(&poses);
+        let mut hits = bodies.filter_map(|(body, pose)| {
+            let origin = pose.origin(position);
+            if !body.shape.bounds().contains(&origin) {
+                return None;
+            }
+            let mut seen = body.shape.closest(&origin);
+            if seen.distance >= 0.0 {
+                return None;
+            }
+            let mut to = seen.point - seen.normal * seen.distance;
+            let from = pose.origin(before);
+            if (from - seen.point).dot(&seen.normal) < 0.0 {
+                // The near face of a thin part may be the far one by now.
+                let start = body.shape.closest(&from);
+                if start.distance >= 0.0 {
+                    to = from;
+                    seen.normal = start.normal;
+                }
+            }
+            Some(Hit {
+                normal: pose.direction(&seen.normal),
+                depth: -seen.distance,
+                to: pose.position(&to),
+                velocity: pose.velocity(position),
+            })
+        });
+        let of_sides = || {
+            let sides = sides.iter().zip(&poses[problem.bodies.len()..]);
+            let mut hits = sides.filter_map(|(&(axis, end), pose)| {
+                let inward = [1.0, -1.0][end];
+                let origin = pose.origin(position)[axis];
+                let depth = inward * (problem.domain.face(axis, end) - origin);
+                let mut normal = Vector::zeros();
+                normal[axis] = inward;
+                (depth > 0.0).then(|| Hit {
+                    normal,
+                    depth,
+                    to: position + normal * (2.0 * depth),
+                    velocity: pose.velocity(position),
+                })
+            });
+            hits.next()
+        };
+        hits.next().or_else(of_sides)
+    };
+    let Columns {
+        state,
+        saved,
+        rates,
+        ..
+    } = fluid.columns();
+    let changes: Vec<Option<Particle<D>>> = state
+        .par_iter()
+        .zip(saved)
+        .zip(&*rates)
+        .map(|((particle, before), rates)| {
+            // Only what walls press can be in one.
+            if rates.wall_acceleration.norm_squared() == 0.0 {
+                return None;
+            }
+            let mut back = *particle;
+            for _ in 0..TRIES {
+                let Some(hit) = hit(&back.position, &before.position) else {
+                    break;
+                };
+                if hit.depth > DEEPEST * problem.spacing {
+                    return None;
+                }
+                back.position = hit.to;
+                let inward = (back.velocity - hit.velocity).dot(&hit.normal).min(0.0);
+                back.velocity -= hit.normal * (2.0 * inward);
+                let inward = back.by_pressure.acceleration.dot(&hit.normal).min(0.0);
+                back.by_pressure.acceleration -= hit.normal * (2.0 * inward);
+            }
+            (back.position != particle.position).then_some(back)
+        })
+        .collect();
+    let mut received = Totals::default();
+    for (particle, back) in state.iter_mut().zip(changes) {
+        let Some(back) = back else { continue };
+        let kinetic = 0.5 * (back.velocity.norm_squared() - particle.velocity.norm_squared());
+        received.energy += particle.mass * kinetic;
+        for k in 0..D {
+            received.momentum[k] += particle.mass * (back.velocity[k] - particle.velocity[k]);
+        }
+        *particle = back;
+    }
+    books.receive(&received);
+}

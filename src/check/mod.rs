@@ -1,0 +1,82 @@
+//! Looks at a case before it runs: what cannot work is refused with the mend, what may go wrong is told. Packs nothing and runs
+//! nothing; `aero run` asks it first, `aero check` prints it.
+
+mod contact;
+mod describe;
+mod pockets;
+mod shock;
+mod sides;
+
+use std::collections::BTreeSet;
+
+use aero_geometry::Vector;
+use aero_solver::panels::Panels;
+
+use crate::case::{AnyCase, Case, warnings};
+
+/// What was found.
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
+pub struct Check {
+    /// What cannot work.
+    pub refusals: Vec<String>,
+    /// What the user should know, that of the packing first.
+    pub warnings: Vec<String>,
+}
+
+impl AnyCase {
+    /// What cannot work and what may not.
+    pub fn check(&self) -> Check {
+        match self {
+            Self::One(case) => check(case),
+            Self::Two(case) => check(case),
+            Self::Three(case) => check(case),
+        }
+    }
+
+    /// The case with its warnings noted.
+    ///
+    /// # Errors
+    /// All that cannot work, a line each.
+    pub fn checked(mut self) -> Result<Self, String> {
+        let found = self.check();
+        if !found.refusals.is_empty() {
+            return Err(found.refusals.join("\n"));
+        }
+        let plan_warnings = match &mut self {
+            Self::One(case) => &mut case.plan.warnings,
+            Self::Two(case) => &mut case.plan.warnings,
+            Self::Three(case) => &mut case.plan.warnings,
+        };
+        *plan_warnings = Some(found.warnings);
+        Ok(self)
+    }
+}
+
+/// What cannot work in `case` and what may not.
+pub fn check<const D: usize>(case: &Case<D>) -> Check {
+    let problem = &case.problem;
+    let panels = Panels::new(problem);
+    let mut found = Check {
+        refusals: Vec::new(),
+        warnings: warnings(&problem.bodies),
+    };
+    sides::look(problem, &panels, &mut found);
+    contact::look(problem, &mut found);
+    pockets::look(problem, &mut found);
+    found.warnings.extend(shock::look(problem, &panels));
+    // Many panels say the same.
+    let mut said = BTreeSet::new();
+    found.refusals.retain(|line| said.insert(line.clone()));
+    found
+}
+
+/// A point, for people.
+fn place<const D: usize>(point: &Vector<D>) -> String {
+    let numbers: Vec<String> = point.iter().map(|x| format!("{x:.4}")).collect();
+    format!("({})", numbers.join(", "))
+}
+
+/// The name of a side.
+fn side_name(axis: usize, end: usize) -> String {
+    format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end])
+}

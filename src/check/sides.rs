@@ -1,0 +1,106 @@
+//! Bodies and the sides of the domain: ends in buffers, free-stream sides that are crossed, sides that are near.
+
+use aero_geometry::Vector;
+use aero_solver::layers::BUFFER;
+use aero_solver::panels::{Panel, Panels};
+use aero_solver::problem::{Problem, Side};
+
+use super::{Check, place, side_name};
+
+/// A wall that faces out of the domain by this cosine ends there.
+const OUTWARD: f64 = 0.7;
+
+/// Beyond a side by less than this, in spacings, is on it.
+const ON_IT: f64 = 0.25;
+
+/// A free stream that crosses a side by less than this part of its speed goes along it.
+const ALONG: f64 = 0.1;
+
+/// A body nearer to an open side than the kernel reaches, in spacings, has less gas beside it than it feels.
+const NEAR: f64 = 5.0;
+
+/// A gap to a closed side that is narrower than this, in spacings, holds too few particles to flow.
+const NARROW: f64 = 2.0;
+
+/// Looks at each body and each side.
+pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, found: &mut Check) {
+    let domain = &problem.domain;
+    let spacing = problem.spacing;
+    let speed = problem.free_stream.velocity.norm();
+    for (number, body) in problem.bodies.iter().enumerate() {
+        let own: Vec<&Panel<D>> = panels
+            .all()
+            .iter()
+            .filter(|panel| panel.owner as usize == number)
+            .collect();
+        if body.motion.is_moving() {
+            continue;
+        }
+        for (axis, end, side, face) in domain.each_side() {
+            let name = side_name(axis, end);
+            let depth = |point: &Vector<D>| [face - point[axis], point[axis] - face][end];
+            let meets_gas = |panel: &Panel<D>| {
+                let others = domain.each_side().filter(|(k, ..)| *k != axis);
+                let mut beyond = others.filter(|(k, e, ..)| {
+                    let x = panel.centre[*k];
+                    [x < domain.face(*k, 0), x > domain.face(*k, 1)][*e]
+                });
+                beyond.all(|(_, _, side, _)| side.is_open())
+            };
+            let past = own
+                .iter()
+                .filter(|panel| depth(&panel.centre) > ON_IT * spacing && meets_gas(panel));
+            let past: Vec<_> = past.collect();
+            let crosses_along = side == Side::FreeStream
+                && problem.free_stream.velocity[axis].abs() < ALONG * speed;
+            if let (true, Some(panel)) = (crosses_along, past.first()) {
+                found.refusals.push(format!(
+                    "body `{}`: passes through the free-stream side `{name}`, near {}: the stream beyond \
+                     would flow through it; move the side away from the body, or make it symmetry, wall or body",
+                    body.name,
+                    place(&panel.centre)
+                ));
+                continue;
+            }
+            let ends = past
+                .iter()
+                .find(|panel| side.is_open() && [-1.0, 1.0][end] * panel.normal[axis] > OUTWARD);
+            if let Some(panel) = ends {
+                let clear = face + [-1.0, 1.0][end] * (BUFFER as f64 + 1.0) * spacing;
+                found.refusals.push(format!(
+                    "body `{}`: ends inside the buffer of side `{name}`, near {}: gas would leak around its end; \
+                     carry it on past {} = {clear:.4}, or let it end inside the domain",
+                    body.name,
+                    place(&panel.centre),
+                    ["x", "y", "z"][axis],
+                ));
+                continue;
+            }
+            if !past.is_empty() || (side == Side::Body) || side.is_periodic() {
+                continue;
+            }
+            let inside = own
+                .iter()
+                .filter(|panel| domain.bounds.contains(&panel.centre));
+            let nearest = inside
+                .filter(|panel| [-1.0, 1.0][end] * panel.normal[axis] > 0.0)
+                .map(|panel| -depth(&panel.centre))
+                .fold(f64::INFINITY, f64::min);
+            let gap = nearest / spacing;
+            if side.is_open() && gap < NEAR {
+                found.warnings.push(format!(
+                    "body `{}`: is {gap:.1} spacings from the side `{name}`, nearer than a particle feels; \
+                     move the side away",
+                    body.name
+                ));
+            } else if !side.is_open() && ON_IT < gap && gap < NARROW {
+                found.warnings.push(format!(
+                    "body `{}`: leaves a gap of {gap:.1} spacings to the side `{name}`, too narrow for gas to flow; \
+                     close it or take a spacing of {:.3e}",
+                    body.name,
+                    nearest / (2.0 * NARROW)
+                ));
+            }
+        }
+    }
+}

@@ -1,0 +1,149 @@
+//! `aero check`, and what `aero run` refuses before it starts.
+
+mod support;
+
+use support::Workplace;
+
+/// A plane scene in a stream at Mach 2 with these bodies.
+fn scene(sides: &str, bodies: &str) -> String {
+    format!(
+        r#"
+dimension = 2
+spacing = 0.05
+end_time = 0.1
+
+[free_stream]
+mach = 2.0
+density = 1.4
+pressure = 1.0
+
+[domain]
+min = [-1.0, 0.0]
+max = [1.0, 1.0]
+
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+{sides}
+
+{bodies}
+"#
+    )
+}
+
+const ON_A_WALL: &str = "y_min = \"wall\"\ny_max = \"free-stream\"";
+const CLOSED_BY_A_BODY: &str = "y_min = \"body\"\ny_max = \"free-stream\"";
+
+fn block(name: &str, [x0, x1]: [f64; 2], [y0, y1]: [f64; 2]) -> String {
+    format!(
+        "[[body]]\nname = \"{name}\"\nshape = {{ rectangle = {{ width = {}, height = {} }} }}\nplace = {{ translate = [{}, {}] }}\n",
+        x1 - x0,
+        y1 - y0,
+        0.5 * (x0 + x1),
+        0.5 * (y0 + y1)
+    )
+}
+
+/// What both commands say of a scene that they refuse.
+fn refusal(text: &str) -> String {
+    let place = Workplace::new();
+    place.write("scene.toml", text);
+    let said = ["check", "run"].map(|command| {
+        let answer = place.aero(&[command, "scene.toml"]);
+        answer.refuses(&[]);
+        answer.err
+    });
+    assert_eq!(said[0], said[1]);
+    said[0].clone()
+}
+
+#[test]
+fn a_wall_that_ends_in_a_buffer_is_refused_with_the_mend() {
+    let floor = block("floor", [-3.0, 1.1], [-0.5, 0.2]);
+    let said = refusal(&scene(CLOSED_BY_A_BODY, &floor));
+    assert!(
+        said.contains("body `floor`: ends inside the buffer of side `x_max`"),
+        "{said}"
+    );
+    assert!(said.contains("carry it on past x = 1.35"), "{said}");
+}
+
+#[test]
+fn a_body_through_a_free_stream_side_is_refused() {
+    let pillar = block("pillar", [0.0, 0.2], [0.5, 1.2]);
+    let said = refusal(&scene(ON_A_WALL, &pillar));
+    assert!(
+        said.contains("passes through the free-stream side `y_max`"),
+        "{said}"
+    );
+}
+
+#[test]
+fn gas_that_bodies_enclose_is_refused() {
+    let walls = [
+        block("left", [-0.4, -0.2], [-0.1, 0.5]),
+        block("right", [0.2, 0.4], [-0.1, 0.5]),
+        block("lid", [-0.4, 0.4], [0.45, 0.6]),
+    ];
+    let said = refusal(&scene(ON_A_WALL, &walls.concat()));
+    assert!(said.contains("enclose gas near"), "{said}");
+}
+
+#[test]
+fn moving_bodies_that_pass_through_one_another_are_refused() {
+    let moving = block("second", [0.1, 0.4], [0.3, 0.6]) + "motion = { velocity = [0.1, 0.0] }\n";
+    let bodies = block("first", [-0.1, 0.2], [0.3, 0.6]) + &moving;
+    let said = refusal(&scene(ON_A_WALL, &bodies));
+    assert!(
+        said.contains("bodies `first` and `second`: pass through one another"),
+        "{said}"
+    );
+}
+
+#[test]
+fn a_check_tells_sides_bodies_and_cost_and_draws_a_picture() {
+    let place = Workplace::new();
+    let boxes = block("step", [0.0, 0.3], [-0.2, 0.3]);
+    place.write("scene.toml", &scene(ON_A_WALL, &boxes));
+    let answer = place.aero(&["check", "scene.toml", "--seconds", "0.05"]);
+    answer.succeeds();
+    let said = answer.out;
+    for words in [
+        "side x_min at -1: the free stream comes in",
+        "touches side y_min",
+        "minutes",
+        "particles",
+    ] {
+        assert!(said.contains(words), "`{words}` is missing in {said}");
+    }
+    let picture = std::fs::read(place.path("out/scene/check.png")).unwrap();
+    assert!(picture.len() > 1000);
+}
+
+#[test]
+fn warnings_are_the_same_in_the_check_the_run_and_the_summary() {
+    let place = Workplace::new();
+    let near = block("near", [-0.7, -0.2], [0.3, 0.7]);
+    place.write("scene.toml", &scene(ON_A_WALL, &near));
+    let checked = place.aero(&["check", "scene.toml", "--seconds", "0.05"]);
+    let ran = place.aero(&["run", "scene.toml"]);
+    checked.succeeds();
+    ran.succeeds();
+    let (checked, ran) = (checked.out, ran.out);
+    let summary = place.json("out/scene/summary.json");
+    let warnings = summary["warnings"].as_array().unwrap();
+    assert!(!warnings.is_empty());
+    for warning in warnings {
+        let warning = warning.as_str().unwrap();
+        assert!(
+            checked.contains(warning) && ran.contains(warning),
+            "{warning}"
+        );
+    }
+    let said = warnings.iter().any(|w| {
+        w.as_str()
+            .unwrap()
+            .contains("its shock may reach the inlet")
+    });
+    assert!(said, "{warnings:?}");
+}
