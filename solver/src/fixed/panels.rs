@@ -10,7 +10,8 @@ use super::gas::Gas;
 use super::state::dot;
 use crate::frame::{Load, PanelFrame};
 use crate::panels::{Panels, Pressed};
-use crate::walls::{Motion, Pose};
+use crate::problem::Motion;
+use crate::walls::rigid::Pose;
 
 /// Part of the spacing that a panel looks about, at first.
 const LOOK: f64 = 0.25;

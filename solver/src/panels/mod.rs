@@ -11,9 +11,9 @@ pub use press::Pressed;
 use aero_geometry::{Bounds, Vector};
 
 use crate::layers::BUFFER;
-use crate::problem::{Domain, Problem};
-use crate::sides::Side;
-use crate::walls::{pad, wall_sides};
+use crate::problem::{Domain, Problem, Side};
+use crate::walls::rigid::pad;
+use crate::walls::wall_sides;
 use cut::{clipped, halved};
 
 /// No panel is longer than this, in spacings of the flow.

@@ -12,9 +12,9 @@ use rayon::prelude::*;
 
 use super::Panels;
 use crate::Simulation;
+use crate::problem::Domain;
 use crate::records::Matrix;
 use crate::rings::Rings;
-use crate::sides::Domain;
 use crate::sides::closed::Map;
 
 /// What of the panels' spread of directions counts as none: the part of a force along a flat wall is no pressure, and on one that

@@ -8,7 +8,7 @@ use crate::Simulation;
 use crate::frame::{Load, PanelFrame};
 use crate::problem::Problem;
 use crate::rings::Rings;
-use crate::walls::{Pose, pad};
+use crate::walls::rigid::{Pose, pad};
 
 impl<const D: usize> Simulation<D> {
     /// The surfaces that the domain holds with the pressure on them now, bodies in scene order and wall sides after.

@@ -8,7 +8,8 @@ use crate::frame::Load;
 use crate::problem::Problem;
 use crate::rings::Rings;
 use crate::sides::closed::reflections;
-use crate::walls::{pad, wall_sides};
+use crate::walls::rigid::pad;
+use crate::walls::wall_sides;
 
 impl<const D: usize> Panels<D> {
     /// Loads of a pressure of one on what the domain of `problem` holds of its bodies, then of its wall sides, at time zero; whole

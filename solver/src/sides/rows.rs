@@ -5,8 +5,8 @@
 
 use aero_geometry::Vector;
 
-use super::Domain;
 use crate::layers::BUFFER;
+use crate::problem::Domain;
 use crate::problem::Problem;
 
 /// Rows this near to their place, in spacings, are in place: round-off of scenes.

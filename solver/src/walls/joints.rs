@@ -9,7 +9,7 @@ use super::Ghost;
 use super::curvature::shape_operator;
 use crate::layers::GHOSTS;
 use crate::panels::Panels;
-use crate::problem::{Body, Problem};
+use crate::problem::{Body, Problem, Side};
 use crate::records::Matrix;
 
 /// A foot this close to another solid, in spacings, is on no wall: no gas fits between.
@@ -102,7 +102,7 @@ impl<'a, const D: usize> Solids<'a, D> {
     }
 
     /// Depth of `point` beyond the wall sides and mirror planes: the largest; negative within.
-    fn beyond(&self, point: &Vector<D>, counts: impl Fn(crate::sides::Side) -> bool) -> f64 {
+    fn beyond(&self, point: &Vector<D>, counts: impl Fn(Side) -> bool) -> f64 {
         let sides = self.problem.domain.each_side();
         sides
             .filter(|(_, _, side, _)| counts(*side))
@@ -112,7 +112,7 @@ impl<'a, const D: usize> Solids<'a, D> {
 
     /// Distance from the solid of all; negative within.
     fn distance(&self, point: &Vector<D>) -> f64 {
-        let walls = -self.beyond(point, crate::sides::Side::is_wall);
+        let walls = -self.beyond(point, Side::is_wall);
         let bodies = self.bodies.iter().map(|(_, body, _)| body);
         let bodies = bodies.map(|body| body.shape.signed_distance(point));
         bodies.fold(walls, f64::min)
@@ -124,8 +124,8 @@ impl<'a, const D: usize> Solids<'a, D> {
         if is_of_body && !self.bodies.iter().any(|(number, ..)| *number == owner) {
             return false;
         }
-        (is_of_body && self.beyond(foot, crate::sides::Side::is_wall) > -tolerance)
-            || self.beyond(foot, crate::sides::Side::is_mirror) > tolerance
+        (is_of_body && self.beyond(foot, Side::is_wall) > -tolerance)
+            || self.beyond(foot, Side::is_mirror) > tolerance
             || self.bodies.iter().any(|(number, body, extent)| {
                 *number != owner
                     && extent.contains(foot)

@@ -5,7 +5,8 @@
 use aero_geometry::Vector;
 use rayon::prelude::*;
 
-use super::{Pose, Walls, wall_sides};
+use super::rigid::Pose;
+use super::{Walls, wall_sides};
 use crate::books::Books;
 use crate::frame::Totals;
 use crate::particles::{Columns, Particle, Particles};
