@@ -1,6 +1,7 @@
 //! What a scene meant: the flow problem that the solver reads, and how it is run.
 
 use aero_geometry::Bounds;
+use aero_packer::Warning;
 use aero_solver::problem::{Body, Problem};
 
 /// A scene, checked and packed, in `D` dimensions.
@@ -36,12 +37,27 @@ impl AnyCase {
 }
 
 fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
-    let of_body = |body: &Body<D>| {
-        let lines = body.report.repairs.iter().chain(&body.report.warnings);
+    let repaired = |body: &Body<D>| {
         let remark = |line: &String| format!("body `{}`: {line}", body.name);
-        lines.map(remark).collect::<Vec<_>>()
+        body.report.repairs.iter().map(remark).collect::<Vec<_>>()
     };
-    case.problem.bodies.iter().flat_map(of_body).collect()
+    let bodies = &case.problem.bodies;
+    let warnings = warnings(bodies).into_iter();
+    let repairs = bodies.iter().flat_map(repaired);
+    repairs
+        .chain(warnings.map(|warning| format!("warning: {warning}")))
+        .collect()
+}
+
+/// What the user should know about the bodies.
+pub fn warnings<const D: usize>(bodies: &[Body<D>]) -> Vec<Warning> {
+    let of_body = |body: &Body<D>| {
+        let warnings = body.report.warnings.iter();
+        warnings
+            .map(|warning| warning.of(&body.name))
+            .collect::<Vec<_>>()
+    };
+    bodies.iter().flat_map(of_body).collect()
 }
 
 /// How a problem is run.

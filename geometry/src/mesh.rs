@@ -222,6 +222,10 @@ impl Shape<3> for Mesh {
         self.mirrors.clone()
     }
 
+    fn facets(&self, _: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        self.surface().collect()
+    }
+
     fn measure(&self) -> Option<f64> {
         Some(self.volume())
     }

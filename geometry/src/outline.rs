@@ -186,6 +186,13 @@ impl Shape<2> for Outline {
         Some(self)
     }
 
+    fn facets(&self, size: f64, region: &Bounds<2>) -> Vec<[Vector<2>; 2]> {
+        self.pieces
+            .iter()
+            .flat_map(|piece| piece.chords(size, region))
+            .collect()
+    }
+
     fn measure(&self) -> Option<f64> {
         self.area()
     }

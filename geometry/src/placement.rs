@@ -189,6 +189,31 @@ impl<S: Shape<D>, const D: usize> Shape<D> for Placed<S, D> {
             .collect()
     }
 
+    fn facets(&self, size: f64, region: &Bounds<D>) -> Vec<[Vector<D>; D]> {
+        let corners = (0..1_usize << D).map(|n| {
+            let corner = Vector::<D>::from_fn(|k, _| {
+                if n >> k & 1 == 0 {
+                    region.min[k]
+                } else {
+                    region.max[k]
+                }
+            });
+            self.placement.point_back(&corner)
+        });
+        let nothing: Bounds<D> = Bounds::new(
+            Vector::repeat(f64::INFINITY),
+            Vector::repeat(f64::NEG_INFINITY),
+        );
+        let region = corners.fold(nothing, |all, corner| {
+            Bounds::new(all.min.inf(&corner), all.max.sup(&corner))
+        });
+        let mut facets = self.shape.facets(size / self.placement.scale, &region);
+        for corner in facets.iter_mut().flatten() {
+            *corner = self.placement.point(corner);
+        }
+        facets
+    }
+
     fn measure(&self) -> Option<f64> {
         let measure = self.shape.measure()?;
         Some(measure * self.placement.scale.powi(D as i32))

@@ -131,6 +131,10 @@ impl Shape<3> for Revolution {
             .collect()
     }
 
+    fn facets(&self, size: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        crate::tessellate::cover(self, size)
+    }
+
     fn measure(&self) -> Option<f64> {
         Some(self.volume())
     }

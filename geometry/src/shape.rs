@@ -38,6 +38,14 @@ pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
         None
     }
 
+    /// Segments (2D) or triangles (3D) that cover the surface where it meets `region`, curved parts in pieces about `size`
+    /// long at most; parts that lie inside of the body or beyond the region may be among them. Empty for a shape that
+    /// cannot tell.
+    fn facets(&self, size: f64, region: &Bounds<D>) -> Vec<[Vector<D>; D]> {
+        let _ = (size, region);
+        Vec::new()
+    }
+
     /// Area (2D) or volume (3D) of the body, metres to the power `D`; `None` where it is endless.
     fn measure(&self) -> Option<f64> {
         None
@@ -66,6 +74,10 @@ macro_rules! forward {
 
             fn outline(&self) -> Option<&Outline> {
                 (**self).outline()
+            }
+
+            fn facets(&self, size: f64, region: &Bounds<D>) -> Vec<[Vector<D>; D]> {
+                (**self).facets(size, region)
             }
 
             fn measure(&self) -> Option<f64> {

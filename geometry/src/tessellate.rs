@@ -4,7 +4,7 @@ use std::f64::consts::{PI, TAU};
 
 use crate::outline::{Ends, Piece};
 use crate::stl::Facet;
-use crate::{Revolution, Vector};
+use crate::{Bounds, Revolution, Shape, Vector};
 
 /// No arc is cut into pieces that turn more than this (radians; 4 degrees), however short it is:
 /// normals blended from the triangles are then within a degree of the arc's.
@@ -48,6 +48,26 @@ impl Revolution {
         }
         facets(&profile, around)
     }
+}
+
+/// Fewest facets around the axis.
+const LEAST_AROUND: usize = 32;
+
+/// Facets about `size` long, for whoever wants to look at the surface all over.
+pub(crate) fn cover(body: &Revolution, size: f64) -> Vec<Facet> {
+    let everywhere = Bounds::new(
+        Vector::repeat(f64::NEG_INFINITY),
+        Vector::repeat(f64::INFINITY),
+    );
+    let chords = body.meridian().facets(size, &everywhere);
+    chords
+        .iter()
+        .flat_map(|chord| {
+            let widest = chord[0].y.max(chord[1].y);
+            let around = (TAU * widest / size).ceil() as usize;
+            facets(chord, around.max(LEAST_AROUND))
+        })
+        .collect()
 }
 
 fn facets(profile: &[Vector<2>], around: usize) -> Vec<Facet> {

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use aero_packer::Warning;
 use serde::Serialize;
 
 /// The outcome of one run.
@@ -53,6 +54,8 @@ pub struct Summary {
     pub min_density: f64,
     /// Smallest specific internal energy met.
     pub min_energy: f64,
+    /// What the user should know.
+    pub warnings: Vec<Warning>,
 }
 
 /// Numbers of particles.
@@ -104,4 +107,6 @@ pub struct BodySummary {
     pub reference_area: f64,
     /// Length that the moment coefficients refer to besides.
     pub reference_length: f64,
+    /// Part of the surface farther than 1.25 spacings from every ghost, per cent.
+    pub uncovered_area_percent: f64,
 }

@@ -181,6 +181,7 @@ impl Tally {
             mirror_fallbacks: statistics.mirror_fallbacks,
             min_density: statistics.min_density,
             min_energy: statistics.min_energy,
+            warnings: crate::case::warnings(&problem.bodies),
         }
     }
 
@@ -225,6 +226,7 @@ impl Tally {
             mean_from: self.mean_from,
             reference_area: body.reference_area,
             reference_length: body.reference_length,
+            uncovered_area_percent: body.report.uncovered_area_percent,
         }
     }
 }

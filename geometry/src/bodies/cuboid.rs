@@ -59,6 +59,25 @@ impl Shape<3> for Cuboid {
         vec![(0, 0.0), (1, 0.0), (2, 0.0)]
     }
 
+    fn facets(&self, _: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        let mut facets = Vec::with_capacity(12);
+        for axis in 0..3 {
+            for side in [-1.0, 1.0] {
+                let corner = |u: f64, v: f64| {
+                    let mut point = Vector::<3>::zeros();
+                    point[axis] = side * self.half[axis];
+                    point[(axis + 1) % 3] = side * u * self.half[(axis + 1) % 3];
+                    point[(axis + 2) % 3] = v * self.half[(axis + 2) % 3];
+                    point
+                };
+                let [a, b] = [corner(-1.0, -1.0), corner(1.0, -1.0)];
+                let [c, d] = [corner(1.0, 1.0), corner(-1.0, 1.0)];
+                facets.extend([[a, b, c], [a, c, d]]);
+            }
+        }
+        facets
+    }
+
     fn measure(&self) -> Option<f64> {
         Some(8.0 * self.half.product())
     }
