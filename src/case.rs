@@ -1,6 +1,7 @@
 //! What a scene meant: the flow problem that the solver reads, and how it is run.
 
 use aero_geometry::Bounds;
+use aero_packer::Warning;
 use aero_solver::problem::{Body, Problem};
 
 /// A scene, checked and packed, in `D` dimensions.
@@ -49,11 +50,13 @@ fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
         .collect()
 }
 
-/// What the user should know about the packing of bodies.
-pub fn warnings<const D: usize>(bodies: &[Body<D>]) -> Vec<String> {
+/// What the user should know about the bodies.
+pub fn warnings<const D: usize>(bodies: &[Body<D>]) -> Vec<Warning> {
     let of_body = |body: &Body<D>| {
-        let warning = |line: &String| format!("body `{}`: {line}", body.name);
-        body.report.warnings.iter().map(warning).collect::<Vec<_>>()
+        let warnings = body.report.warnings.iter();
+        warnings
+            .map(|warning| warning.of(&body.name))
+            .collect::<Vec<_>>()
     };
     bodies.iter().flat_map(of_body).collect()
 }
@@ -70,7 +73,7 @@ pub struct RunPlan<const D: usize> {
     /// Degrees at which the stream meets the axes of the bodies, where the scene states them.
     pub incidence: Option<f64>,
     /// What the user should know, where the case has been checked.
-    pub warnings: Option<Vec<String>>,
+    pub warnings: Option<Vec<Warning>>,
     /// When to write what.
     pub output: OutputPlan<D>,
 }

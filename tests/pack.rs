@@ -13,7 +13,7 @@ const GHOST_ARRAYS: [(&str, usize); 6] = [
     ("face", 1),
 ];
 
-const REPORT_KEYS: [&str; 10] = [
+const REPORT_KEYS: [&str; 15] = [
     "ghosts",
     "layer_counts",
     "density_std_percent",
@@ -21,6 +21,11 @@ const REPORT_KEYS: [&str; 10] = [
     "shell_volume_error_percent",
     "wall_offset_max",
     "min_gap",
+    "uncovered_area_percent",
+    "hole_max",
+    "hole_at",
+    "coincident_ghosts",
+    "volume_error_percent",
     "wall_seconds",
     "repairs",
     "warnings",
@@ -201,4 +206,45 @@ fn what_cannot_be_packed_is_refused() {
         let spacing = format!("--spacing={bad}");
         assert_eq!(place.aero(&["pack", "gem.stl", &spacing]).status, 2);
     }
+}
+
+/// A post with a foil of a fifth of a spacing on top.
+const FOILED: &str = r#"
+[[body]]
+name = "foiled"
+shape = { polygon = { points = [[0.3, 0.1], [0.5, 0.1], [0.5, 0.3], [0.401, 0.3], [0.401, 0.45], [0.399, 0.45], [0.399, 0.3], [0.3, 0.3]] } }
+spacing = 0.02
+"#;
+
+#[test]
+fn what_is_wrong_with_a_packing_is_told_by_every_command_in_the_same_words() {
+    let place = Workplace::new();
+    place.write("foil.toml", format!("{BOX}{FOILED}"));
+    let packed = place.aero(&["pack", "foil.toml"]);
+    packed.succeeds();
+    let report = place.json("out/foil/foil-pack.json");
+    let warning = report["warnings"][0].as_str().unwrap().to_owned();
+    assert!(
+        packed.out.contains(&format!("warning: {warning}")),
+        "{}",
+        packed.out
+    );
+    let run = place.aero(&["run", "foil.toml", "--set", "end_time=1e-4"]);
+    run.succeeds();
+    assert!(run.err.contains(&warning), "{warning}: {}", run.err);
+    let summary = place.json("out/foil/summary.json");
+    let told = summary["warnings"][0].as_str().unwrap();
+    assert!(told.contains("foiled") && told.contains(&warning), "{told}");
+    assert!(summary["bodies"]["foiled"]["uncovered_area_percent"].is_number());
+}
+
+#[test]
+fn the_loss_of_surface_may_be_allowed_by_flag_and_by_scene() {
+    let place = Workplace::new();
+    place.write("gem.stl", octahedron("gem"));
+    let arguments = ["pack", "gem.stl", "--spacing", "0.2", "--allow-loss"];
+    place.aero(&arguments).succeeds();
+    let posts = TWO_POSTS.replacen("spacing = 0.02", "allow_loss = true", 1);
+    place.write("posts.toml", format!("{BOX}{posts}"));
+    place.aero(&["pack", "posts.toml"]).succeeds();
 }

@@ -223,10 +223,7 @@ impl Shape<3> for Mesh {
     }
 
     fn facets(&self, _: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
-        (0..self.facets.len() as u32)
-            .filter(|&f| !self.hidden[f as usize])
-            .map(|f| self.corners(f))
-            .collect()
+        self.surface().collect()
     }
 
     fn measure(&self) -> Option<f64> {

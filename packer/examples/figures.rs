@@ -55,14 +55,14 @@ fn row<const D: usize>(
         shell_volume_error_percent: volume,
         wall_offset_max: offset,
         min_gap,
-        hole_max,
+        layer_hole_max,
         mirror_error_max,
         ..
     } = pack(shape, &options)?.report;
     let seconds = start.elapsed().as_secs_f64();
     let mirror = mirror_error_max.map_or("-".to_owned(), |error| format!("{error:.0e}"));
     println!(
-        "| {name} | {ghosts} | {fluid} | {std:.2} | {max:.2} | {volume:.3} | {offset:.0e} | {min_gap:.2} | {hole_max:.2} | {mirror} | {seconds:.2} |"
+        "| {name} | {ghosts} | {fluid} | {std:.2} | {max:.2} | {volume:.3} | {offset:.0e} | {min_gap:.2} | {layer_hole_max:.2} | {mirror} | {seconds:.2} |"
     );
     Ok(())
 }

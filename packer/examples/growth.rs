@@ -38,7 +38,7 @@ fn main() -> Result<(), Box<dyn Error>> {
             report.ghosts,
             1e6 * cpu / report.ghosts as f64,
             report.min_gap,
-            report.hole_max,
+            report.layer_hole_max,
             report.density_std_percent
         );
     }

@@ -9,6 +9,8 @@ pub(crate) enum Lock {
     Free,
     /// Wherever its neighbours push it on its side of the surface; for thin parts.
     Thin,
+    /// Not at all: it stands in the middle of a thin part.
+    Row,
     /// Along a level of the signed distance.
     Level(f64),
     /// Not at all.

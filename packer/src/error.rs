@@ -55,6 +55,22 @@ pub enum PackError {
         /// Spacing asked for.
         spacing: f64,
     },
+    /// A part of the surface has no ghosts behind it.
+    #[error(
+        "{percent:.1} % of the surface would be without ghosts, the largest hole {hole:.1} spacings near {at:?}: gas would flow \
+         through the body there; choose a spacing of at most {:.2e}, or allow the loss with `--allow-loss`, in a scene with `allow_loss = true` in the body",
+        spacing / hole
+    )]
+    Lost {
+        /// Part of the surface, per cent.
+        percent: f64,
+        /// Largest distance from the surface to a ghost, in spacings.
+        hole: f64,
+        /// Where that is.
+        at: Vec<f64>,
+        /// Spacing asked for.
+        spacing: f64,
+    },
     /// Nothing of the body lies inside the region.
     #[error("no ghosts inside the region; check that the region meets the body")]
     Empty,

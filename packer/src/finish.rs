@@ -41,7 +41,9 @@ impl<const D: usize> Finished<D> {
                     plan.shape.closest(&position).face
                 };
                 all.face.push(face);
-                finished.thin.push(cloud.lock[n] == Lock::Thin);
+                finished
+                    .thin
+                    .push(matches!(cloud.lock[n], Lock::Thin | Lock::Row));
             };
             add(0, cloud.position[n]);
             plan.mirrors.images(&cloud.position[n], add);

@@ -51,7 +51,7 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
     let (mut cloud, left) = seed(&plan);
 
     let grid = lattice_grid(&plan.mirrors, &options.anchor, spacing);
-    let sites = grid.band(shape, &plan.bounds, (0.0, begins + support), spacing)?;
+    let (sites, _) = grid.band(shape, &plan.bounds, (0.0, begins + support), spacing)?;
     let flawless = Flawless::new(&plan, grid, &sites, ghosts);
     let place = |cell: &Cell<D>| {
         plan.mirrors

@@ -5,6 +5,7 @@ use rayon::prelude::*;
 
 use crate::PackError;
 use crate::options::MAX_PARTICLES;
+use crate::plan::Side;
 use crate::thin::{Room, room};
 
 /// A distance that differs from the expected one by this part of the cell's edge tells of a ridge.
@@ -32,8 +33,10 @@ pub(crate) struct Cell<const D: usize> {
     pub distance: f64,
     /// Gradient of the signed distance at the centre.
     pub normal: Vector<D>,
-    /// How much room the layers have here.
+    /// How much room the layer at the centre has here.
     pub room: Room,
+    /// Number of layers that have room here; deeper parts of the cell are too thin.
+    pub full: usize,
     /// True where the cell straddles the face between two layers and a ridge of the distance, so
     /// that the face is not a plane in it.
     pub on_ridge: bool,
@@ -51,7 +54,7 @@ impl<const D: usize> Grid<D> {
     }
 
     /// All cells with centres in `bounds` that a signed distance in `low..=high` may cross, in a
-    /// fixed order. A block is dropped once its centre is too far for any point in it, for the
+    /// fixed order, and the volume of the cells in `bounds` that are below. A block is dropped once its centre is too far for any point in it, for the
     /// distance changes by no more than the way travelled.
     pub fn band(
         &self,
@@ -59,7 +62,7 @@ impl<const D: usize> Grid<D> {
         bounds: &Bounds<D>,
         (low, high): (f64, f64),
         spacing: f64,
-    ) -> Result<Vec<Cell<D>>, PackError> {
+    ) -> Result<(Vec<Cell<D>>, f64), PackError> {
         let first: [i64; D] =
             std::array::from_fn(|k| cell_number(bounds.min[k] - self.origin[k], self.step));
         let end: [i64; D] = std::array::from_fn(|k| {
@@ -70,18 +73,29 @@ impl<const D: usize> Grid<D> {
         let mut blocks = vec![first];
         let reach = |size: i64| 0.5 * size as f64 * self.step * (D as f64).sqrt() + 1e-9 * spacing;
         let near = |distance: f64, reach: f64| distance > low - reach && distance < high + reach;
+        let mut below = 0.0;
         while size > 2 {
             size /= 2;
-            blocks = blocks
+            let parts: Vec<([i64; D], f64)> = blocks
                 .par_iter()
                 .flat_map_iter(|block| children(block, size, &end))
-                .filter(|block| {
+                .map(|block| {
                     let half = 0.5 * size as f64;
                     let centre = Vector::from_fn(|k, _| {
                         self.origin[k] + (block[k] as f64 + half) * self.step
                     });
-                    near(shape.signed_distance(&centre), reach(size))
+                    (block, shape.signed_distance(&centre))
                 })
+                .collect();
+            let width = size as f64 * self.step;
+            let dropped = parts.iter().filter(|part| part.1 <= low - reach(size));
+            below += dropped
+                .map(|(block, _)| volume_in(bounds, &self.corner(block), width))
+                .sum::<f64>();
+            blocks = parts
+                .into_iter()
+                .filter(|part| near(part.1, reach(size)))
+                .map(|part| part.0)
                 .collect();
             let width = size as f64 * self.step / spacing;
             let deep = width.min((high - low) / spacing);
@@ -94,15 +108,28 @@ impl<const D: usize> Grid<D> {
                 });
             }
         }
-        Ok(blocks
+        let cells: Vec<Cell<D>> = blocks
             .par_iter()
             .flat_map_iter(|block| {
                 children(block, 1, &end).take(if size == 1 { 1 } else { 1 << D })
             })
             .map(|index| Cell::new(shape, index, self.centre(&index), self.step))
-            .filter(|cell| near(cell.distance, reach(1)))
-            .collect())
+            .collect();
+        let dropped = cells.iter().filter(|cell| cell.distance <= low - reach(1));
+        below += dropped
+            .map(|cell| volume_in(bounds, &self.corner(&cell.index), self.step))
+            .sum::<f64>();
+        let kept = cells
+            .into_iter()
+            .filter(|cell| near(cell.distance, reach(1)));
+        Ok((kept.collect(), below))
     }
+}
+
+/// Volume of the part of a cube in a box.
+pub(crate) fn volume_in<const D: usize>(bounds: &Bounds<D>, corner: &Vector<D>, width: f64) -> f64 {
+    let cube = Bounds::new(*corner, corner.add_scalar(width)).intersection(bounds);
+    cube.size().iter().map(|edge| edge.max(0.0)).product()
 }
 
 /// Number of the cell that a length reaches, forgiving round-off at cell faces.
@@ -133,27 +160,59 @@ impl<const D: usize> Cell<D> {
             distance: closest.distance,
             normal: closest.normal,
             room: Room::Clear,
+            full: usize::MAX,
             on_ridge: false,
         }
     }
 
     /// Looks at the room for layers in the cell and at ridges.
-    pub fn survey(&mut self, shape: &dyn Shape<D>, spacing: f64) {
-        self.room = room(shape, self, spacing);
+    pub fn survey(&mut self, shape: &dyn Shape<D>, spacing: f64, side: Side) {
+        (self.room, self.full) = room(shape, self, spacing, side);
         self.on_ridge = self.room != Room::Clear && self.crosses_ridge(shape, spacing);
     }
 
     /// The cell cut into halves per axis, each surveyed by itself.
-    pub fn halves(&self, shape: &dyn Shape<D>, spacing: f64) -> impl Iterator<Item = Self> {
+    pub fn halves(
+        &self,
+        shape: &dyn Shape<D>,
+        spacing: f64,
+        side: Side,
+    ) -> impl Iterator<Item = Self> {
+        self.parts(shape, spacing).map(move |mut half| {
+            half.survey(shape, spacing, side);
+            half
+        })
+    }
+
+    /// The cell cut into halves per axis that have room for as many layers.
+    pub fn parts(&self, shape: &dyn Shape<D>, spacing: f64) -> impl Iterator<Item = Self> {
         (0..1_usize << D).map(move |n| {
             let quarter = 0.25 * self.step;
             let centre = Vector::from_fn(|k, _| {
                 self.centre[k] + if n >> k & 1 == 1 { quarter } else { -quarter }
             });
-            let mut half = Self::new(shape, self.index, centre, 0.5 * self.step);
-            half.survey(shape, spacing);
-            half
+            let part = Self::new(shape, self.index, centre, 0.5 * self.step);
+            let layer = (-part.distance / spacing).max(0.0) as usize;
+            Self {
+                room: if layer >= self.full {
+                    Room::Thin
+                } else {
+                    Room::Ridge
+                },
+                full: self.full,
+                ..part
+            }
         })
+    }
+
+    /// True where the surface, or the face between two layers, that the cell straddles is not a plane as far as the cell sees it.
+    pub fn is_bent(&self, shape: &dyn Shape<D>) -> bool {
+        let reach = 0.5 * self.step * self.normal.abs().sum();
+        self.distance.abs() < reach && {
+            let end = self.distance - reach;
+            let there = shape.signed_distance(&(self.centre - reach * self.normal));
+            (there - end).abs() > RIDGE * self.step
+        }
     }
 
     /// True where the cell straddles the face between two layers and a ridge of the distance.

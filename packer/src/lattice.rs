@@ -70,6 +70,9 @@ pub(crate) fn freeze_on_lattice<const D: usize>(plan: &Plan<'_, D>, cloud: &mut 
         let Some(place) = site(&grid, &cloud.position[n]) else {
             continue;
         };
+        if cloud.lock[n] == Lock::Row {
+            continue;
+        }
         let whole = around(place, 1)
             .all(|other| occupied.contains(&other) || !required(plan, &grid.centre(&other)));
         if whole {

@@ -2,15 +2,20 @@
 
 mod cloud;
 mod contour;
+mod cover;
 mod error;
 mod finish;
 mod fluid;
+mod gaps;
 mod ghosts;
 mod grid;
 mod lanes;
 mod lattice;
 mod level;
+mod limits;
+mod midway;
 mod mirror;
+mod nearest;
 mod on_sheet;
 mod options;
 mod pack;
@@ -23,8 +28,11 @@ mod schedule;
 mod seeds;
 mod sheets;
 mod sources;
+mod surface;
 mod target;
+mod thickness;
 mod thin;
+mod warning;
 mod wide;
 
 pub use error::PackError;
@@ -32,3 +40,5 @@ pub use ghosts::{Ghosts, Packing};
 pub use options::{MAX_PARTICLES, PackOptions};
 pub use pack::pack;
 pub use report::PackReport;
+pub use thickness::thinnest_part;
+pub use warning::{About, Warning};

@@ -21,6 +21,8 @@ pub struct PackOptions<const D: usize> {
     /// A corner of the fluid lattice, whose points are `anchor + (i + 1/2) dx`. Walls along the
     /// lattice get ghosts that continue it.
     pub anchor: Vector<D>,
+    /// Pack a body all the same that loses more than two per cent of its surface.
+    pub allow_loss: bool,
     /// Told how far the packing is.
     pub watch: Watch,
 }
@@ -34,6 +36,7 @@ impl<const D: usize> PackOptions<D> {
             region: None,
             fluid_layers: 0,
             anchor: Vector::zeros(),
+            allow_loss: false,
             watch: Watch::default(),
         }
     }

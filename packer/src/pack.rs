@@ -6,9 +6,13 @@ use aero_geometry::Shape;
 use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
+use crate::cover::mend;
 use crate::finish::Finished;
 use crate::fluid::{lattice_begins, pack_fluid};
+use crate::gaps::open_gaps;
 use crate::lattice::freeze_on_lattice;
+use crate::limits::{self, check_loss};
+use crate::midway;
 use crate::mirror::Mirrors;
 use crate::plan::{Plan, Side};
 use crate::quality::Quality;
@@ -16,16 +20,20 @@ use crate::relax::{relax, relax_thin};
 use crate::schedule::{THIN_STEPS, ghost_steps};
 use crate::seeds::seed;
 use crate::sources::Sources;
+use crate::surface::samples;
 use crate::target::ideal_layers;
 use crate::thin::{fill_thin, least_thickness};
-use crate::{PackError, PackOptions, Packing};
+use crate::{About, PackError, PackOptions, Packing, Warning};
 
 /// The rounded number of ghosts may miss their exact volume by this part; beyond it they share the
 /// exact volume.
 const VOLUME_TOLERANCE: f64 = 5e-4;
 
+/// Distance between samples of the surface, in spacings: eight to a particle.
+const SAMPLES: f64 = 0.35;
+
 /// Largest correction of a ghost's volume.
-const LARGEST_CORRECTION: f64 = 0.05;
+const LARGEST_CORRECTION: f64 = 0.1;
 
 /// Packs ghosts into `shape` in layers at depths `(k + 1/2) dx` and, if asked, conforming fluid
 /// around it. The result is the same, bit by bit, for any number of threads.
@@ -42,16 +50,27 @@ pub fn pack<const D: usize>(
     let watch = &options.watch;
     watch.begin("finding the layers");
     let plan = Plan::new(shape, options, &Mirrors::of(shape), Side::Ghosts, 2.0)?;
-    let thinnest = least_thickness(&plan)?;
     let (mut cloud, _) = seed(&plan);
-    let target = ideal_layers(&plan);
-    let placed = Sources::new(&plan.mirrors, cloud.particles(), plan.support());
-    let left = plan.thin_volume();
-    fill_thin(&plan, &mut cloud, left, &placed, |points, smoothing| {
-        target.densities(points, smoothing)
-    });
+    let surface = samples(shape, &plan.bounds, SAMPLES * options.spacing);
+    let (target, thinnest) = if D == 3 {
+        let layers = cloud.len();
+        let thinnest = midway::lay(&plan, &mut cloud, &surface)?;
+        let rows = cloud.particles().skip(layers).collect();
+        (ideal_layers(&plan, Some(rows)), thinnest)
+    } else {
+        let thinnest = least_thickness(&plan)?;
+        let target = ideal_layers(&plan, None);
+        let placed = Sources::new(&plan.mirrors, cloud.particles(), plan.support());
+        let left = plan.thin_volume();
+        fill_thin(&plan, &mut cloud, left, &placed, |points, smoothing| {
+            target.densities(points, smoothing)
+        });
+        (target, thinnest)
+    };
     settle(&plan, &mut cloud, &target);
     let strays = leave_out_strays(&plan, &mut cloud);
+    mend(&plan, &mut cloud, &surface);
+    let merged = open_gaps(&plan, &mut cloud);
 
     watch.begin("measuring");
     let finished = Finished::new(&plan, &cloud);
@@ -66,13 +85,26 @@ pub fn pack<const D: usize>(
     };
     let mut packing = Packing {
         ghosts: finished.only(&kept),
-        report: quality.of_ghosts(&target, thinnest),
+        report: quality.of_ghosts(&target, &surface, thinnest),
         ..Packing::default()
     };
+    check_loss(&packing.report, options.allow_loss)?;
+    let over = limits::warnings(&packing.report);
+    packing.report.warnings.extend(over);
     if strays > 0 {
-        packing.report.warnings.push(format!(
-            "left out {strays} ghosts that found no place inside of the body: its surface is \
-             broken near them"
+        packing.report.warnings.push(Warning::new(
+            About::Surface,
+            format!(
+                "left out {strays} ghosts that found no place inside of the body: its surface is broken near them"
+            ),
+        ));
+    }
+    if merged > 0 {
+        packing.report.warnings.push(Warning::new(
+            About::Gap,
+            format!(
+                "merged {merged} ghosts with others nearer than half a spacing, for want of room"
+            ),
         ));
     }
     if options.fluid_layers > 0 {
@@ -92,7 +124,7 @@ pub fn pack<const D: usize>(
 /// Lets the ghosts settle: all but the wall layer and those on the lattice may leave their level.
 fn settle<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>, target: &Sources<D>) {
     for n in 0..cloud.len() {
-        if cloud.layer[n] > 0 && cloud.lock[n] != Lock::Thin {
+        if cloud.layer[n] > 0 && matches!(cloud.lock[n], Lock::Level(_)) {
             cloud.lock[n] = Lock::Free;
         }
     }
@@ -129,7 +161,7 @@ fn share_volume<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) {
     for n in 0..cloud.len() {
         let volume = cloud.volume[n] * plan.part_in_region(&cloud.position[n]);
         total += volume;
-        if cloud.lock[n] != Lock::Frozen {
+        if !matches!(cloud.lock[n], Lock::Frozen | Lock::Row) {
             movable += volume;
         }
     }
@@ -138,7 +170,7 @@ fn share_volume<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) {
         return;
     }
     for (volume, lock) in cloud.volume.iter_mut().zip(&cloud.lock) {
-        if *lock != Lock::Frozen {
+        if !matches!(lock, Lock::Frozen | Lock::Row) {
             *volume *= 1.0 + missing / movable;
         }
     }

@@ -4,8 +4,9 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Bounds, Shape, Vector};
 use rayon::prelude::*;
 
-use crate::grid::{Cell, Grid};
+use crate::grid::{Cell, Grid, volume_in};
 use crate::lattice::lattice_grid;
+use crate::midway::Bit;
 use crate::mirror::Mirrors;
 use crate::thin::Room;
 use crate::{PackError, PackOptions};
@@ -42,6 +43,8 @@ pub(crate) struct Plan<'a, const D: usize> {
     pub bounds: Bounds<D>,
     /// Grid over the layers: in space the lattice's cells, in the plane finer ones.
     pub grid: Grid<D>,
+    /// Volume of what is deeper than the layers.
+    core: f64,
     /// Its cells in the layers.
     pub band: Vec<Cell<D>>,
     /// The same, cut up where layers are not smooth.
@@ -86,13 +89,13 @@ impl<'a, const D: usize> Plan<'a, D> {
             Side::Ghosts => (-depth, 0.0),
             Side::Fluid => (0.0, depth),
         };
-        let mut band = grid.band(shape, &bounds, range, spacing)?;
+        let (mut band, beyond) = grid.band(shape, &bounds, range, spacing)?;
         band.par_iter_mut()
-            .for_each(|cell| cell.survey(shape, spacing));
+            .for_each(|cell| cell.survey(shape, spacing, side));
         let cut_band = if D == 2 {
             band.clone()
         } else {
-            cut_up(shape, &band, spacing)
+            cut_up(shape, &band, spacing, side)
         };
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
@@ -105,6 +108,7 @@ impl<'a, const D: usize> Plan<'a, D> {
             mirrors,
             bounds,
             grid,
+            core: beyond,
             band,
             cut_band,
             tolerance: 1e-12 * spacing + 8.0 * f64::EPSILON * reach,
@@ -156,6 +160,19 @@ impl<'a, const D: usize> Plan<'a, D> {
             .collect()
     }
 
+    /// The pieces of the layers' parts that are too thin for them: centres and volumes.
+    pub fn thin_bits(&self) -> Vec<Bit<D>> {
+        let cells = self.cut_band.iter();
+        cells
+            .filter(|cell| cell.full < self.layers)
+            .map(|cell| {
+                let thin = self.parts(cell).filter(|part| part.0 >= cell.full);
+                (cell.centre, thin.map(|part| part.1).sum())
+            })
+            .filter(|bit: &Bit<D>| bit.1 > 0.0)
+            .collect()
+    }
+
     /// Volume of the layers' parts that are too thin for them.
     pub fn thin_volume(&self) -> f64 {
         let cells = self.cut_band.iter();
@@ -183,6 +200,17 @@ impl<'a, const D: usize> Plan<'a, D> {
     pub fn is_inside_layers(&self, cell: &Cell<D>) -> bool {
         let height = self.sign() * cell.distance;
         height > 0.0 && height < self.layers as f64 * self.options.spacing
+    }
+
+    /// Volume of the packed part of space that is deeper than all layers.
+    pub fn core_volume(&self) -> f64 {
+        let end = self.face(self.layers);
+        let cells = self.cut_band.iter();
+        let near = cells.map(|cell| {
+            let corner = cell.centre.add_scalar(-0.5 * cell.step);
+            cell.fraction_below(end) * volume_in(&self.bounds, &corner, cell.step)
+        });
+        self.core + near.sum::<f64>()
     }
 
     /// Volume of all layers inside the region, images included.
@@ -284,18 +312,47 @@ fn packed_box<const D: usize>(
     Ok(bounds)
 }
 
-/// Cells in which the layers are smooth stay whole, the others are halved twice.
-fn cut_up<const D: usize>(shape: &dyn Shape<D>, band: &[Cell<D>], spacing: f64) -> Vec<Cell<D>> {
-    let halved = |cells: Vec<Cell<D>>| -> Vec<Cell<D>> {
-        cells
-            .par_iter()
-            .flat_map_iter(|cell| {
-                let whole = cell.room == Room::Clear;
-                let kept = whole.then_some(*cell);
-                let halves = (!whole).then(|| cell.halves(shape, spacing));
-                kept.into_iter().chain(halves.into_iter().flatten())
-            })
-            .collect()
-    };
-    halved(band.to_vec())
+/// Edge of the pieces of parts that are too thin for their layers, in spacings.
+const PIECE: f64 = 0.25;
+
+/// Edge of the pieces on edges of the body that have room for its layers.
+const EDGE_PIECE: f64 = 0.125;
+
+/// Edge of the smallest pieces, where both faces of a part pass through one.
+const SMALLEST_PIECE: f64 = 1.0 / 64.0;
+
+/// Cells in which the layers are smooth stay whole, the others are halved; where ghosts have no room for layers, until the pieces
+/// measure the part.
+fn cut_up<const D: usize>(
+    shape: &dyn Shape<D>,
+    band: &[Cell<D>],
+    spacing: f64,
+    side: Side,
+) -> Vec<Cell<D>> {
+    band.par_iter()
+        .flat_map_iter(|cell| {
+            let mut done = Vec::new();
+            if cell.room == Room::Clear {
+                done.push(*cell);
+                return done;
+            }
+            let mut open: Vec<Cell<D>> = cell.halves(shape, spacing, side).collect();
+            if side == Side::Fluid {
+                return open;
+            }
+            while let Some(cell) = open.pop() {
+                let reach = 0.5 * cell.step * (D as f64).sqrt();
+                let is_coarse = cell.step > 1.01 * PIECE * spacing && cell.distance < reach;
+                let is_thin = cell.full < usize::MAX;
+                let smallest = if is_thin { SMALLEST_PIECE } else { EDGE_PIECE };
+                let is_bent = || cell.step > 1.01 * smallest * spacing && cell.is_bent(shape);
+                if is_thin && is_coarse || is_bent() {
+                    open.extend(cell.parts(shape, spacing));
+                } else {
+                    done.push(cell);
+                }
+            }
+            done
+        })
+        .collect()
 }

@@ -3,13 +3,20 @@
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 
+use crate::cover::cover;
 use crate::finish::Finished;
 use crate::fluid::Fluid;
+use crate::gaps::LEAST_GAP;
 use crate::mirror::{Mirrors, reflect};
+use crate::nearest::Nearest;
 use crate::plan::Plan;
 use crate::sources::Sources;
+use crate::surface::Sample;
 use crate::thin::Thinnest;
-use crate::{Ghosts, PackReport};
+use crate::{About, Ghosts, PackReport, Warning};
+
+/// Ghosts nearer than this, in spacings, to those of parts thinner than two spacings are beside a thin part.
+const NEAR_ROWS: f64 = 2.0;
 
 /// What is measured.
 pub(crate) struct Quality<'a, const D: usize> {
@@ -23,7 +30,12 @@ pub(crate) struct Quality<'a, const D: usize> {
 
 impl<const D: usize> Quality<'_, D> {
     /// The report on the ghosts alone.
-    pub fn of_ghosts(&self, target: &Sources<D>, thinnest: Option<Thinnest>) -> PackReport {
+    pub fn of_ghosts(
+        &self,
+        target: &Sources<D>,
+        surface: &[Sample<D>],
+        thinnest: Option<Thinnest>,
+    ) -> PackReport {
         let plan = self.plan;
         let all = &self.ghosts.all;
         let spacing = plan.options.spacing;
@@ -43,19 +55,42 @@ impl<const D: usize> Quality<'_, D> {
             let folded: Vec<Vector<D>> = points.iter().map(|p| plan.mirrors.folded(*p)).collect();
             target.densities(&folded, smoothing)
         });
-        let (density_std_percent, density_max_percent) = spread(&errors);
+        let (density_max_percent, density_max_at) = self.worst(&errors);
+        let away = self.away_from_rows();
+        let (density_std_percent, _) = spread(
+            &errors
+                .iter()
+                .zip(away)
+                .filter(|entry| entry.1)
+                .map(|entry| *entry.0)
+                .collect::<Vec<_>>(),
+        );
         let thin = self.kept.iter().filter(|&&n| self.ghosts.thin[n]).count();
         let positions: Vec<Vector<D>> = self.kept.iter().map(|&n| all.position[n]).collect();
+        let above: Vec<Vector<D>> = particles(all)
+            .map(|(point, _)| point)
+            .filter(|point| plan.mirrors.above(point))
+            .collect();
+        let cover = cover(plan, surface, &above).unwrap_or_default();
+        let gaps = sources.nearest(&positions, 2.0 * spacing, true);
+        let close = |&&gap: &&f64| gap < LEAST_GAP * (1.0 - 1e-9) * spacing;
         PackReport {
             spacing,
+            uncovered_area_percent: cover.uncovered_percent,
+            hole_max: cover.hole,
+            hole_at: cover.hole_at,
+            surface_area: cover.area,
+            volume_error_percent: self.whole_volume_error(surface),
+            coincident_ghosts: gaps.iter().filter(close).count(),
             ghosts: self.kept.len(),
             layer_counts,
             density_std_percent,
             density_max_percent,
+            density_max_at,
             shell_volume_error_percent: self.volume_error(),
             wall_offset_max,
-            min_gap: least(&sources.nearest(&positions, 2.0 * spacing, true)) / spacing,
-            hole_max: self.largest_hole(),
+            min_gap: least(&gaps) / spacing,
+            layer_hole_max: self.largest_hole(),
             thin,
             mirror_error_max: self.mirror_error(&positions),
             warnings: thinnest.map(|found| found.warning()).into_iter().collect(),
@@ -78,11 +113,11 @@ impl<const D: usize> Quality<'_, D> {
         errors.extend(self.at_wall(all_fluid, &sources, one));
         (report.density_std_percent, report.density_max_percent) = spread(&errors);
         if fluid.plan.mirrors.planes().len() < self.plan.mirrors.planes().len() {
-            report.warnings.push(
+            report.warnings.push(Warning::new(
+                About::Symmetry,
                 "the lattice is not symmetric about all of the body's mirror planes, nor is the \
-                 packed fluid; move the lattice by a quarter of a spacing or less to mend that"
-                    .to_owned(),
-            );
+                 packed fluid; move the lattice by a quarter of a spacing or less to mend that",
+            ));
         }
     }
 
@@ -111,6 +146,37 @@ impl<const D: usize> Quality<'_, D> {
             .collect()
     }
 
+    /// Numbers of the wall ghosts inside the region, in the order of [`Self::at_wall`].
+    fn wall(&self) -> impl Iterator<Item = usize> {
+        let all = &self.ghosts.all;
+        (0..all.position.len()).filter(|&n| all.layer[n] == 0 && self.plan.keeps(&all.position[n]))
+    }
+
+    /// The largest of the wall ghosts' errors, per cent, and its place.
+    fn worst(&self, errors: &[f64]) -> (f64, Vec<f64>) {
+        let all = self.wall().zip(errors);
+        let worst = all.max_by(|a, b| a.1.abs().total_cmp(&b.1.abs()).then(b.0.cmp(&a.0)));
+        worst.map_or((0.0, Vec::new()), |(n, error)| {
+            let place = &self.ghosts.all.position[n];
+            (100.0 * error.abs(), place.iter().copied().collect())
+        })
+    }
+
+    /// For each wall ghost whether it is away from the rows of thin parts in space, beside which a whole ghost more or less
+    /// decides the density.
+    fn away_from_rows(&self) -> Vec<bool> {
+        let all = &self.ghosts.all;
+        let rows: Vec<Vector<D>> = (0..all.position.len())
+            .filter(|&n| D == 3 && self.ghosts.thin[n])
+            .map(|n| all.position[n])
+            .collect();
+        let reach = NEAR_ROWS * self.plan.options.spacing;
+        let nearest = Nearest::new(&Mirrors::default(), &rows, reach);
+        self.wall()
+            .map(|n| nearest.find(&all.position[n], reach, |_| true).is_none())
+            .collect()
+    }
+
     /// The ghosts' volume against that of the layers, in per cent.
     fn volume_error(&self) -> f64 {
         let mirrors = &self.plan.mirrors;
@@ -120,6 +186,25 @@ impl<const D: usize> Quality<'_, D> {
             .sum();
         let exact = self.plan.shell_volume();
         100.0 * (packed - exact).abs() / exact
+    }
+
+    /// The volume of ghosts and core against that of the body itself, in per cent; against that of the layers where a region cuts the
+    /// body off or where its own volume is not known.
+    fn whole_volume_error(&self, surface: &[Sample<D>]) -> f64 {
+        let plan = self.plan;
+        let body = plan.shape.bounds();
+        let is_whole = (plan.options.region)
+            .is_none_or(|region| region.contains(&body.min) && region.contains(&body.max));
+        let exact = plan
+            .shape
+            .measure()
+            .filter(|_| is_whole && !surface.is_empty());
+        let Some(exact) = exact else {
+            return self.volume_error();
+        };
+        let copies = 2.0_f64.powi(plan.mirrors.planes().len() as i32);
+        let ghosts: f64 = particles(&self.ghosts.all).map(|(_, volume)| volume).sum();
+        100.0 * (ghosts + copies * plan.core_volume() - exact) / exact
     }
 
     /// Largest distance from a place on the wall layer's middle to the nearest ghost, in spacings.

@@ -41,6 +41,9 @@ const MOST_NEWTON_STEPS: usize = 30;
 /// Steps between new evaluations of the wanted gradient, which is smooth, in the plane and in space.
 const STEPS_BETWEEN_TARGETS: [usize; 2] = [1, 5];
 
+/// Place and normal of a particle after a step, and its place again where that is known to be on its level.
+type Moved<const D: usize> = (Vector<D>, Vector<D>, Option<Vector<D>>);
+
 /// One run of relaxation.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Relaxation {
@@ -70,6 +73,8 @@ pub(crate) fn relax<const D: usize>(
     let reach = SUPPORT * smoothing;
     let mut wanted = vec![Vector::zeros(); cloud.len()];
     let mut normals = normals_of_locked(shape, cloud);
+    // Where each was last on its level: a level may end, and what drifts past its end returns.
+    let mut homes = cloud.position.clone();
     for step in 0..run.steps {
         plan.options.watch.show(run.stage, step, run.steps);
         let everything = cloud.particles().chain(fixed.iter().copied());
@@ -82,12 +87,12 @@ pub(crate) fn relax<const D: usize>(
         let slopes = sources.gradients(&cloud.position, smoothing);
         let crowding = sources.crowding(&cloud.position, CROWDED * spacing);
         let settle = Settle::at(step, run.steps);
-        let moved: Vec<(Vector<D>, Vector<D>)> = (0..cloud.len())
+        let moved: Vec<Moved<D>> = (0..cloud.len())
             .into_par_iter()
             .map(|n| {
                 let point = cloud.position[n];
-                if cloud.lock[n] == Lock::Frozen {
-                    return (point, normals[n]);
+                if matches!(cloud.lock[n], Lock::Frozen | Lock::Row) {
+                    return (point, normals[n], None);
                 }
                 let slope = slopes[n] - wanted[n];
                 let mut push = -run.strength * spacing * spacing * slope;
@@ -96,8 +101,7 @@ pub(crate) fn relax<const D: usize>(
                 let moved = displaced(mirrors, &point, &push, spacing);
                 match cloud.lock[n] {
                     Lock::Level(level) => {
-                        let last = (&point, &normals[n]);
-                        settle.onto(plan, &moved, last, level)
+                        settle.onto(plan, &moved, (&homes[n], &normals[n]), level)
                     }
                     Lock::Thin if settle != Settle::Not => {
                         let nearest = CLEARANCE * plan.level(0);
@@ -107,13 +111,23 @@ pub(crate) fn relax<const D: usize>(
                         } else {
                             moved
                         };
-                        (inside, normals[n])
+                        (inside, normals[n], None)
                     }
-                    _ => (moved, normals[n]),
+                    // Those next to the wall layer must not slip through it.
+                    Lock::Free if settle != Settle::Not && cloud.layer[n] == 1 => {
+                        let nearest = plan.level(0);
+                        let distance = shape.signed_distance(&moved);
+                        let is_near = distance * nearest.signum() < nearest.abs();
+                        (if is_near { point } else { moved }, normals[n], None)
+                    }
+                    _ => (moved, normals[n], None),
                 }
             })
             .collect();
-        (cloud.position, normals) = moved.into_iter().unzip();
+        for (n, (place, normal, home)) in moved.into_iter().enumerate() {
+            (cloud.position[n], normals[n]) = (place, normal);
+            homes[n] = home.unwrap_or(homes[n]);
+        }
     }
 }
 
@@ -136,18 +150,18 @@ impl Settle {
         }
     }
 
-    /// Place and normal of a particle on a level that has moved to `moved`; `last` are those of
-    /// before the step.
+    /// Place and normal of a particle on a level that has moved to `moved`; `last` are its last place on the level and the
+    /// normal before the step.
     fn onto<const D: usize>(
         self,
         plan: &Plan<'_, D>,
         moved: &Vector<D>,
-        (point, normal): (&Vector<D>, &Vector<D>),
+        (home, normal): (&Vector<D>, &Vector<D>),
         level: f64,
-    ) -> (Vector<D>, Vector<D>) {
+    ) -> Moved<D> {
         let spacing = plan.options.spacing;
         if self == Self::Not {
-            return (*moved, *normal);
+            return (*moved, *normal, None);
         }
         if self == Self::Nearly {
             // One search is enough for a small drift over a smooth surface.
@@ -156,7 +170,7 @@ impl Settle {
             if drift.abs() < SMALL_DRIFT * spacing {
                 let on = moved - drift * closest.normal;
                 let on = clear_of_planes(&plan.mirrors, moved, on, spacing);
-                return (on, closest.normal);
+                return (on, closest.normal, Some(on));
             }
         }
         onto_level(
@@ -167,7 +181,9 @@ impl Settle {
             (spacing, plan.tolerance),
         )
         .filter(|on| (on - moved).norm() < spacing)
-        .map_or((*point, *normal), |on| (on, plan.shape.closest(&on).normal))
+        .map_or((*home, *normal, None), |on| {
+            (on, plan.shape.closest(&on).normal, Some(on))
+        })
     }
 }
 
@@ -232,12 +248,14 @@ pub(crate) fn spread_on_sheet<const D: usize>(
 ) {
     let spacing = plan.options.spacing;
     let smoothing = run.smoothing * spacing;
+    let mut homes: Vec<Vector<D>> = seeds.iter().map(|seed| seed.place).collect();
     for step in 0..run.steps {
         // Relaxation in space follows, so a little drift off the sheet does no harm.
         let places: Vec<Vector<D>> = seeds.iter().map(|seed| seed.place).collect();
         let sheet = OnSheet::new(&plan.mirrors, &places, SUPPORT * smoothing);
         let settle = Settle::at(step, run.steps).min(Settle::Nearly);
-        seeds.par_iter_mut().enumerate().for_each(|(n, seed)| {
+        let all = seeds.par_iter_mut().zip(homes.par_iter_mut());
+        all.enumerate().for_each(|(n, (seed, home))| {
             if seed.fixed {
                 return;
             }
@@ -246,8 +264,10 @@ pub(crate) fn spread_on_sheet<const D: usize>(
             push += REPULSION * spacing * sheet.crowding(n, &seed.place, CROWDED * spacing);
             push -= seed.normal * seed.normal.dot(&push);
             let moved = displaced(&plan.mirrors, &seed.place, &push, spacing);
-            let last = (&seed.place, &seed.normal);
-            (seed.place, seed.normal) = settle.onto(plan, &moved, last, level);
+            let (place, normal, on_level) =
+                settle.onto(plan, &moved, (&*home, &seed.normal), level);
+            (seed.place, seed.normal) = (place, normal);
+            *home = on_level.unwrap_or(*home);
         });
     }
 }

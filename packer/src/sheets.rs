@@ -29,6 +29,9 @@ const BLOCK: i64 = 8;
 /// Rounds of repairs before the rest is left to relaxation.
 const MOST_REPAIRS: usize = 20;
 
+/// A cell whose centre is beyond the surface is cut by it where more than this part of it is not.
+const CUT: f64 = 0.01;
+
 /// Lays the sheets of one packing.
 pub(crate) struct Sheets<'a, const D: usize> {
     /// Its frame.
@@ -47,7 +50,7 @@ impl<const D: usize> Sheets<'_, D> {
             .band
             .par_iter()
             .filter(|cell| cell.distance >= level - half && cell.distance < level + half)
-            .filter(|cell| cell.room != Room::Thin)
+            .filter(|cell| layer < cell.full)
             .filter_map(|cell| {
                 let mirrors = &self.plan.mirrors;
                 let centre = mirrors.snapped(cell.centre, 1e-6 * self.step());
@@ -65,10 +68,20 @@ impl<const D: usize> Sheets<'_, D> {
             })
             .collect();
         let start = *carry;
-        for _ in 0..MOST_REPAIRS {
+        for round in 0..MOST_REPAIRS {
             *carry = start;
-            if !self.repair(&mut points, level, wanted, carry) {
+            let unfinished = self.repair(&mut points, level, wanted, carry);
+            if unfinished.is_empty() {
                 break;
+            }
+            if round + 1 == MOST_REPAIRS / 2 {
+                // Where the lattice has no place for the number asked for, it is not the best packing.
+                for seed in points
+                    .iter_mut()
+                    .filter(|seed| unfinished.contains(&seed.block))
+                {
+                    seed.fixed = false;
+                }
             }
         }
         spread_on_sheet(self.plan, &mut points, level, SPREADING);
@@ -86,11 +99,23 @@ impl<const D: usize> Sheets<'_, D> {
             let layer = cell.distance.abs() / self.step() - 0.5;
             (layer - layer.round()).abs() < 1e-9
         };
+        // A cell beyond the surface that the surface cuts is as bad: the body ends between two sites.
+        let is_cut = |cell: &Cell<D>| {
+            let inside = cell.fraction_below(0.0);
+            let on_this_side = if level < 0.0 { inside } else { 1.0 - inside };
+            on_this_side > CUT
+        };
         let flaws: HashSet<[i64; D]> = self
             .plan
             .band
             .iter()
-            .filter(|cell| cell.distance * level > 0.0 && !exact(cell))
+            .filter(|cell| {
+                if cell.distance * level > 0.0 {
+                    !exact(cell)
+                } else {
+                    is_cut(cell)
+                }
+            })
             .map(|cell| cell.index)
             .collect();
         self.plan
@@ -102,15 +127,15 @@ impl<const D: usize> Sheets<'_, D> {
             .collect()
     }
 
-    /// One round of removing and adding seeds; true where something is left to do. Neighbours are
-    /// not touched in the same round, for what was known of them is out of date.
+    /// One round of removing and adding seeds; gives the blocks in which something is left to do. Neighbours
+    /// are not touched in the same round, for what was known of them is out of date.
     fn repair(
         &self,
         points: &mut Vec<Seed<D>>,
         level: f64,
         wanted: &BlockVolumes<D>,
         carry: &mut f64,
-    ) -> bool {
+    ) -> HashSet<[i64; D]> {
         let places: Vec<Vector<D>> = points.iter().map(|seed| seed.place).collect();
         let sheet = OnSheet::new(&self.plan.mirrors, &places, SUPPORT * self.step());
         let mut crowds: HashMap<[i64; D], Vec<(f64, usize, Vector<D>)>> = HashMap::new();
@@ -125,7 +150,7 @@ impl<const D: usize> Sheets<'_, D> {
         let mut touched = Touched::new(self.step());
         let mut gone = vec![false; points.len()];
         let mut added = Vec::new();
-        let mut unfinished = false;
+        let mut unfinished = HashSet::new();
         for (block, volume) in wanted.in_order() {
             let mut crowd = crowds.remove(block).unwrap_or_default();
             crowd.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
@@ -148,7 +173,11 @@ impl<const D: usize> Sheets<'_, D> {
                 if goal - have <= 0.5 {
                     break;
                 }
-                if let Some(place) = self.beside(&places[n], &away, level, &sheet)
+                if points[n].fixed {
+                    continue;
+                }
+                let seen = (&places[n], &points[n].normal);
+                if let Some(place) = self.beside(seen, &away, level, &sheet)
                     && touched.claim(&place)
                 {
                     added.push(Seed {
@@ -160,8 +189,11 @@ impl<const D: usize> Sheets<'_, D> {
                     have += 1.0;
                 }
             }
-            unfinished |= !crowd.is_empty() && (have - goal).abs() > 0.5;
-            *carry = goal - have;
+            if !crowd.is_empty() && (have - goal).abs() > 0.5 {
+                unfinished.insert(*block);
+            }
+            // Only rounding is passed on: what one block has no place for would crowd the next.
+            *carry = (goal - have).clamp(-1.0, 1.0);
         }
         let mut n = 0;
         points.retain(|_| {
@@ -172,25 +204,37 @@ impl<const D: usize> Sheets<'_, D> {
         unfinished
     }
 
-    /// A free place on the sheet beside a lonely seed, away from its neighbours.
+    /// A free place on the sheet beside a lonely seed with its normal: away from its neighbours or, where the sheet ends
+    /// there, in the widest gap around it.
     fn beside(
         &self,
-        place: &Vector<D>,
+        (place, normal): (&Vector<D>, &Vector<D>),
         away: &Vector<D>,
         level: f64,
         sheet: &OnSheet<D>,
     ) -> Option<Vector<D>> {
         let step = self.step();
-        let away = if away.norm() > 1e-9 {
-            away.normalize()
-        } else {
-            Vector::from_fn(|k, _| if k == 0 { 1.0 } else { 0.0 })
-        };
-        let guess = place + 0.7 * step * away;
-        let place = project(self.plan.shape, &guess, level, self.plan.tolerance)?;
         let planes = self.plan.mirrors.planes();
-        let above = planes.iter().all(|&(axis, p)| place[axis] > p);
-        (above && sheet.nearest(&place, step) > 0.4 * step).then_some(place)
+        let at = |direction: &Vector<D>| {
+            let guess = place + 0.7 * step * direction;
+            let place = project(self.plan.shape, &guess, level, self.plan.tolerance)?;
+            let above = planes.iter().all(|&(axis, p)| place[axis] > p);
+            let gap = sheet.nearest(&place, step);
+            (above && gap > 0.4 * step).then_some((place, gap))
+        };
+        let along_axis = || Vector::from_fn(|k, _| if k == 0 { 1.0 } else { 0.0 });
+        let away = away.try_normalize(1e-9).unwrap_or_else(along_axis);
+        if let Some((found, _)) = at(&away) {
+            return Some(found);
+        }
+        around([0; D], 1)
+            .map(|offset| Vector::from_fn(|k, _| offset[k] as f64))
+            .filter_map(|offset: Vector<D>| {
+                (offset - normal.dot(&offset) * normal).try_normalize(0.5)
+            })
+            .filter_map(|direction| at(&direction))
+            .reduce(|best, next| if next.1 > best.1 { next } else { best })
+            .map(|(found, _)| found)
     }
 
     /// Keeps a projected point on the planes on which it started, and on its side of the others.
@@ -236,9 +280,9 @@ impl<const D: usize> BlockVolumes<D> {
                 volume: HashMap::new(),
             })
             .collect();
-        for cell in plan.cells().iter().filter(|cell| cell.room != Room::Thin) {
+        for cell in plan.cells() {
             let block = block_of(&cell.index);
-            for (layer, volume) in plan.parts(cell) {
+            for (layer, volume) in plan.parts(cell).filter(|part| part.0 < cell.full) {
                 let blocks = &mut layers[layer];
                 let sum = blocks.volume.entry(block).or_insert_with(|| {
                     blocks.order.push(block);
@@ -257,13 +301,13 @@ impl<const D: usize> BlockVolumes<D> {
 }
 
 /// Places that a round of repairs has changed.
-struct Touched<const D: usize> {
+pub(crate) struct Touched<const D: usize> {
     width: f64,
     cells: HashSet<[i64; D]>,
 }
 
 impl<const D: usize> Touched<D> {
-    fn new(width: f64) -> Self {
+    pub fn new(width: f64) -> Self {
         Self {
             width,
             cells: HashSet::new(),
@@ -271,7 +315,7 @@ impl<const D: usize> Touched<D> {
     }
 
     /// Marks a place, unless one beside it is marked.
-    fn claim(&mut self, place: &Vector<D>) -> bool {
+    pub fn claim(&mut self, place: &Vector<D>) -> bool {
         let cell: [i64; D] = std::array::from_fn(|k| (place[k] / self.width).floor() as i64);
         if around(cell, 1).any(|other| self.cells.contains(&other)) {
             return false;

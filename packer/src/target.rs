@@ -21,17 +21,23 @@ use crate::thin::Room;
 const FARTHEST: f64 = 1.0;
 
 /// Cuts the layers of `plan` into small pieces and moves each to the middle of its layer; what is
-/// too thin for its layer stays in place. The pieces of a cell that was cut up are
+/// too thin for its layer stays in place, or is given as the particles `rows` of its own. The pieces of a cell that was cut up are
 /// then joined.
-pub(crate) fn ideal_layers<const D: usize>(plan: &Plan<'_, D>) -> Sources<D> {
+pub(crate) fn ideal_layers<const D: usize>(
+    plan: &Plan<'_, D>,
+    rows: Option<Vec<(Vector<D>, f64)>>,
+) -> Sources<D> {
     let spacing = plan.options.spacing;
     let blocks: Vec<&[Cell<D>]> = plan.cells().chunk_by(|a, b| a.index == b.index).collect();
-    let pieces: Vec<(Vector<D>, f64)> = blocks
+    let mut pieces: Vec<(Vector<D>, f64)> = blocks
         .par_iter()
         .flat_map_iter(|cells| {
             let mut joined: Vec<(usize, Vector<D>, f64)> = Vec::new();
             for cell in *cells {
                 for (layer, volume) in plan.parts(cell) {
+                    if rows.is_some() && layer >= cell.full {
+                        continue;
+                    }
                     let place = place(plan, cell, layer);
                     match joined.iter_mut().find(|piece| piece.0 == layer) {
                         Some(piece) => {
@@ -47,6 +53,7 @@ pub(crate) fn ideal_layers<const D: usize>(plan: &Plan<'_, D>) -> Sources<D> {
                 .map(|(_, moment, volume)| (moment / volume, volume))
         })
         .collect();
+    pieces.extend(rows.into_iter().flatten());
     Sources::new(&plan.mirrors, pieces, SUPPORT * SMOOTHING_RATIO * spacing)
 }
 

@@ -10,11 +10,12 @@ use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::{Pencils, Shape, Vector};
 use rayon::prelude::*;
 
-use crate::PackError;
 use crate::cloud::{Cloud, Lock};
 use crate::grid::Cell;
-use crate::plan::Plan;
+use crate::midway::room_inside;
+use crate::plan::{Plan, Side};
 use crate::sources::Sources;
+use crate::{About, PackError, Warning};
 
 /// A layer fits where the body is at least this much of twice its depth thick.
 const FITS: f64 = 0.95;
@@ -97,43 +98,58 @@ pub(crate) enum Room {
     Thin,
 }
 
-/// How much room the layers in a cell have.
-pub(crate) fn room<const D: usize>(shape: &dyn Shape<D>, cell: &Cell<D>, spacing: f64) -> Room {
+/// How much room the layers in a cell have, and how many of them do.
+pub(crate) fn room<const D: usize>(
+    shape: &dyn Shape<D>,
+    cell: &Cell<D>,
+    spacing: f64,
+    side: Side,
+) -> (Room, usize) {
+    if D == 3 && side == Side::Ghosts {
+        return room_inside(shape, cell, spacing);
+    }
     let reach = 0.5 * cell.step * cell.normal.abs().sum();
     let last = ((cell.distance.abs() + reach) / spacing).ceil() * spacing;
     let end = (last + BEYOND * spacing).copysign(cell.distance);
     let there = cell.centre + (end - cell.distance) * cell.normal;
     if (shape.signed_distance(&there) - end).abs() < RIDGE * spacing {
-        return Room::Clear;
+        return (Room::Clear, usize::MAX);
     }
     let layer = (cell.distance.abs() / spacing).floor() as usize;
     let seen = (&cell.centre, cell.distance, &cell.normal);
     if fits(shape, seen, layer, spacing) {
-        Room::Ridge
+        (Room::Ridge, usize::MAX)
     } else {
-        Room::Thin
+        (Room::Thin, 0)
     }
 }
 
 /// Thickness, in spacings, below which a part cannot be represented.
-const THINNEST: f64 = 0.3;
+pub(crate) const THINNEST: f64 = 0.3;
 
 /// The least of the local thicknesses.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Thinnest {
     /// In spacings.
-    thickness: f64,
-    at: Vec<f64>,
+    pub thickness: f64,
+    /// Where.
+    pub at: Vec<f64>,
+    /// The spacing packed at.
+    pub spacing: f64,
 }
 
 impl Thinnest {
     /// What to tell the user.
-    pub fn warning(&self) -> String {
-        format!(
-            "the body is only {:.2} spacings thick near {:?}: gas may pass through; choose a \
-             smaller spacing",
-            self.thickness, self.at
-        )
+    pub fn warning(&self) -> Warning {
+        let text = format!(
+            "the body is only {:.2} spacings ({:.3e}) thick near {:.4?}: gas may pass through; a spacing of {:.2e} or less \
+             keeps this part",
+            self.thickness,
+            self.thickness * self.spacing,
+            self.at,
+            self.thickness * self.spacing / THINNEST
+        );
+        Warning::new(About::Thin, text)
     }
 }
 
@@ -150,6 +166,7 @@ pub(crate) fn least_thickness<const D: usize>(
     let found = Thinnest {
         thickness: sizes[least] / spacing,
         at: cells[least].centre.iter().copied().collect(),
+        spacing,
     };
     let thick_somewhere =
         plan.roomy_cells().next().is_some() || sizes.iter().any(|&size| size >= THINNEST * spacing);

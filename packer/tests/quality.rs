@@ -29,7 +29,7 @@ fn check<const D: usize>(name: &str, packing: &Packing<D>, aim: Aim) {
     );
     assert!(report.wall_offset_max <= 1e-6, "{name}: {report:?}");
     assert!(report.min_gap >= aim.gap, "{name}: {report:?}");
-    assert!(report.hole_max <= HOLE, "{name}: {report:?}");
+    assert!(report.layer_hole_max <= HOLE, "{name}: {report:?}");
 }
 
 /// The images of all particles about a plane through the origin are particles, bit by bit, with

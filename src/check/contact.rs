@@ -1,6 +1,7 @@
 //! Bodies that overlap.
 
 use aero_geometry::Vector;
+use aero_packer::{About, Warning};
 use aero_solver::problem::{Body, Problem};
 
 use super::{Check, place};
@@ -26,11 +27,11 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
                     place(&point)
                 ));
             } else {
-                found.warnings.push(format!(
+                found.warnings.push(Warning::new(About::Scene, format!(
                     "bodies `{a}` and `{b}` overlap near {}: they count as one solid, and each has the load on what is \
                      left of its own surface",
                     place(&point)
-                ));
+                )));
             }
         }
     }

@@ -10,6 +10,7 @@ mod sides;
 use std::collections::BTreeSet;
 
 use aero_geometry::Vector;
+use aero_packer::{About, Warning};
 use aero_solver::panels::Panels;
 
 use crate::case::{AnyCase, Case, warnings};
@@ -20,7 +21,7 @@ pub struct Check {
     /// What cannot work.
     pub refusals: Vec<String>,
     /// What the user should know, that of the packing first.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl AnyCase {
@@ -63,7 +64,9 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
     sides::look(problem, &panels, &mut found);
     contact::look(problem, &mut found);
     pockets::look(problem, &mut found);
-    found.warnings.extend(shock::look(problem, &panels));
+    let shocks = shock::look(problem, &panels).into_iter();
+    let told = shocks.map(|line| Warning::new(About::Scene, line));
+    found.warnings.extend(told);
     // Many panels say the same.
     let mut said = BTreeSet::new();
     found.refusals.retain(|line| said.insert(line.clone()));

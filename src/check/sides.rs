@@ -1,6 +1,7 @@
 //! Bodies and the sides of the domain: ends in buffers, free-stream sides that are crossed, sides that are near.
 
 use aero_geometry::Vector;
+use aero_packer::{About, Warning};
 use aero_solver::layers::BUFFER;
 use aero_solver::panels::{Panel, Panels};
 use aero_solver::problem::{Problem, Side};
@@ -88,18 +89,18 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
                 .fold(f64::INFINITY, f64::min);
             let gap = nearest / spacing;
             if side.is_open() && gap < NEAR {
-                found.warnings.push(format!(
+                found.warnings.push(Warning::new(About::Scene, format!(
                     "body `{}`: is {gap:.1} spacings from the side `{name}`, nearer than a particle feels; \
                      move the side away",
                     body.name
-                ));
+                )));
             } else if !side.is_open() && ON_IT < gap && gap < NARROW {
-                found.warnings.push(format!(
+                found.warnings.push(Warning::new(About::Scene, format!(
                     "body `{}`: leaves a gap of {gap:.1} spacings to the side `{name}`, too narrow for gas to flow; \
                      close it or take a spacing of {:.3e}",
                     body.name,
                     nearest / (2.0 * NARROW)
-                ));
+                )));
             }
         }
     }

@@ -29,6 +29,9 @@ pub struct PackArgs {
     /// Number of conforming fluid layers to pack around the body as well
     #[arg(long, value_name = "N", default_value_t = 0, value_parser = clap::value_parser!(u16).range(..=50))]
     fluid_layers: u16,
+    /// Pack all the same where more than two per cent of the surface would have no ghosts
+    #[arg(long)]
+    allow_loss: bool,
     /// Unit of length of the body's file [default: m]
     #[arg(long)]
     unit: Option<UnitWord>,
@@ -83,6 +86,7 @@ fn make(args: &PackArgs, watch: Watch) -> Result<ReportAndFiles, CommandError> {
         spacing: args.spacing,
         layers: args.layers.map(usize::from),
         fluid_layers: args.fluid_layers.into(),
+        allow_loss: args.allow_loss,
         watch,
     };
     let path = &args.input;
@@ -158,18 +162,20 @@ fn lines(file: &PackFile, files: &[PathBuf]) -> String {
         }
         let _ = writeln!(
             text,
-            "  density {:.2} % std, {:.2} % at most; shell volume {:+.3} %\n  wall layer off by {:.1e} dx, smallest gap {:.2} dx, largest hole {:.2} dx",
+            "  density {:.2} % std, {:.2} % at most; shell volume {:+.3} %, whole volume {:+.3} %\n  wall layer off by {:.1e} dx, smallest gap {:.2} dx\n  {:.2} % of the surface without ghosts, largest hole {:.2} dx",
             report.density_std_percent,
             report.density_max_percent,
             report.shell_volume_error_percent,
+            report.volume_error_percent,
             report.wall_offset_max,
             report.min_gap,
+            report.uncovered_area_percent,
             report.hole_max
         );
         if report.thin > 0 {
             let _ = writeln!(
                 text,
-                "  {} ghosts in parts too thin for their layer lie where the volume asks for them",
+                "  {} ghosts in parts too thin for the layers of both sides",
                 report.thin
             );
         }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use aero_packer::Warning;
 use serde::Serialize;
 
 /// The outcome of one run.
@@ -54,7 +55,7 @@ pub struct Summary {
     /// Smallest specific internal energy met.
     pub min_energy: f64,
     /// What the user should know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 /// Numbers of particles.
@@ -139,4 +140,6 @@ pub struct BodySummary {
     pub reference_length: f64,
     /// Point that moments refer to.
     pub moment_centre: [f64; 3],
+    /// Part of the surface farther than 1.25 spacings from every ghost, per cent.
+    pub uncovered_area_percent: f64,
 }

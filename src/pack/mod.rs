@@ -8,7 +8,7 @@ pub use report::{BodyReport, PackFile};
 use std::path::Path;
 
 use aero_geometry::{Bounds, files};
-use aero_packer::{PackOptions, Packing};
+use aero_packer::{About, PackOptions, Packing, Warning, thinnest_part};
 
 use crate::scene::shapes::{StlEntry, Unit, made};
 use crate::scene::{PackWishes, Scene, SceneError};
@@ -65,13 +65,13 @@ pub fn pack_mesh(entry: &StlEntry, wishes: &PackWishes) -> Result<AnyPacked, Sce
     let soup = entry.read(Path::new(""), &wishes.watch);
     let soup = soup.map_err(|error| fail(error.to_string()))?;
     let layers = wishes.layers.unwrap_or(layers::GHOSTS);
-    let spaced = |bounds: &Bounds<3>| match wishes.spacing {
+    let spaced = |bounds: &Bounds<3>, thin: &dyn Fn() -> Option<f64>| match wishes.spacing {
         Some(spacing) => (spacing, "as asked for".to_owned()),
-        None => spacing::pick(bounds, layers),
+        None => spacing::pick(bounds, thin(), layers),
     };
     // A wrap follows the spacing, all else goes before it.
     let rough = if entry.wraps() {
-        spaced(&files::bounds(&soup)).0
+        spaced(&files::bounds(&soup), &|| None).0
     } else {
         0.0
     };
@@ -79,13 +79,15 @@ pub fn pack_mesh(entry: &StlEntry, wishes: &PackWishes) -> Result<AnyPacked, Sce
     drop(soup);
     let made = made(solid, None).map_err(fail)?;
     let bounds = made.shape.bounds();
-    let (mut spacing, spacing_reason) = spaced(&bounds);
+    let thin = || thinnest_part(made.shape.as_ref(), &bounds);
+    let (mut spacing, spacing_reason) = spaced(&bounds, &thin);
     if entry.wraps() {
         spacing = rough;
     }
     let options = PackOptions {
         layers,
         fluid_layers: wishes.fluid_layers,
+        allow_loss: wishes.allow_loss,
         watch: wishes.watch.clone(),
         ..PackOptions::new(spacing)
     };
@@ -102,16 +104,17 @@ pub fn pack_mesh(entry: &StlEntry, wishes: &PackWishes) -> Result<AnyPacked, Sce
 }
 
 /// A question for whoever named no unit for a house, or one for a grain of sand.
-fn odd_size(size: f64, unit: Option<Unit>) -> Option<String> {
-    match unit {
-        None if size > LARGE => Some(format!(
-            "the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`"
-        )),
-        Some(Unit::Mm | Unit::In) if size < SMALL => Some(format!(
-            "the body is {size:.1e} m long: if its file is in metres, leave out `--unit`"
-        )),
-        _ => None,
-    }
+fn odd_size(size: f64, unit: Option<Unit>) -> Option<Warning> {
+    let text = match unit {
+        None if size > LARGE => {
+            format!("the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`")
+        }
+        Some(Unit::Mm | Unit::In) if size < SMALL => {
+            format!("the body is {size:.1e} m long: if its file is in metres, leave out `--unit`")
+        }
+        _ => return None,
+    };
+    Some(Warning::new(About::Unit, text))
 }
 
 /// Packs all bodies of a scene.

@@ -7,6 +7,7 @@ use super::steady::Window;
 use super::stopwatch::Stopwatch;
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
+use aero_packer::Warning;
 use aero_solver::Flow;
 use aero_solver::frame::{Load, Totals};
 use aero_solver::method::Method;
@@ -24,7 +25,7 @@ pub(super) struct Tally {
     cpu_before: f64,
     mean_from: f64,
     coefficients: Coefficients,
-    warnings: Option<Vec<String>>,
+    warnings: Option<Vec<Warning>>,
     sums: Sums,
 }
 
@@ -254,6 +255,7 @@ impl Tally {
             moment_centre: std::array::from_fn(|k| {
                 body.moment_centre.get(k).copied().unwrap_or(0.0)
             }),
+            uncovered_area_percent: body.report.uncovered_area_percent,
         }
     }
 }

@@ -40,6 +40,8 @@ pub struct PackWishes {
     pub layers: Option<usize>,
     /// Number of conforming fluid layers.
     pub fluid_layers: usize,
+    /// Pack bodies all the same that lose more than two per cent of their surface.
+    pub allow_loss: bool,
     /// Told how far the packing is.
     pub watch: Watch,
 }
@@ -126,6 +128,7 @@ fn options<const D: usize>(
         } else {
             wishes.fluid_layers
         },
+        allow_loss: wishes.allow_loss || entry.allow_loss == Some(true),
         region: Some(ghost_region(domain, margin)),
         anchor: domain.bounds.min,
         watch: wishes.watch.clone(),

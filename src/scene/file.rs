@@ -347,6 +347,8 @@ pub struct BodyEntry {
     pub wall: Option<WallWord>,
     /// Ghost spacing, from an eighth of the scene's to one and a half times; the scene's unless given.
     pub spacing: Option<Positive>,
+    /// Fly it all the same where more than two per cent of its surface have no ghosts; off unless given.
+    pub allow_loss: Option<bool>,
     /// Conforming fluid around it at the start, in place of the lattice; off unless given.
     pub packed_fluid: Option<bool>,
     /// Where it stands.

@@ -4,7 +4,7 @@ use std::any::Any;
 use std::sync::Arc;
 
 use aero_geometry::Shape;
-use aero_packer::{PackOptions, Packing, pack};
+use aero_packer::{PackOptions, Packing, Warning, pack};
 
 /// A surface in place, and what was done to its mesh.
 #[derive(Clone, Debug)]
@@ -14,7 +14,7 @@ pub(crate) struct Made<const D: usize> {
     /// What was wrong with its mesh and what was done.
     pub repairs: Vec<String>,
     /// What the user should know about its mesh.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Warning>,
 }
 
 impl<const D: usize> Made<D> {

@@ -1,0 +1,137 @@
+//! Thin parts in space: plates alone and as fins are whole, whatever their thickness and angle.
+
+use aero_geometry::{Bounds, Closest, Placed, Placement, Shape, Vector, bodies};
+use aero_packer::{PackOptions, PackReport, Packing, pack};
+
+fn turned(degrees: f64) -> Placement<3> {
+    let axis = Vector::<3>::new(0.3, 0.9, 0.2);
+    Placement::default()
+        .rotated_about(&axis, degrees.to_radians())
+        .unwrap()
+        .moved(Vector::<3>::new(0.13, 0.27, 0.41) * (degrees / 17.0))
+}
+
+fn is_whole(name: &str, report: &PackReport) {
+    assert!(
+        report.volume_error_percent.abs() < 1.0,
+        "{name}: {report:?}"
+    );
+    assert!(report.uncovered_area_percent <= 0.0, "{name}: {report:?}");
+    assert!(report.hole_max < 1.25, "{name}: {report:?}");
+    assert!(report.min_gap >= 0.5 - 1e-9, "{name}: {report:?}");
+    assert_eq!(report.coincident_ghosts, 0, "{name}: {report:?}");
+    assert!(report.warnings.is_empty(), "{name}: {report:?}");
+}
+
+#[test]
+fn plates_of_any_thickness_are_whole_at_any_angle() {
+    for tenths in 3..=30 {
+        let thickness = f64::from(tenths) / 10.0;
+        let plate = bodies::cuboid([16.3, 11.7, thickness]).unwrap();
+        let angle = [0.0, 17.0, 45.0][tenths as usize % 3];
+        let packing = pack(&Placed::new(plate, turned(angle)), &PackOptions::new(1.0)).unwrap();
+        is_whole(&format!("{thickness} at {angle}"), &packing.report);
+    }
+}
+
+#[test]
+fn a_plate_thinner_than_a_spacing_and_a_half_has_one_row_of_its_thickness() {
+    for thickness in [0.4, 1.0, 1.4] {
+        let plate = bodies::cuboid([12.0, 12.0, thickness]).unwrap();
+        let ghosts = pack(&plate, &PackOptions::new(1.0)).unwrap().ghosts;
+        assert!(ghosts.position.iter().all(|p| p[2].abs() < 1e-2));
+        let mean = ghosts.volume.iter().sum::<f64>() / ghosts.volume.len() as f64;
+        assert!(
+            (mean / thickness - 1.0).abs() < 0.1,
+            "{mean} for {thickness}"
+        );
+    }
+    let plate = bodies::cuboid([12.0, 12.0, 1.6]).unwrap();
+    let ghosts = pack(&plate, &PackOptions::new(1.0)).unwrap().ghosts;
+    assert!(
+        ghosts
+            .position
+            .iter()
+            .all(|p| (p[2].abs() - 0.4).abs() < 0.05)
+    );
+}
+
+/// A block with a fin on top.
+#[derive(Debug)]
+struct Finned<F: Shape<3>> {
+    block: bodies::Cuboid,
+    fin: F,
+}
+
+impl<F: Shape<3>> Shape<3> for Finned<F> {
+    fn bounds(&self) -> Bounds<3> {
+        let (a, b) = (self.block.bounds(), self.fin.bounds());
+        Bounds::new(a.min.inf(&b.min), a.max.sup(&b.max))
+    }
+
+    fn closest(&self, point: &Vector<3>) -> Closest<3> {
+        // Of the union: exact outside, and inside as far as one of the two goes.
+        let (a, b) = (self.block.closest(point), self.fin.closest(point));
+        if a.distance <= b.distance { a } else { b }
+    }
+
+    fn facets(&self, size: f64, region: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        let mut facets = self.block.facets(size, region);
+        facets.extend(self.fin.facets(size, region));
+        facets
+    }
+}
+
+#[test]
+fn fins_on_a_body_are_whole() {
+    for tenths in 3..=30 {
+        let thickness = f64::from(tenths) / 10.0;
+        let block = bodies::cuboid([14.0, 10.0, 8.0]).unwrap();
+        let fin = bodies::cuboid([7.3, thickness, 9.0]).unwrap();
+        let place = Placement::default().moved(Vector::<3>::new(1.2, 0.4, 6.1));
+        let finned = Finned {
+            block,
+            fin: Placed::new(fin, place),
+        };
+        let Packing { ghosts, report, .. } = pack(&finned, &PackOptions::new(1.0)).unwrap();
+        is_whole(&format!("fin of {thickness}"), &report);
+        // Above the block there is the fin alone; one ghost at the root stands for what is on either side of it.
+        let on_fin = (0..ghosts.volume.len()).filter(|&n| ghosts.position[n][2] > 4.0);
+        let volume: f64 = on_fin.map(|n| ghosts.volume[n]).sum();
+        let exact = 7.3 * thickness * 6.6;
+        assert!(
+            (volume - exact).abs() < 0.5 * 7.3 * thickness,
+            "{thickness}: {volume} for {exact}"
+        );
+    }
+}
+
+#[test]
+fn needles_and_tips_are_covered_to_their_ends() {
+    for (angle, length) in [(5.0, 20.0), (15.0, 20.0), (60.0, 8.0)] {
+        let cone = bodies::cone(angle, length).unwrap();
+        let report = pack(&cone, &PackOptions::new(1.0)).unwrap().report;
+        assert!(report.uncovered_area_percent <= 0.0, "{angle}: {report:?}");
+        assert!(report.min_gap >= 0.5 - 1e-9, "{angle}: {report:?}");
+    }
+}
+
+#[test]
+fn plates_along_the_lattice_that_end_between_its_sites_keep_their_volume() {
+    for sides in [[10.3, 8.7], [12.0, 12.0], [30.0, 5.5]] {
+        for tenths in 20..=28 {
+            let thickness = f64::from(tenths) / 10.0;
+            let plate = bodies::cuboid([sides[0], sides[1], thickness]).unwrap();
+            let packing = pack(&plate, &PackOptions::new(1.0)).unwrap();
+            is_whole(&format!("{sides:?} by {thickness}"), &packing.report);
+        }
+    }
+}
+
+#[test]
+fn a_body_too_thin_everywhere_is_refused_and_told_what_keeps_it() {
+    let foil = bodies::cuboid([12.0, 12.0, 0.2]).unwrap();
+    let error = pack(&foil, &PackOptions::new(1.0)).unwrap_err().to_string();
+    assert!(error.contains("0.20"), "{error}");
+    assert!(pack(&foil, &PackOptions::new(0.6)).is_ok());
+}

@@ -1,0 +1,64 @@
+//! The ghosts of a surface do not depend on how it is cut into triangles.
+
+use std::f64::consts::TAU;
+
+use aero_geometry::{Mesh, Shape, Vector};
+use aero_packer::{PackOptions, PackReport, pack};
+
+/// A cone of 15 degrees with `around` sides, each cut into `rings` from tip to base.
+fn cone(around: usize, rings: usize) -> Mesh {
+    let (length, radius) = (1.6, 1.6 * 15_f64.to_radians().tan());
+    let place = |ring: usize, side: usize| {
+        let part = ring as f64 / rings as f64;
+        let (sin, cos) = (TAU * (side % around) as f64 / around as f64).sin_cos();
+        Vector::<3>::new(length * part, radius * part * cos, radius * part * sin)
+    };
+    let mut facets = Vec::new();
+    for side in 0..around {
+        facets.push([Vector::zeros(), place(1, side + 1), place(1, side)]);
+        for ring in 1..rings {
+            let [a, b] = [place(ring, side), place(ring, side + 1)];
+            let [c, d] = [place(ring + 1, side + 1), place(ring + 1, side)];
+            facets.extend([[a, b, c], [a, c, d]]);
+        }
+        let centre = Vector::<3>::new(length, 0.0, 0.0);
+        facets.push([centre, place(rings, side), place(rings, side + 1)]);
+    }
+    Mesh::from_facets(facets).unwrap()
+}
+
+fn report(mesh: &Mesh) -> PackReport {
+    pack(mesh, &PackOptions::new(0.036)).unwrap().report
+}
+
+#[test]
+fn normals_on_a_fan_are_those_of_its_sides() {
+    let fan = cone(24, 1);
+    let (sin, cos) = 15_f64.to_radians().sin_cos();
+    for part in [0.1, 0.5, 0.9] {
+        for turn in [0.0, 0.02, 0.11, 0.31] {
+            let (s, c) = (TAU * turn).sin_cos();
+            let radius = 1.6 * part * sin / cos;
+            let seen = fan.closest(&Vector::<3>::new(1.6 * part, radius * c, radius * s));
+            let exact = Vector::<3>::new(-sin, cos * c, cos * s);
+            let angle = seen.normal.cross(&exact).norm().asin().to_degrees();
+            assert!(angle < 8.0, "{angle} degrees at {part}, {turn}");
+        }
+    }
+}
+
+#[test]
+fn fans_and_rings_are_packed_alike() {
+    for around in [24, 96] {
+        let (fan, rings) = (report(&cone(around, 1)), report(&cone(around, 40)));
+        for report in [&fan, &rings] {
+            assert!(report.wall_offset_max < 1e-6, "{around}: {report:?}");
+            assert!(report.uncovered_area_percent <= 0.0, "{around}: {report:?}");
+            assert!(report.warnings.is_empty(), "{around}: {report:?}");
+        }
+        let apart = fan.density_std_percent - rings.density_std_percent;
+        assert!(apart.abs() < 0.3, "{around}: {fan:?} and {rings:?}");
+        let counts = fan.ghosts as f64 / rings.ghosts as f64;
+        assert!((counts - 1.0).abs() < 5e-3, "{around}: {counts}");
+    }
+}
