@@ -1,36 +1,275 @@
-//! Where the flow wants points added or taken away.
+//! Points come and go while the flow goes on: where the gas asks for them, and around what bodies ask for before the first step.
 
 use super::FixedSimulation;
-use super::refine::Wish;
+use super::build::cells;
+use super::carry;
+use super::cells::Cells;
+use super::cloud::{Cloud, Plot};
+use super::levels::Levels;
+use super::quiet::Quiet;
+use super::refine::{Adaption, BodyNeeds};
+use super::solids::Solids;
+use super::state::Conserved;
+use crate::Failure;
+use crate::method::Time;
+use crate::problem::Problem;
 
-/// Change of the density across a face, over the smaller one, above which both cells are to be split.
-const STEEP: f64 = 0.05;
+/// Points across the thickness of a part of a body.
+const ACROSS: f64 = 4.0;
 
-/// Change below which a cell may join those it was split from.
-const FLAT: f64 = 0.01;
+/// Points along the radius of a bend.
+const RADIUS: f64 = 5.0;
+
+/// Distance from the wall, in spacings, up to which bodies ask.
+const REACH: f64 = 2.0;
+
+/// Steps of an unsteady flow from one adaption to the next.
+pub const EVERY: u64 = 4;
+
+/// Cells of their own size that are kept around the marked ones while a flow settles.
+const AROUND_SETTLING: i32 = 2;
+
+/// The same of an unsteady flow: no wave crosses more than one of the smallest cells in a step.
+const AROUND_MARCHING: i32 = EVERY as i32 + 1;
+
+/// What cells are made from, where points come and go.
+#[derive(Clone, Debug)]
+pub struct Ground<const D: usize> {
+    solids: Solids<D>,
+    levels: Levels<D>,
+    /// What bodies ask for, which stays.
+    kept: Levels<D>,
+    cloud: Cloud<D>,
+    adaption: Adaption,
+}
+
+impl<const D: usize> Ground<D> {
+    /// That of `problem` before the flow has asked for anything, and its cells.
+    pub fn new(problem: &Problem<D>) -> (Self, Cells<D>) {
+        let solids = Solids::new(
+            problem.bodies.iter().map(|body| body.shape.clone()),
+            problem.spacing,
+        );
+        let points = problem.method.fixed();
+        let most = points.map_or(0, |points| points.refine.levels());
+        let settles = points.is_some_and(|points| points.time == Time::Settle);
+        let plot = plot(problem, &solids);
+        let needs = BodyNeeds {
+            most,
+            across: ACROSS,
+            radius: RADIUS,
+            reach: REACH,
+        };
+        let levels = needs.levels(&plot);
+        let cloud = Cloud::lattice(&plot, &levels, problem.disorder);
+        let (cells, _) = cells(&plot, &cloud);
+        let ground = Self {
+            kept: levels.clone(),
+            levels,
+            cloud,
+            adaption: Adaption {
+                most,
+                around: if settles {
+                    AROUND_SETTLING
+                } else {
+                    AROUND_MARCHING
+                },
+            },
+            solids,
+        };
+        (ground, cells)
+    }
+
+    /// True where points may come.
+    pub fn may_change(&self) -> bool {
+        self.adaption.most > 0
+    }
+
+    /// How often cells may be split.
+    pub fn most(&self) -> u8 {
+        self.adaption.most
+    }
+
+    /// The same with cells split as [`Levels::numbers`] of an earlier one said.
+    #[must_use]
+    pub fn with_numbers(mut self, problem: &Problem<D>, numbers: &[i32]) -> (Self, Cells<D>) {
+        let plot = plot(problem, &self.solids);
+        self.levels = Levels::on(&plot).with_numbers(numbers);
+        self.cloud = Cloud::lattice(&plot, &self.levels, problem.disorder);
+        let (cells, _) = cells(&plot, &self.cloud);
+        (self, cells)
+    }
+
+    /// All that is split, as numbers.
+    pub fn numbers(&self) -> Vec<i32> {
+        self.levels.numbers()
+    }
+
+    /// How often the cell of each point was split.
+    pub fn level(&self, point: usize) -> u8 {
+        self.cloud.places[point].site.map_or(0, |site| site.level)
+    }
+}
+
+fn plot<'a, const D: usize>(problem: &'a Problem<D>, solids: &'a Solids<D>) -> Plot<'a, D> {
+    Plot {
+        domain: &problem.domain,
+        solids,
+        spacing: problem.spacing,
+    }
+}
+
+/// How the gas comes onto new cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Carry {
+    /// As the problem starts.
+    Afresh,
+    /// From the nearest old cells.
+    Roughly,
+    /// So that nothing is lost.
+    Wholly,
+}
 
 impl<const D: usize> FixedSimulation<D> {
-    /// What is to be done about each cell: shocks and expansions are split where the density changes by more than a twentieth
-    /// from cell to cell, and joined where it changes by less than a hundredth.
-    pub fn wishes(&self) -> Vec<Wish> {
-        let mut steepest = vec![0.0_f64; self.points.len()];
-        for face in self.net.blocks.iter().flat_map(|block| &block.faces) {
-            let cells = [face.i as usize, face.j as usize];
-            let [a, b] = cells.map(|i| self.states[i].density);
-            let change = (a - b).abs() / a.min(b);
-            for i in cells {
-                steepest[i] = steepest[i].max(change);
+    /// Adds points where the start asks for them.
+    pub(super) fn adapt_start(&mut self) -> Result<(), String> {
+        let most = self.ground.as_ref().map_or(0, |ground| ground.most());
+        for _ in 0..most {
+            if self.adapt(Carry::Afresh)? == 0 {
+                break;
             }
         }
-        let wish = |change: f64| {
-            if change > STEEP {
-                Wish::Split
-            } else if change < FLAT {
-                Wish::Join
-            } else {
-                Wish::Keep
+        Ok(())
+    }
+
+    /// Adds and takes away points of a flow that settles; says how many are new.
+    pub(super) fn adapt_settling(&mut self) -> Result<usize, Failure> {
+        self.adapt(Carry::Roughly)
+            .map_err(|reason| self.no_cells(reason))
+    }
+
+    /// Adds and takes away points of an unsteady flow when it is time to.
+    pub(super) fn adapt_marching(&mut self) -> Result<(), Failure> {
+        if self.ground.is_some() && self.steps > 0 && self.steps.is_multiple_of(EVERY) {
+            self.adapt(Carry::Wholly)
+                .map_err(|reason| self.no_cells(reason))?;
+        }
+        Ok(())
+    }
+
+    /// Hears what the flow wants and goes on with other cells if it wants any; says how many points are new.
+    fn adapt(&mut self, carry: Carry) -> Result<usize, String> {
+        let Some(mut ground) = self.ground.take() else {
+            return Ok(0);
+        };
+        let new = self.adapt_on(&mut ground, carry);
+        self.ground = Some(ground);
+        new
+    }
+
+    fn adapt_on(&mut self, ground: &mut Ground<D>, carry: Carry) -> Result<usize, String> {
+        let wishes = self.wishes();
+        let levels = ground
+            .adaption
+            .heard(&ground.cloud, &ground.levels, &ground.kept, &wishes);
+        if levels == ground.levels {
+            return Ok(0);
+        }
+        let plot = plot(&self.problem, &ground.solids);
+        let cloud = Cloud::lattice(&plot, &levels, self.problem.disorder);
+        let (cells, _) = cells(&plot, &cloud);
+        let held = match carry {
+            Carry::Afresh => {
+                let states = Self::initial_states(&self.problem, &cells)?;
+                let held = states.iter().map(|state| state.conserved(&self.gas));
+                held.collect()
+            }
+            Carry::Roughly => {
+                let volumes: Vec<f64> = self.volumes();
+                let origins = carry::origins(&plot, [&ground.cloud, &cloud]);
+                mixed(&self.held, &origins, |old, _| volumes[old])
+            }
+            Carry::Wholly => {
+                let shares = carry::shares(&plot, &ground.cloud, &cloud);
+                mixed(&self.held, &shares, |_, share| share)
             }
         };
-        steepest.into_iter().map(wish).collect()
+        let is_new = |place: &&super::cloud::Place<D>| {
+            place
+                .site
+                .is_none_or(|site| ground.cloud.at(&site).is_none())
+        };
+        let new = cloud.places.iter().filter(is_new).count();
+        self.replace_cells(cells, held)?;
+        ground.cloud = cloud;
+        ground.levels = levels;
+        Ok(new)
     }
+
+    /// Goes on with other cells, which hold this much per volume.
+    fn replace_cells(&mut self, cells: Cells<D>, held: Vec<Conserved<D>>) -> Result<(), String> {
+        let net = Self::net(&cells, &self.problem)?;
+        self.quiet = Quiet::of(&net, &self.problem);
+        self.states = held.iter().map(|held| held.primitive(&self.gas)).collect();
+        self.before.clone_from(&held);
+        self.held = held;
+        self.slopes = vec![super::Slopes::LEVEL; self.states.len()];
+        self.careful.clear();
+        self.pressures = super::pressures(&net, self.problem.free_stream.pressure);
+        self.points = cells.points;
+        self.net = net;
+        self.sweeps = None;
+        self.start();
+        Ok(())
+    }
+
+    fn no_cells(&self, reason: String) -> Failure {
+        Failure {
+            reason,
+            particle: 0,
+            position: [0.0; 3],
+            step: self.steps,
+            time: self.time,
+        }
+    }
+
+    /// How many points there are whose cells were split so often, from those that were not; one number where none may be.
+    pub fn points_per_level(&self) -> Vec<usize> {
+        let Some(ground) = &self.ground else {
+            return vec![self.points.len()];
+        };
+        let mut counts = vec![0; usize::from(ground.most()) + 1];
+        for point in 0..self.points.len() {
+            counts[usize::from(ground.level(point))] += 1;
+        }
+        counts
+    }
+
+    /// Spacing of the points around one of them.
+    pub(super) fn spacing_at(&self, point: usize) -> f64 {
+        let level = self.ground.as_ref().map_or(0, |ground| ground.level(point));
+        self.problem.spacing / f64::from(1_u32 << level)
+    }
+}
+
+/// What new cells hold per volume: the mean of what old ones do, weighed.
+fn mixed<const D: usize>(
+    held: &[Conserved<D>],
+    shares: &[Vec<carry::Share>],
+    weight: impl Fn(usize, f64) -> f64,
+) -> Vec<Conserved<D>> {
+    let mix = |shares: &Vec<carry::Share>| {
+        if let [(only, _)] = shares[..] {
+            return held[only as usize];
+        }
+        let mut total = 0.0;
+        let mut sum = Conserved::ZERO;
+        for &(old, share) in shares {
+            let weight = weight(old as usize, share);
+            total += weight;
+            sum = sum.plus(weight, &held[old as usize]);
+        }
+        Conserved::ZERO.plus(1.0 / total, &sum)
+    };
+    shares.iter().map(mix).collect()
 }

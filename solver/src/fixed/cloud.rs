@@ -5,6 +5,7 @@
 use std::collections::{HashMap, HashSet};
 
 use aero_geometry::Vector;
+use foldhash::fast::FixedState;
 use rayon::prelude::*;
 
 use super::levels::Levels;
@@ -62,7 +63,7 @@ pub struct Cloud<const D: usize> {
     /// Points of the lattice that is not split, by cell, the last axis fastest.
     coarse: Vec<u32>,
     /// Points of the finer ones.
-    fine: HashMap<Site<D>, u32>,
+    fine: HashMap<Site<D>, u32, FixedState>,
     /// Lattice cells next to points that are on no lattice.
     loose: HashSet<[i32; D]>,
 }
@@ -153,7 +154,7 @@ impl<const D: usize> Cloud<D> {
             corner: plot.domain.bounds.min,
             places: Vec::new(),
             coarse: Vec::new(),
-            fine: HashMap::new(),
+            fine: HashMap::default(),
             loose: HashSet::new(),
         }
     }
