@@ -1,13 +1,13 @@
 //! Points come and go while the flow goes on: where the gas asks for them, and around what bodies ask for before the first step.
 
 use super::FixedSimulation;
-use super::build::cells;
+use super::build::{Built, CutCell, built, rebuilt};
 use super::carry;
 use super::cells::Cells;
 use super::cloud::{Cloud, Plot};
 use super::levels::Levels;
 use super::quiet::Quiet;
-use super::refine::{Adaption, BodyNeeds};
+use super::refine::{Adaption, BodyNeeds, Wish};
 use super::solids::Solids;
 use super::state::Conserved;
 use crate::Failure;
@@ -23,14 +23,23 @@ const RADIUS: f64 = 5.0;
 /// Distance from the wall, in spacings, up to which bodies ask.
 const REACH: f64 = 2.0;
 
-/// Steps of an unsteady flow from one adaption to the next.
-pub const EVERY: u64 = 4;
+/// Steps of an unsteady flow after which it is asked what it wants.
+const EVERY: u64 = 3;
+
+/// So often it is asked, too, what it wants no longer.
+const SELDOM: u64 = 30;
+
+/// Part of the cells that are split above which it pays to have fewer.
+const IDLE: f64 = 0.1;
 
 /// Cells of their own size that are kept around the marked ones while a flow settles.
 const AROUND_SETTLING: i32 = 2;
 
-/// The same of an unsteady flow: no wave crosses more than one of the smallest cells in a step.
-const AROUND_MARCHING: i32 = EVERY as i32 + 1;
+/// The same of an unsteady flow, whenever there is an adaption: so far waves run before there must be another.
+const AROUND_MARCHING: i32 = 8;
+
+/// There must be one where fewer are left than this: no wave crosses more than 0.8 of the smallest cells in a step.
+const LEAST_AROUND: i32 = EVERY as i32;
 
 /// What cells are made from, where points come and go.
 #[derive(Clone, Debug)]
@@ -40,6 +49,8 @@ pub struct Ground<const D: usize> {
     /// What bodies ask for, which stays.
     kept: Levels<D>,
     cloud: Cloud<D>,
+    /// Cells that were cut out one by one, where they are wanted again.
+    cut: Vec<CutCell<D>>,
     adaption: Adaption,
 }
 
@@ -62,9 +73,14 @@ impl<const D: usize> Ground<D> {
         };
         let levels = needs.levels(&plot);
         let cloud = Cloud::lattice(&plot, &levels, problem.disorder);
-        let (cells, _) = cells(&plot, &cloud);
+        let built = built(&plot, &cloud);
         let ground = Self {
             kept: levels.clone(),
+            cut: if settles || most == 0 {
+                Vec::new()
+            } else {
+                built.cut
+            },
             levels,
             cloud,
             adaption: Adaption {
@@ -77,7 +93,7 @@ impl<const D: usize> Ground<D> {
             },
             solids,
         };
-        (ground, cells)
+        (ground, built.cells)
     }
 
     /// True where points may come.
@@ -96,8 +112,9 @@ impl<const D: usize> Ground<D> {
         let plot = plot(problem, &self.solids);
         self.levels = Levels::on(&plot).with_numbers(numbers);
         self.cloud = Cloud::lattice(&plot, &self.levels, problem.disorder);
-        let (cells, _) = cells(&plot, &self.cloud);
-        (self, cells)
+        let built = built(&plot, &self.cloud);
+        self.cut = built.cut;
+        (self, built.cells)
     }
 
     /// All that is split, as numbers.
@@ -150,11 +167,31 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Adds and takes away points of an unsteady flow when it is time to.
     pub(super) fn adapt_marching(&mut self) -> Result<(), Failure> {
-        if self.ground.is_some() && self.steps > 0 && self.steps.is_multiple_of(EVERY) {
+        let is_due = self.steps > 0 && self.steps.is_multiple_of(EVERY);
+        if is_due && self.ground.is_some() {
             self.adapt(Carry::Wholly)
                 .map_err(|reason| self.no_cells(reason))?;
         }
         Ok(())
+    }
+
+    /// True where an unsteady flow can do without an adaption for now.
+    fn can_wait(&self, ground: &Ground<D>, wishes: &[Wish]) -> bool {
+        let Ground {
+            adaption,
+            cloud,
+            levels,
+            kept,
+            ..
+        } = ground;
+        if !adaption.is_served(cloud, levels, wishes, LEAST_AROUND) {
+            return false;
+        }
+        if !self.steps.is_multiple_of(SELDOM) {
+            return true;
+        }
+        let fewer = adaption.heard(cloud, levels, kept, wishes).len();
+        fewer as f64 > (1.0 - IDLE) * levels.len() as f64
     }
 
     /// Hears what the flow wants and goes on with other cells if it wants any; says how many points are new.
@@ -169,6 +206,9 @@ impl<const D: usize> FixedSimulation<D> {
 
     fn adapt_on(&mut self, ground: &mut Ground<D>, carry: Carry) -> Result<usize, String> {
         let wishes = self.wishes();
+        if carry == Carry::Wholly && self.can_wait(ground, &wishes) {
+            return Ok(0);
+        }
         let levels = ground
             .adaption
             .heard(&ground.cloud, &ground.levels, &ground.kept, &wishes);
@@ -176,8 +216,16 @@ impl<const D: usize> FixedSimulation<D> {
             return Ok(0);
         }
         let plot = plot(&self.problem, &ground.solids);
-        let cloud = Cloud::lattice(&plot, &levels, self.problem.disorder);
-        let (cells, _) = cells(&plot, &cloud);
+        let disorder = self.problem.disorder;
+        let cloud = Cloud::lattice_after(&plot, &levels, disorder, Some(&ground.cloud));
+        let Built {
+            cells, cut, same, ..
+        } = if carry == Carry::Roughly {
+            built(&plot, &cloud)
+        } else {
+            let before = std::mem::take(&mut ground.cut);
+            rebuilt(&plot, &cloud, &ground.cloud, before)
+        };
         let held = match carry {
             Carry::Afresh => {
                 let states = Self::initial_states(&self.problem, &cells)?;
@@ -187,11 +235,11 @@ impl<const D: usize> FixedSimulation<D> {
             Carry::Roughly => {
                 let volumes: Vec<f64> = self.volumes();
                 let origins = carry::origins(&plot, [&ground.cloud, &cloud]);
-                mixed(&self.held, &origins, |old, _| volumes[old])
+                mixed(&self.held, &volumes, &origins)
             }
             Carry::Wholly => {
-                let shares = carry::shares(&plot, &ground.cloud, &cloud);
-                mixed(&self.held, &shares, |_, share| share)
+                let shares = carry::shares(&plot, &ground.cloud, &cloud, &same);
+                carry::carried(&self.held, [&self.volumes(), &cells.volumes], &shares)
             }
         };
         let is_new = |place: &&super::cloud::Place<D>| {
@@ -201,6 +249,9 @@ impl<const D: usize> FixedSimulation<D> {
         };
         let new = cloud.places.iter().filter(is_new).count();
         self.replace_cells(cells, held)?;
+        if carry != Carry::Roughly {
+            ground.cut = cut;
+        }
         ground.cloud = cloud;
         ground.levels = levels;
         Ok(new)
@@ -252,11 +303,11 @@ impl<const D: usize> FixedSimulation<D> {
     }
 }
 
-/// What new cells hold per volume: the mean of what old ones do, weighed.
+/// What new cells hold per volume: the mean of what the old ones do that they come from.
 fn mixed<const D: usize>(
     held: &[Conserved<D>],
+    volumes: &[f64],
     shares: &[Vec<carry::Share>],
-    weight: impl Fn(usize, f64) -> f64,
 ) -> Vec<Conserved<D>> {
     let mix = |shares: &Vec<carry::Share>| {
         if let [(only, _)] = shares[..] {
@@ -264,8 +315,8 @@ fn mixed<const D: usize>(
         }
         let mut total = 0.0;
         let mut sum = Conserved::ZERO;
-        for &(old, share) in shares {
-            let weight = weight(old as usize, share);
+        for &(old, _) in shares {
+            let weight = volumes[old as usize];
             total += weight;
             sum = sum.plus(weight, &held[old as usize]);
         }

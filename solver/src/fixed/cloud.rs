@@ -91,11 +91,22 @@ impl<const D: usize> Cloud<D> {
     /// The lattice, its cells split as `levels` say, each point displaced at random by up to `disorder` of a spacing
     /// along each axis.
     pub fn lattice(plot: &Plot<'_, D>, levels: &Levels<D>, disorder: f64) -> Self {
+        Self::lattice_after(plot, levels, disorder, None)
+    }
+
+    /// The same; points that an `earlier` one of the same plot had are taken from there.
+    pub fn lattice_after(
+        plot: &Plot<'_, D>,
+        levels: &Levels<D>,
+        disorder: f64,
+        earlier: Option<&Self>,
+    ) -> Self {
         let mut cloud = Self::empty(plot);
         let filler = Filler {
             plot,
             levels,
             disorder,
+            earlier,
             corner: cloud.corner,
             counts: cloud.counts,
         };
@@ -303,6 +314,7 @@ struct Filler<'a, const D: usize> {
     plot: &'a Plot<'a, D>,
     levels: &'a Levels<D>,
     disorder: f64,
+    earlier: Option<&'a Cloud<D>>,
     corner: Vector<D>,
     counts: [i32; D],
 }
@@ -393,6 +405,12 @@ impl<const D: usize> Filler<'_, D> {
                     places,
                 );
             }
+            return;
+        }
+        if let Some(earlier) = self.earlier
+            && let Some(known) = earlier.at(&site)
+        {
+            places.push(earlier.places[known]);
             return;
         }
         let spacing = self.plot.spacing / f64::from(1 << site.level);

@@ -46,6 +46,11 @@ impl<const D: usize> Levels<D> {
         !self.split.is_empty() && self.split.contains(site)
     }
 
+    /// How many cells are split.
+    pub fn len(&self) -> usize {
+        self.split.len()
+    }
+
     /// True where no cell is.
     pub fn is_empty(&self) -> bool {
         self.split.is_empty()

@@ -72,6 +72,24 @@ impl Adaption {
         changed
     }
 
+    /// True where all cells that `wishes` ask for, within `around` of the marked ones, are there already.
+    pub fn is_served<const D: usize>(
+        self,
+        cloud: &Cloud<D>,
+        levels: &Levels<D>,
+        wishes: &[Wish],
+        around: i32,
+    ) -> bool {
+        let closer = Self { around, ..self };
+        let mut asked = Sites::default();
+        for (place, wish) in cloud.places.iter().zip(wishes) {
+            if let (Some(site), Wish::Split) = (place.site, wish) {
+                closer.ask(&site, levels, &mut asked);
+            }
+        }
+        asked.iter().all(|site| levels.is_split(site))
+    }
+
     /// Asks for cells half the size of a site's in it and around it, or of its own size where it may not be split.
     fn ask<const D: usize>(self, site: &Site<D>, levels: &Levels<D>, asked: &mut Sites<D>) {
         let level = (site.level + 1).min(self.most);

@@ -1,7 +1,7 @@
 use aero_geometry::bodies;
 
 use super::super::carry::shares;
-use super::super::cloud::Site;
+use super::super::cloud::{NOBODY, Site};
 use super::super::refine::{Adaption, BodyNeeds, Wish};
 use super::*;
 
@@ -66,7 +66,12 @@ fn what_is_carried_to_new_cells_is_neither_lost_nor_disturbed() {
     let [old, new] = [&before, &after].map(|levels| scene.made_with(levels));
     let field = |p: &Vector<2>| 1.0 + (3.0 * p.x).sin() * p.y;
     let states: Vec<f64> = old.cells.points.iter().map(field).collect();
-    let parts = shares(&scene.plot(), &old.cloud, &new.cloud);
+    let parts = shares(
+        &scene.plot(),
+        &old.cloud,
+        &new.cloud,
+        &vec![NOBODY; new.cloud.places.len()],
+    );
     let total = |cells: &Cells<2>, states: &[f64]| -> f64 {
         cells.volumes.iter().zip(states).map(|(v, q)| v * q).sum()
     };
