@@ -1,27 +1,14 @@
-//! Points come and go while the flow goes on: where the gas asks for them, and around what bodies ask for before the first step.
+//! Points come and go while the flow goes on.
 
 use super::FixedSimulation;
-use super::build::{Built, CutCell, built, rebuilt};
+use super::build::{Built, built, rebuilt};
 use super::carry;
 use super::cells::Cells;
-use super::cloud::{Cloud, Plot};
-use super::levels::Levels;
+use super::cloud::{Cloud, Place};
+use super::ground::{Ground, plot};
 use super::quiet::Quiet;
-use super::refine::{Adaption, BodyNeeds, Wish};
-use super::solids::Solids;
 use super::state::Conserved;
 use crate::Failure;
-use crate::method::Time;
-use crate::problem::Problem;
-
-/// Points across the thickness of a part of a body.
-const ACROSS: f64 = 4.0;
-
-/// Points along the radius of a bend.
-const RADIUS: f64 = 5.0;
-
-/// Distance from the wall, in spacings, up to which bodies ask.
-const REACH: f64 = 2.0;
 
 /// Steps of an unsteady flow after which it is asked what it wants.
 const EVERY: u64 = 3;
@@ -32,109 +19,8 @@ const SELDOM: u64 = 30;
 /// Part of the cells that are split above which it pays to have fewer.
 const IDLE: f64 = 0.1;
 
-/// Cells of their own size that are kept around the marked ones while a flow settles.
-const AROUND_SETTLING: i32 = 2;
-
-/// The same of an unsteady flow, whenever there is an adaption: so far waves run before there must be another.
-const AROUND_MARCHING: i32 = 8;
-
 /// There must be one where fewer are left than this: no wave crosses more than 0.8 of the smallest cells in a step.
 const LEAST_AROUND: i32 = EVERY as i32;
-
-/// What cells are made from, where points come and go.
-#[derive(Clone, Debug)]
-pub struct Ground<const D: usize> {
-    solids: Solids<D>,
-    levels: Levels<D>,
-    /// What bodies ask for, which stays.
-    kept: Levels<D>,
-    cloud: Cloud<D>,
-    /// Cells that were cut out one by one, where they are wanted again.
-    cut: Vec<CutCell<D>>,
-    adaption: Adaption,
-}
-
-impl<const D: usize> Ground<D> {
-    /// That of `problem` before the flow has asked for anything, and its cells.
-    pub fn new(problem: &Problem<D>) -> (Self, Cells<D>) {
-        let solids = Solids::new(
-            problem.bodies.iter().map(|body| body.shape.clone()),
-            problem.spacing,
-        );
-        let points = problem.method.fixed();
-        let most = points.map_or(0, |points| points.refine.levels());
-        let settles = points.is_some_and(|points| points.time == Time::Settle);
-        let plot = plot(problem, &solids);
-        let needs = BodyNeeds {
-            most,
-            across: ACROSS,
-            radius: RADIUS,
-            reach: REACH,
-        };
-        let levels = needs.levels(&plot);
-        let cloud = Cloud::lattice(&plot, &levels, problem.disorder);
-        let built = built(&plot, &cloud);
-        let ground = Self {
-            kept: levels.clone(),
-            cut: if settles || most == 0 {
-                Vec::new()
-            } else {
-                built.cut
-            },
-            levels,
-            cloud,
-            adaption: Adaption {
-                most,
-                around: if settles {
-                    AROUND_SETTLING
-                } else {
-                    AROUND_MARCHING
-                },
-            },
-            solids,
-        };
-        (ground, built.cells)
-    }
-
-    /// True where points may come.
-    pub fn may_change(&self) -> bool {
-        self.adaption.most > 0
-    }
-
-    /// How often cells may be split.
-    pub fn most(&self) -> u8 {
-        self.adaption.most
-    }
-
-    /// The same with cells split as [`Levels::numbers`] of an earlier one said.
-    #[must_use]
-    pub fn with_numbers(mut self, problem: &Problem<D>, numbers: &[i32]) -> (Self, Cells<D>) {
-        let plot = plot(problem, &self.solids);
-        self.levels = Levels::on(&plot).with_numbers(numbers);
-        self.cloud = Cloud::lattice(&plot, &self.levels, problem.disorder);
-        let built = built(&plot, &self.cloud);
-        self.cut = built.cut;
-        (self, built.cells)
-    }
-
-    /// All that is split, as numbers.
-    pub fn numbers(&self) -> Vec<i32> {
-        self.levels.numbers()
-    }
-
-    /// How often the cell of each point was split.
-    pub fn level(&self, point: usize) -> u8 {
-        self.cloud.places[point].site.map_or(0, |site| site.level)
-    }
-}
-
-fn plot<'a, const D: usize>(problem: &'a Problem<D>, solids: &'a Solids<D>) -> Plot<'a, D> {
-    Plot {
-        domain: &problem.domain,
-        solids,
-        spacing: problem.spacing,
-    }
-}
 
 /// How the gas comes onto new cells.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -176,22 +62,15 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     /// True where an unsteady flow can do without an adaption for now.
-    fn can_wait(&self, ground: &Ground<D>, wishes: &[Wish]) -> bool {
-        let Ground {
-            adaption,
-            cloud,
-            levels,
-            kept,
-            ..
-        } = ground;
-        if !adaption.is_served(cloud, levels, wishes, LEAST_AROUND) {
+    fn can_wait(&self, ground: &Ground<D>, changes: &[f64]) -> bool {
+        if !ground.is_served(changes, LEAST_AROUND) {
             return false;
         }
         if !self.steps.is_multiple_of(SELDOM) {
             return true;
         }
-        let fewer = adaption.heard(cloud, levels, kept, wishes).len();
-        fewer as f64 > (1.0 - IDLE) * levels.len() as f64
+        let fewer = ground.heard(changes).len();
+        fewer as f64 > (1.0 - IDLE) * ground.levels.len() as f64
     }
 
     /// Hears what the flow wants and goes on with other cells if it wants any; says how many points are new.
@@ -205,13 +84,11 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     fn adapt_on(&mut self, ground: &mut Ground<D>, carry: Carry) -> Result<usize, String> {
-        let wishes = self.wishes();
-        if carry == Carry::Wholly && self.can_wait(ground, &wishes) {
+        let changes = self.changes();
+        if carry == Carry::Wholly && self.can_wait(ground, &changes) {
             return Ok(0);
         }
-        let levels = ground
-            .adaption
-            .heard(&ground.cloud, &ground.levels, &ground.kept, &wishes);
+        let levels = ground.heard(&changes);
         if levels == ground.levels {
             return Ok(0);
         }
@@ -242,7 +119,7 @@ impl<const D: usize> FixedSimulation<D> {
                 carry::carried(&self.held, [&self.volumes(), &cells.volumes], &shares)
             }
         };
-        let is_new = |place: &&super::cloud::Place<D>| {
+        let is_new = |place: &&Place<D>| {
             place
                 .site
                 .is_none_or(|site| ground.cloud.at(&site).is_none())

@@ -6,8 +6,8 @@ use aero_geometry::Vector;
 use serde::{Deserialize, Serialize};
 
 use super::FixedSimulation;
-use super::adapt::Ground;
 use super::cells::Cells;
+use super::ground::Ground;
 use super::settle::Settling;
 use super::state::Conserved;
 use crate::problem::Problem;
@@ -37,7 +37,7 @@ impl<const D: usize> FixedSimulation<D> {
             time: self.time,
             steps: self.steps,
             points: Cow::Borrowed(&self.points),
-            split: self.ground.as_ref().map(|ground| ground.numbers()),
+            split: self.ground.as_ref().map(|ground| ground.levels.numbers()),
             held: self.held.iter().flat_map(numbers).collect(),
             received: numbers(&self.received).collect(),
             pressures: Cow::Borrowed(&self.pressures),
@@ -53,7 +53,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// A problem that gives other points.
     pub fn resume(problem: Problem<D>, memory: FixedMemory<'_, D>) -> Result<Self, String> {
-        let (mut ground, mut cells) = Ground::new(&problem);
+        let (mut ground, mut cells) = Ground::new(&problem)?;
         if let Some(split) = &memory.split {
             (ground, cells) = ground.with_numbers(&problem, split);
         }

@@ -14,6 +14,7 @@ mod fluxes;
 mod folding;
 mod gas;
 mod gradients;
+mod ground;
 mod hll;
 mod hllc;
 pub mod levels;
@@ -57,9 +58,9 @@ use crate::problem::Problem;
 use crate::scheme::Precision;
 use crate::vectors::Arch;
 use crate::walls::wall_sides;
-use adapt::Ground;
 use gas::IdealGas;
 use gradients::Slopes;
+use ground::Ground;
 use net::Net;
 use quiet::Quiet;
 use sides::Beyond;
@@ -119,7 +120,8 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// As of [`Self::on`].
     pub fn new(problem: Problem<D>) -> Result<Self, String> {
-        let (ground, cells) = Ground::new(&problem);
+        problem.check_fixed()?;
+        let (ground, cells) = Ground::new(&problem)?;
         let mut simulation = Self::on(cells, problem)?;
         if ground.may_change() {
             simulation.ground = Some(Box::new(ground));
