@@ -1,12 +1,13 @@
 //! Points come and go while the flow goes on.
 
 use super::FixedSimulation;
-use super::build::{Built, built, rebuilt};
+use super::build::{Built, built};
 use super::carry;
 use super::cells::Cells;
 use super::cloud::{Cloud, Place};
 use super::ground::{Ground, plot};
 use super::quiet::Quiet;
+use super::rebuild::rebuilt;
 use super::state::Conserved;
 use crate::Failure;
 

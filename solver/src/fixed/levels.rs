@@ -4,7 +4,8 @@ use std::collections::HashSet;
 
 use foldhash::fast::FixedState;
 
-use super::cloud::{Plot, Site, children, steps};
+use super::cloud::Plot;
+use super::site::{Site, children, steps};
 use crate::problem::Side;
 
 /// Sites, found quickly and in the same way in every run.

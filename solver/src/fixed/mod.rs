@@ -3,6 +3,7 @@
 //! [`FixedSimulation::step`] marches in time, `settle` goes to the steady state. Neither knows how cells are made.
 
 mod adapt;
+mod assemble;
 pub mod build;
 pub mod carry;
 pub mod cells;
@@ -10,6 +11,7 @@ mod checkpoint;
 pub mod cloud;
 mod cut;
 mod edges;
+mod filler;
 mod fluxes;
 mod folding;
 mod gas;
@@ -29,12 +31,14 @@ mod part;
 mod polytope;
 mod quiet;
 mod real;
+mod rebuild;
 mod reconstruction;
 pub mod refine;
 mod refusal;
 mod section;
 mod settle;
 mod sides;
+mod site;
 mod snapshot;
 pub mod solids;
 mod stages;

@@ -1,12 +1,18 @@
 use aero_geometry::bodies;
 
 use super::super::carry::shares;
-use super::super::cloud::{NOBODY, Site};
+use super::super::cloud::NOBODY;
 use super::super::refine::{Adaption, BodyNeeds, Wish};
+use super::super::site::Site;
 use super::*;
 
 /// Splits the cells around a place, `most` times.
-fn around<const D: usize>(scene: &Scene<D>, place: Vector<D>, most: u8, around: i32) -> Levels<D> {
+pub(super) fn around<const D: usize>(
+    scene: &Scene<D>,
+    place: Vector<D>,
+    most: u8,
+    around: i32,
+) -> Levels<D> {
     let mut levels = Levels::default();
     for _ in 0..most {
         let cloud = Cloud::lattice(&scene.plot(), &levels, 0.0);
