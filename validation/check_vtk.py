@@ -72,7 +72,7 @@ def check_values(arrays):
     for name in ("density", "energy"):
         if name in arrays:
             require(arrays[name][fluid] > 0, f"`{name}` is not positive")
-    for name in ("smoothing_length", "volume"):
+    for name in ("smoothing_length", "volume", "spacing"):
         if name in arrays:
             require(arrays[name] > 0, f"`{name}` is not positive")
     for name in ("mach", "layer", "body"):

@@ -113,6 +113,14 @@ impl<const D: usize> Flow<D> {
         self.0.mass_and_centre()
     }
 
+    /// Points whose cells were split so often, from those never split; none of particles.
+    pub fn points_per_level(&self) -> Vec<usize> {
+        match self {
+            Self::WithTheGas(_) => Vec::new(),
+            Self::Fixed(flow) => flow.points_per_level(),
+        }
+    }
+
     /// Counts and extremes.
     pub fn statistics(&self) -> Statistics {
         compiled::statistics(&self.0)

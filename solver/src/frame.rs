@@ -39,6 +39,8 @@ pub struct Frame {
     pub smoothing_length: Vec<f64>,
     /// Volumes: area in the plane, length on a line, whole rings about an axis.
     pub volume: Vec<f64>,
+    /// Spacing of the points around each, of points that stay; empty of particles.
+    pub spacing: Vec<f64>,
     /// [`Kind`] as a number.
     pub kind: Vec<u8>,
     /// Number that a particle keeps for life.

@@ -132,6 +132,18 @@ fn lines(summary: &Summary, out: &Path) -> String {
         drift(summary),
         summary.leaked,
     );
+    if summary.points_per_level.len() > 1 {
+        let counts: Vec<String> = summary
+            .points_per_level
+            .iter()
+            .map(usize::to_string)
+            .collect();
+        let _ = writeln!(
+            text,
+            "points by halvings of the spacing: {}",
+            counts.join(", ")
+        );
+    }
     for (name, body) in &summary.bodies {
         text.push_str(&loads(name, body));
     }

@@ -24,6 +24,8 @@ pub struct Summary {
     pub spacing: f64,
     /// Numbers of particles at the end.
     pub particles: Particles,
+    /// Points whose cells were split so often, from those never split; empty of particles.
+    pub points_per_level: Vec<usize>,
     /// Steps taken.
     pub steps: u64,
     /// Time reached.

@@ -99,6 +99,11 @@ fn gas(frame: &Frame) -> Frame {
         mach: pick(&frame.mach, &chosen),
         smoothing_length: pick(&frame.smoothing_length, &chosen),
         volume: pick(&frame.volume, &chosen),
+        spacing: if frame.spacing.is_empty() {
+            Vec::new()
+        } else {
+            pick(&frame.spacing, &chosen)
+        },
         kind: pick(&frame.kind, &chosen),
         id: pick(&frame.id, &chosen),
     }

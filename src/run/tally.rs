@@ -177,6 +177,7 @@ impl Tally {
                 fluid: statistics.fluid,
                 ghost: statistics.ghost,
             },
+            points_per_level: simulation.points_per_level(),
             steps: simulation.steps(),
             end_time: simulation.time(),
             stop_reason: stop_reason.into(),

@@ -1,36 +1,204 @@
-//! Where the flow wants points added or taken away.
+//! Points come and go while the flow goes on.
 
 use super::FixedSimulation;
-use super::refine::Wish;
+use super::build::{Built, built};
+use super::carry;
+use super::cells::Cells;
+use super::cloud::{Cloud, Place};
+use super::ground::{Ground, plot};
+use super::quiet::Quiet;
+use super::rebuild::rebuilt;
+use super::state::Conserved;
+use crate::Failure;
 
-/// Change of the density across a face, over the smaller one, above which both cells are to be split.
-const STEEP: f64 = 0.05;
+/// Steps of an unsteady flow after which it is asked what it wants.
+const EVERY: u64 = 3;
 
-/// Change below which a cell may join those it was split from.
-const FLAT: f64 = 0.01;
+/// So often it is asked, too, what it wants no longer.
+const SELDOM: u64 = 30;
+
+/// Part of the cells that are split above which it pays to have fewer.
+const IDLE: f64 = 0.1;
+
+/// There must be one where fewer are left than this: no wave crosses more than 0.8 of the smallest cells in a step.
+const LEAST_AROUND: i32 = EVERY as i32;
+
+/// How the gas comes onto new cells.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+enum Carry {
+    /// As the problem starts.
+    Afresh,
+    /// From the nearest old cells.
+    Roughly,
+    /// So that nothing is lost.
+    Wholly,
+}
 
 impl<const D: usize> FixedSimulation<D> {
-    /// What is to be done about each cell: shocks and expansions are split where the density changes by more than a twentieth
-    /// from cell to cell, and joined where it changes by less than a hundredth.
-    pub fn wishes(&self) -> Vec<Wish> {
-        let mut steepest = vec![0.0_f64; self.points.len()];
-        for face in self.net.blocks.iter().flat_map(|block| &block.faces) {
-            let cells = [face.i as usize, face.j as usize];
-            let [a, b] = cells.map(|i| self.states[i].density);
-            let change = (a - b).abs() / a.min(b);
-            for i in cells {
-                steepest[i] = steepest[i].max(change);
+    /// Adds points where the start asks for them.
+    pub(super) fn adapt_start(&mut self) -> Result<(), String> {
+        let most = self.ground.as_ref().map_or(0, |ground| ground.most());
+        for _ in 0..most {
+            if self.adapt(Carry::Afresh)? == 0 {
+                break;
             }
         }
-        let wish = |change: f64| {
-            if change > STEEP {
-                Wish::Split
-            } else if change < FLAT {
-                Wish::Join
-            } else {
-                Wish::Keep
+        Ok(())
+    }
+
+    /// Adds and takes away points of a flow that settles; says how many are new.
+    pub(super) fn adapt_settling(&mut self) -> Result<usize, Failure> {
+        self.adapt(Carry::Roughly)
+            .map_err(|reason| self.no_cells(reason))
+    }
+
+    /// Adds and takes away points of an unsteady flow when it is time to.
+    pub(super) fn adapt_marching(&mut self) -> Result<(), Failure> {
+        let is_due = self.steps > 0 && self.steps.is_multiple_of(EVERY);
+        if is_due && self.ground.is_some() {
+            self.adapt(Carry::Wholly)
+                .map_err(|reason| self.no_cells(reason))?;
+        }
+        Ok(())
+    }
+
+    /// True where an unsteady flow can do without an adaption for now.
+    fn can_wait(&self, ground: &Ground<D>, changes: &[f64]) -> bool {
+        if !ground.is_served(changes, LEAST_AROUND) {
+            return false;
+        }
+        if !self.steps.is_multiple_of(SELDOM) {
+            return true;
+        }
+        let fewer = ground.heard(changes).len();
+        fewer as f64 > (1.0 - IDLE) * ground.levels.len() as f64
+    }
+
+    /// Hears what the flow wants and goes on with other cells if it wants any; says how many points are new.
+    fn adapt(&mut self, carry: Carry) -> Result<usize, String> {
+        let Some(mut ground) = self.ground.take() else {
+            return Ok(0);
+        };
+        let new = self.adapt_on(&mut ground, carry);
+        self.ground = Some(ground);
+        new
+    }
+
+    fn adapt_on(&mut self, ground: &mut Ground<D>, carry: Carry) -> Result<usize, String> {
+        let changes = self.changes();
+        if carry == Carry::Wholly && self.can_wait(ground, &changes) {
+            return Ok(0);
+        }
+        let levels = ground.heard(&changes);
+        if levels == ground.levels {
+            return Ok(0);
+        }
+        let plot = plot(&self.problem, &ground.solids);
+        let disorder = self.problem.disorder;
+        let cloud = Cloud::lattice_after(&plot, &levels, disorder, Some(&ground.cloud));
+        let Built {
+            cells, cut, same, ..
+        } = if carry == Carry::Roughly {
+            built(&plot, &cloud)
+        } else {
+            let before = std::mem::take(&mut ground.cut);
+            rebuilt(&plot, &cloud, &ground.cloud, before)
+        };
+        let held = match carry {
+            Carry::Afresh => {
+                let states = Self::initial_states(&self.problem, &cells)?;
+                let held = states.iter().map(|state| state.conserved(&self.gas));
+                held.collect()
+            }
+            Carry::Roughly => {
+                let volumes: Vec<f64> = self.volumes();
+                let origins = carry::origins(&plot, [&ground.cloud, &cloud]);
+                mixed(&self.held, &volumes, &origins)
+            }
+            Carry::Wholly => {
+                let shares = carry::shares(&plot, &ground.cloud, &cloud, &same);
+                carry::carried(&self.held, [&self.volumes(), &cells.volumes], &shares)
             }
         };
-        steepest.into_iter().map(wish).collect()
+        let is_new = |place: &&Place<D>| {
+            place
+                .site
+                .is_none_or(|site| ground.cloud.at(&site).is_none())
+        };
+        let new = cloud.places.iter().filter(is_new).count();
+        self.replace_cells(cells, held)?;
+        if carry != Carry::Roughly {
+            ground.cut = cut;
+        }
+        ground.cloud = cloud;
+        ground.levels = levels;
+        Ok(new)
     }
+
+    /// Goes on with other cells, which hold this much per volume.
+    fn replace_cells(&mut self, cells: Cells<D>, held: Vec<Conserved<D>>) -> Result<(), String> {
+        let net = Self::net(&cells, &self.problem)?;
+        self.quiet = Quiet::of(&net, &self.problem);
+        self.states = held.iter().map(|held| held.primitive(&self.gas)).collect();
+        self.before.clone_from(&held);
+        self.held = held;
+        self.slopes = vec![super::Slopes::LEVEL; self.states.len()];
+        self.careful.clear();
+        self.pressures = super::pressures(&net, self.problem.free_stream.pressure);
+        self.points = cells.points;
+        self.net = net;
+        self.sweeps = None;
+        self.start();
+        Ok(())
+    }
+
+    fn no_cells(&self, reason: String) -> Failure {
+        Failure {
+            reason,
+            particle: 0,
+            position: [0.0; 3],
+            step: self.steps,
+            time: self.time,
+        }
+    }
+
+    /// How many points there are whose cells were split so often, from those that were not; one number where none may be.
+    pub fn points_per_level(&self) -> Vec<usize> {
+        let Some(ground) = &self.ground else {
+            return vec![self.points.len()];
+        };
+        let mut counts = vec![0; usize::from(ground.most()) + 1];
+        for point in 0..self.points.len() {
+            counts[usize::from(ground.level(point))] += 1;
+        }
+        counts
+    }
+
+    /// Spacing of the points around one of them.
+    pub(super) fn spacing_at(&self, point: usize) -> f64 {
+        let level = self.ground.as_ref().map_or(0, |ground| ground.level(point));
+        self.problem.spacing / f64::from(1_u32 << level)
+    }
+}
+
+/// What new cells hold per volume: the mean of what the old ones do that they come from.
+fn mixed<const D: usize>(
+    held: &[Conserved<D>],
+    volumes: &[f64],
+    shares: &[Vec<carry::Share>],
+) -> Vec<Conserved<D>> {
+    let mix = |shares: &Vec<carry::Share>| {
+        if let [(only, _)] = shares[..] {
+            return held[only as usize];
+        }
+        let mut total = 0.0;
+        let mut sum = Conserved::ZERO;
+        for &(old, _) in shares {
+            let weight = volumes[old as usize];
+            total += weight;
+            sum = sum.plus(weight, &held[old as usize]);
+        }
+        Conserved::ZERO.plus(1.0 / total, &sum)
+    };
+    shares.iter().map(mix).collect()
 }

@@ -7,25 +7,30 @@ use aero_geometry::Vector;
 use rayon::prelude::*;
 
 use super::build::Builder;
-use super::cloud::{Cloud, Plot};
+use super::cloud::{Cloud, NOBODY, Place, Plot};
 use super::cut::Whole;
 use super::levels::{parent, parts};
 use super::nearby::Nearby;
 use super::polytope::Polytope;
 use super::solids::Line;
+use super::state::Conserved;
 use super::voronoi::{IN_BODY, Voronoi};
 
 /// Overlaps below this part of a cell are left out.
 const LEAST: f64 = 1e-12;
 
+/// Part by which what an old cell holds may be squeezed or thinned.
+const ROOM: f64 = 0.02;
+
 /// Part of an old cell in a new one: the old one's number, and the part of the *new* cell that it fills.
 pub type Share = (u32, f64);
 
-/// What each new cell is made of; the parts of each add up to one.
+/// What each new cell is made of; the parts of each add up to one. `same` tells those that are whole old cells.
 pub fn shares<const D: usize>(
     plot: &Plot<'_, D>,
     old: &Cloud<D>,
     new: &Cloud<D>,
+    same: &[u32],
 ) -> Vec<Vec<Share>> {
     let positions = [old.positions(), new.positions()];
     let overlay = Overlay {
@@ -43,11 +48,74 @@ pub fn shares<const D: usize>(
     (0..new.places.len())
         .into_par_iter()
         .map(|number| {
+            if same[number] != NOBODY {
+                return vec![(same[number], 1.0)];
+            }
             overlay
                 .on_lattice(number)
                 .unwrap_or_else(|| overlay.cut(number))
         })
         .collect()
+}
+
+/// Where the gas of each new cell comes from if only its state matters: the same cell, the one that it is a part of, or its parts, and
+/// where there is none of them the nearest that it sees. All shares of a cell are alike.
+pub fn origins<const D: usize>(plot: &Plot<'_, D>, [old, new]: [&Cloud<D>; 2]) -> Vec<Vec<Share>> {
+    let positions = old.positions();
+    let nearby = Nearby::new(&positions);
+    let origin = |place: &Place<D>| {
+        if let Some(site) = place.site {
+            let mut known = site;
+            loop {
+                if let Some(there) = old.at(&known) {
+                    return vec![(there as u32, 1.0)];
+                }
+                if known.level == 0 {
+                    break;
+                }
+                known = parent(&known);
+            }
+            let found: Vec<Share> = parts(&site)
+                .filter_map(|part| old.at(&part).map(|there| (there as u32, 1.0)))
+                .collect();
+            if !found.is_empty() {
+                return found;
+            }
+        }
+        vec![(nearest(plot, old, &nearby, place), 1.0)]
+    };
+    new.places.par_iter().map(origin).collect()
+}
+
+/// The nearest point that a place sees, or the nearest one.
+fn nearest<const D: usize>(
+    plot: &Plot<'_, D>,
+    cloud: &Cloud<D>,
+    nearby: &Nearby<'_, D>,
+    place: &Place<D>,
+) -> u32 {
+    let far = plot.domain.bounds.size().norm();
+    let mut radius = 2.0 * place.spacing;
+    let mut near = Vec::new();
+    loop {
+        near.clear();
+        nearby.within(&place.position, radius, &mut near);
+        near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        let is_seen = |&&(_, other): &&(f64, u32)| {
+            plot.solids.sees(&Line {
+                from: place.position,
+                to: cloud.places[other as usize].position,
+                unit: place.spacing,
+            })
+        };
+        if let Some(&(_, other)) = near.iter().find(is_seen) {
+            return other;
+        }
+        if radius > far {
+            return near.first().map_or(0, |&(_, other)| other);
+        }
+        radius *= 2.0;
+    }
 }
 
 struct Overlay<'a, const D: usize> {
@@ -162,4 +230,65 @@ fn normalised(mut shares: Vec<Share>) -> Vec<Share> {
         share.1 /= total;
     }
     shares
+}
+
+/// What new cells hold per volume when nothing is lost: each old cell hands out all that it holds to those that overlap it, by the
+/// volume that they take of it.
+///
+/// `volumes` are those of old and new cells. Walls are bent, and old and new cells divide the gas next to them a little differently; what an
+/// old cell's takers have more or less room for than it had is theirs, by up to [`ROOM`]. What is then left over is spread over
+/// all cells that are new.
+pub fn carried<const D: usize>(
+    held: &[Conserved<D>],
+    volumes: [&[f64]; 2],
+    shares: &[Vec<Share>],
+) -> Vec<Conserved<D>> {
+    let [before, after] = volumes;
+    let mut taken = vec![0.0; before.len()];
+    for (shares, volume) in shares.iter().zip(after) {
+        for &(old, part) in shares {
+            taken[old as usize] += part * volume;
+        }
+    }
+    let mut lost = Conserved::ZERO;
+    let mut room = 0.0;
+    let mut carried = Vec::with_capacity(shares.len());
+    for (shares, volume) in shares.iter().zip(after) {
+        if let [(old, _)] = shares[..]
+            && taken[old as usize] == before[old as usize]
+            && *volume == before[old as usize]
+        {
+            carried.push(held[old as usize]);
+            continue;
+        }
+        let mut sum = Conserved::ZERO;
+        for &(old, part) in shares {
+            let old = old as usize;
+            let fit = (before[old] / taken[old]).clamp(1.0 - ROOM, 1.0 + ROOM);
+            sum = sum.plus(part * fit, &held[old]);
+        }
+        lost = lost.plus(-volume, &sum);
+        room += volume;
+        carried.push(sum);
+    }
+    let kept = |shares: &[Share], volume: f64| matches!(shares[..], [(old, _)] if taken[old as usize] == before[old as usize] && volume == before[old as usize]);
+    let mut is_kept = vec![false; before.len()];
+    for (shares, volume) in shares.iter().zip(after) {
+        if kept(shares, *volume) {
+            is_kept[shares[0].0 as usize] = true;
+        }
+    }
+    for ((held, volume), is_kept) in held.iter().zip(before).zip(is_kept) {
+        if !is_kept {
+            lost = lost.plus(*volume, held);
+        }
+    }
+    if room > 0.0 {
+        for ((carried, shares), volume) in carried.iter_mut().zip(shares).zip(after) {
+            if !kept(shares, *volume) {
+                *carried = carried.plus(1.0 / room, &lost);
+            }
+        }
+    }
+    carried
 }

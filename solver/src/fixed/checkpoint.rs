@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::FixedSimulation;
 use super::cells::Cells;
+use super::ground::Ground;
 use super::settle::Settling;
 use super::state::Conserved;
 use crate::problem::Problem;
@@ -17,6 +18,8 @@ pub struct FixedMemory<'a, const D: usize> {
     time: f64,
     steps: u64,
     points: Cow<'a, [Vector<D>]>,
+    /// Which lattice cells are split, where the flow may ask for that: level and index of each.
+    split: Option<Vec<i32>>,
     /// Mass, momentum and energy per volume of each cell.
     held: Vec<f64>,
     received: Vec<f64>,
@@ -34,6 +37,7 @@ impl<const D: usize> FixedSimulation<D> {
             time: self.time,
             steps: self.steps,
             points: Cow::Borrowed(&self.points),
+            split: self.ground.as_ref().map(|ground| ground.levels.numbers()),
             held: self.held.iter().flat_map(numbers).collect(),
             received: numbers(&self.received).collect(),
             pressures: Cow::Borrowed(&self.pressures),
@@ -49,7 +53,15 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// A problem that gives other points.
     pub fn resume(problem: Problem<D>, memory: FixedMemory<'_, D>) -> Result<Self, String> {
-        Self::resume_on(Self::cells_of(&problem), problem, memory)
+        let (mut ground, mut cells) = Ground::new(&problem)?;
+        if let Some(split) = &memory.split {
+            (ground, cells) = ground.with_numbers(&problem, split);
+        }
+        let mut simulation = Self::resume_on(cells, problem, memory)?;
+        if ground.may_change() {
+            simulation.ground = Some(Box::new(ground));
+        }
+        Ok(simulation)
     }
 
     /// Goes on from `memory`, which a flow of the same `problem` on the same `cells` left: every later step has the bits that it

@@ -55,6 +55,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// A [`Failure`] where that does not help either; the simulation then stands at its last good state.
     pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
+        self.adapt_marching()?;
         self.wake();
         self.careful.clear();
         let least = self.find_slopes();

@@ -3,6 +3,7 @@
 //! [`FixedSimulation::step`] marches in time, `settle` goes to the steady state. Neither knows how cells are made.
 
 mod adapt;
+mod assemble;
 pub mod build;
 pub mod carry;
 pub mod cells;
@@ -10,10 +11,12 @@ mod checkpoint;
 pub mod cloud;
 mod cut;
 mod edges;
+mod filler;
 mod fluxes;
 mod folding;
 mod gas;
 mod gradients;
+mod ground;
 mod hll;
 mod hllc;
 pub mod levels;
@@ -29,20 +32,24 @@ mod part;
 mod polytope;
 mod quiet;
 mod real;
+mod rebuild;
 mod reconstruction;
 pub mod refine;
 mod refusal;
 mod section;
 mod settle;
 mod sides;
+mod site;
 mod snapshot;
 pub mod solids;
+mod stages;
 mod state;
 mod sweeps;
 #[cfg(test)]
 pub(crate) mod tests;
 mod voronoi;
 mod walls;
+mod wishes;
 
 use std::f64::consts::TAU;
 use std::sync::OnceLock;
@@ -58,15 +65,12 @@ use crate::problem::Problem;
 use crate::scheme::Precision;
 use crate::vectors::Arch;
 use crate::walls::wall_sides;
-use build::cells;
-use cloud::{Cloud, Plot};
 use gas::IdealGas;
 use gradients::Slopes;
-use levels::Levels;
+use ground::Ground;
 use net::Net;
 use quiet::Quiet;
 use sides::Beyond;
-use solids::Solids;
 use state::{Conserved, Primitive};
 use sweeps::Sweeps;
 
@@ -83,6 +87,8 @@ pub struct FixedSimulation<const D: usize> {
     time: f64,
     steps: u64,
     points: Vec<Vector<D>>,
+    /// What the points came from, where more may come.
+    ground: Option<Box<Ground<D>>>,
     net: Net<D>,
     quiet: Quiet<D>,
     /// What cells hold per volume.
@@ -114,14 +120,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// What cannot be flown on points that stay: walls and bodies that move, walls that gas sticks to, a vacuum; cells that are none.
     pub fn on(cells: Cells<D>, problem: Problem<D>) -> Result<Self, String> {
         problem.check_fixed()?;
-        let states = cells
-            .points
-            .iter()
-            .map(|point| match problem.initial_state(point)? {
-                Some(state) => Ok(Primitive::of(&state)),
-                None => Err(refusal::vacuum(point.as_slice())),
-            })
-            .collect::<Result<Vec<_>, String>>()?;
+        let states = Self::initial_states(&problem, &cells)?;
         Self::from_states(cells, problem, states)
     }
 
@@ -130,23 +129,23 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// As of [`Self::on`].
     pub fn new(problem: Problem<D>) -> Result<Self, String> {
-        let cells = Self::cells_of(&problem);
-        Self::on(cells, problem)
+        problem.check_fixed()?;
+        let (ground, cells) = Ground::new(&problem)?;
+        let mut simulation = Self::on(cells, problem)?;
+        if ground.may_change() {
+            simulation.ground = Some(Box::new(ground));
+            simulation.adapt_start()?;
+        }
+        Ok(simulation)
     }
 
-    /// The cells of the lattice of `problem`.
-    fn cells_of(problem: &Problem<D>) -> Cells<D> {
-        let solids = Solids::new(
-            problem.bodies.iter().map(|body| body.shape.clone()),
-            problem.spacing,
-        );
-        let plot = Plot {
-            domain: &problem.domain,
-            solids: &solids,
-            spacing: problem.spacing,
+    /// The state in each of `cells` at the start.
+    fn initial_states(problem: &Problem<D>, cells: &Cells<D>) -> Result<Vec<Primitive<D>>, String> {
+        let state = |point: &Vector<D>| match problem.initial_state(point)? {
+            Some(state) => Ok(Primitive::of(&state)),
+            None => Err(refusal::vacuum(point.as_slice())),
         };
-        let cloud = Cloud::lattice(&plot, &Levels::default(), problem.disorder);
-        cells(&plot, &cloud).0
+        cells.points.iter().map(state).collect()
     }
 
     /// The same with a state in each cell.
@@ -173,12 +172,9 @@ impl<const D: usize> FixedSimulation<D> {
             before: held.clone(),
             slopes: vec![Slopes::LEVEL; states.len()],
             careful: Vec::new(),
-            pressures: net
-                .blocks
-                .iter()
-                .map(|block| vec![problem.free_stream.pressure; block.walls.len()])
-                .collect(),
+            pressures: pressures(&net, problem.free_stream.pressure),
             points: cells.points,
+            ground: None,
             net,
             held,
             states,
@@ -257,4 +253,12 @@ impl<const D: usize> FixedSimulation<D> {
             .map(|(block, _)| block.cells.len() as u64)
             .sum()
     }
+}
+
+/// The same pressure on each wall of each block.
+fn pressures<const D: usize>(net: &Net<D>, pressure: f64) -> Vec<Vec<f64>> {
+    let blocks = net.blocks.iter();
+    blocks
+        .map(|block| vec![pressure; block.walls.len()])
+        .collect()
 }

@@ -43,6 +43,9 @@ impl<'a, const D: usize> Nearby<'a, D> {
 
     /// Adds all points within `radius` of `place`: distance squared and number, in the order of the list.
     pub fn within(&self, place: &Vector<D>, radius: f64, found: &mut Vec<(f64, u32)>) {
+        if self.points.is_empty() {
+            return;
+        }
         let top = self.levels.len() - 1;
         for node in 0..self.levels[top].len() {
             self.descend(top, node, place, radius * radius, found);

@@ -4,9 +4,11 @@
 //! changes. Faces and cells of a lattice are alike: what they look like stands once in a table.
 
 use std::collections::HashMap;
+use std::hash::Hash;
 use std::ops::Range;
 
 use aero_geometry::Vector;
+use foldhash::fast::FixedState;
 use nalgebra::SMatrix;
 
 use super::cells::{Cells, WallOwner};
@@ -164,12 +166,7 @@ impl<const D: usize> Net<D> {
         let mut shapes = Table::default();
         for face in &cells.faces {
             let size = face.area.norm();
-            let key: Vec<u64> = face
-                .area
-                .iter()
-                .chain(&face.apart)
-                .map(|x| x.to_bits())
-                .collect();
+            let key = [bits(&face.area), bits(&face.apart)];
             let shape = shapes.number(key, || {
                 self.face_shapes.push(FaceShape {
                     area: face.area.into(),
@@ -218,8 +215,14 @@ impl<const D: usize> Net<D> {
         let mut shapes = Table::default();
         for (i, (moment, hoop)) in moments.iter().zip(hoops).enumerate() {
             let volume = cells.volumes[i];
-            let numbers = moment.iter().chain([&volume, &hoop]);
-            let shape = shapes.number(numbers.map(|x| x.to_bits()).collect(), || {
+            let rows = moment
+                .column_iter()
+                .map(|column| bits(&column.into_owned()));
+            let mut key = ([[0; D]; D], [volume, hoop].map(f64::to_bits));
+            for (row, bits) in key.0.iter_mut().zip(rows) {
+                *row = bits;
+            }
+            let shape = shapes.number(key, || {
                 self.cell_shapes.push(CellShape {
                     volume,
                     inverse: inverse(moment),
@@ -273,12 +276,21 @@ fn inverse<const D: usize>(moment: &Matrix<D>) -> Matrix<D> {
     }
 }
 
-/// Numbers for what is alike.
-#[derive(Default)]
-struct Table(HashMap<Vec<u64>, u32>);
+fn bits<const D: usize>(vector: &Vector<D>) -> [u64; D] {
+    std::array::from_fn(|k| vector[k].to_bits())
+}
 
-impl Table {
-    fn number(&mut self, key: Vec<u64>, add: impl FnOnce()) -> u32 {
+/// Numbers for what is alike.
+struct Table<K>(HashMap<K, u32, FixedState>);
+
+impl<K> Default for Table<K> {
+    fn default() -> Self {
+        Self(HashMap::default())
+    }
+}
+
+impl<K: Eq + Hash> Table<K> {
+    fn number(&mut self, key: K, add: impl FnOnce()) -> u32 {
         let next = self.0.len() as u32;
         *self.0.entry(key).or_insert_with(|| {
             add();

@@ -3,10 +3,12 @@
 use std::collections::HashMap;
 
 use aero_geometry::Vector;
+use foldhash::fast::FixedState;
 use rayon::prelude::*;
 
-use super::cloud::{Cloud, Plot, Site, children};
-use super::levels::{Levels, parent, parts};
+use super::cloud::{Cloud, Plot};
+use super::levels::{Levels, Sites, parent, parts};
+use super::site::{Site, children};
 use super::solids::Line;
 use crate::walls::curvature::shape_operator;
 
@@ -26,7 +28,7 @@ pub enum Wish {
 pub struct Adaption {
     /// How often a cell may be split.
     pub most: u8,
-    /// Cells around a marked one that are split with it, in cells of its own size.
+    /// Cells around the parts of a marked one that are split with it, in cells of the parts' size.
     pub around: i32,
 }
 
@@ -41,16 +43,20 @@ impl Adaption {
         wishes: &[Wish],
     ) -> Levels<D> {
         let mut changed = levels.clone();
-        let mut joins: HashMap<Site<D>, usize> = HashMap::new();
+        let mut asked = Sites::default();
+        let mut joins: HashMap<Site<D>, usize, FixedState> = HashMap::default();
         for (place, wish) in cloud.places.iter().zip(wishes) {
             let Some(site) = place.site else {
                 continue;
             };
             match wish {
-                Wish::Split if site.level < self.most => self.split_around(&site, &mut changed),
+                Wish::Split if self.most > 0 => self.ask(&site, levels, &mut asked),
                 Wish::Join if site.level > 0 => *joins.entry(parent(&site)).or_default() += 1,
                 _ => {}
             }
+        }
+        for site in &asked {
+            changed.split(site);
         }
         let mut joins: Vec<Site<D>> = joins
             .into_iter()
@@ -58,41 +64,60 @@ impl Adaption {
                 *count == parts(site).filter(|part| cloud.at(part).is_some()).count()
             })
             .map(|(site, _)| site)
+            .filter(|site| levels.is_split(site) && !kept.is_split(site) && !asked.contains(site))
             .collect();
         joins.sort_by_key(|site| (std::cmp::Reverse(site.level), site.index));
         for site in joins {
-            // What was split just now stays so.
-            let may_go = levels.is_split(&site) && !kept.is_split(&site);
-            if may_go && !self.is_wished(cloud, &site, wishes) {
-                changed.join(&site);
-            }
+            changed.join(&site);
         }
         changed
     }
 
-    /// Splits the cells of the site's own size around it.
-    fn split_around<const D: usize>(self, site: &Site<D>, levels: &mut Levels<D>) {
-        let wide = 2 * self.around + 1;
-        for code in 0..wide.pow(D as u32) {
-            let index = std::array::from_fn(|k| {
-                site.index[k] + code / wide.pow(k as u32) % wide - self.around
-            });
-            levels.split(&Site { index, ..*site });
+    /// True where all cells that `wishes` ask for, within `around` of the marked ones, are there already.
+    pub fn is_served<const D: usize>(
+        self,
+        cloud: &Cloud<D>,
+        levels: &Levels<D>,
+        wishes: &[Wish],
+        around: i32,
+    ) -> bool {
+        let closer = Self { around, ..self };
+        let mut asked = Sites::default();
+        for (place, wish) in cloud.places.iter().zip(wishes) {
+            if let (Some(site), Wish::Split) = (place.site, wish) {
+                closer.ask(&site, levels, &mut asked);
+            }
         }
+        asked.iter().all(|site| levels.is_split(site))
     }
 
-    /// True where a point near one of the parts of a cell wants them split.
-    fn is_wished<const D: usize>(self, cloud: &Cloud<D>, site: &Site<D>, wishes: &[Wish]) -> bool {
-        let wide = 2 * self.around + 1;
-        parts(site).any(|part| {
-            (0..wide.pow(D as u32)).any(|code| {
-                let index = std::array::from_fn(|k| {
-                    part.index[k] + code / wide.pow(k as u32) % wide - self.around
-                });
-                let found = cloud.at(&Site { index, ..part });
-                found.is_some_and(|number| wishes[number] == Wish::Split)
-            })
-        })
+    /// Asks for cells half the size of a site's in it and around it, or of its own size where it may not be split.
+    fn ask<const D: usize>(self, site: &Site<D>, levels: &Levels<D>, asked: &mut Sites<D>) {
+        let level = (site.level + 1).min(self.most);
+        let fold = level - site.level;
+        // The cells that are split for it.
+        let mut low = site.index;
+        let mut counts = [0; D];
+        let mut total = 1;
+        for k in 0..D {
+            let first = (site.index[k] << fold) - self.around;
+            let last = ((site.index[k] + 1) << fold) - 1 + self.around;
+            low[k] = first >> 1;
+            counts[k] = (last >> 1) - low[k] + 1;
+            total *= counts[k];
+        }
+        for mut code in 0..total {
+            let mut index = low;
+            for k in 0..D {
+                index[k] += code % counts[k];
+                code /= counts[k];
+            }
+            let split = Site {
+                level: level - 1,
+                index,
+            };
+            asked.extend(levels.inside(&split));
+        }
     }
 }
 
@@ -112,7 +137,7 @@ pub struct BodyNeeds {
 impl BodyNeeds {
     /// The levels that the bodies ask for before the first step.
     pub fn levels<const D: usize>(&self, plot: &Plot<'_, D>) -> Levels<D> {
-        let mut levels = Levels::default();
+        let mut levels = Levels::on(plot);
         for level in 0..self.most {
             let grid = Grid::new(plot);
             let near = grid.near_walls(&levels, level, self.reach);

@@ -12,17 +12,6 @@ impl<const D: usize> Problem<D> {
     /// # Errors
     /// What it is and the remedy.
     pub fn check_fixed(&self) -> Result<(), String> {
-        let levels = self
-            .method
-            .fixed()
-            .map_or(0, |points| points.refine.levels());
-        if levels > 0 {
-            return Err(
-                "`scheme.refine` asks for points where the flow needs them, which a run cannot add yet; leave it out and \
-                 use a smaller `spacing`"
-                    .into(),
-            );
-        }
         for body in &self.bodies {
             let name = &body.name;
             if body.motion.is_moving() {

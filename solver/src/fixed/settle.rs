@@ -37,10 +37,16 @@ pub struct Settled {
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Settling {
     iterations: u64,
+    /// Iterations since points came or went.
+    pub(super) since: u64,
+    /// How often they did.
+    pub(super) adaptions: u32,
+    /// True once the flow wants no more of them.
+    pub(super) has_points: bool,
     /// The first residual.
     first: f64,
     /// What was watched in the last iterations.
-    watched: Vec<Vec<f64>>,
+    pub(super) watched: Vec<Vec<f64>>,
 }
 
 impl<const D: usize> FixedSimulation<D> {
@@ -49,13 +55,14 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// A [`Failure`] where a cell's state makes no sense any more.
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
-        let courant = (1.0 + RAMP * self.settling.iterations as f64).min(FASTEST);
+        let courant = (1.0 + RAMP * self.settling.since as f64).min(FASTEST);
         let residual = self.sweep(courant)?;
         self.steps += 1;
         self.updates += self.awake_cells();
         let watched = self.watched();
         let settling = &mut self.settling;
         settling.iterations += 1;
+        settling.since += 1;
         if settling.first == 0.0 {
             settling.first = residual;
         }
@@ -64,7 +71,7 @@ impl<const D: usize> FixedSimulation<D> {
         }
         settling.watched.push(watched);
         let change = settling.change();
-        Ok(Settled {
+        let settled = Settled {
             iterations: settling.iterations,
             residual: if settling.first > 0.0 {
                 residual / settling.first
@@ -72,8 +79,10 @@ impl<const D: usize> FixedSimulation<D> {
                 0.0
             },
             change,
-            is_settled: change < TOLERANCE,
-        })
+            is_settled: change < TOLERANCE && (settling.has_points || self.ground.is_none()),
+        };
+        self.ask_for_points(change)?;
+        Ok(settled)
     }
 
     /// Iterates until the flow has settled, `most` times at most.

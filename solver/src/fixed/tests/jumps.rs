@@ -1,12 +1,18 @@
 use aero_geometry::bodies;
 
 use super::super::carry::shares;
-use super::super::cloud::Site;
+use super::super::cloud::NOBODY;
 use super::super::refine::{Adaption, BodyNeeds, Wish};
+use super::super::site::Site;
 use super::*;
 
 /// Splits the cells around a place, `most` times.
-fn around<const D: usize>(scene: &Scene<D>, place: Vector<D>, most: u8, around: i32) -> Levels<D> {
+pub(super) fn around<const D: usize>(
+    scene: &Scene<D>,
+    place: Vector<D>,
+    most: u8,
+    around: i32,
+) -> Levels<D> {
     let mut levels = Levels::default();
     for _ in 0..most {
         let cloud = Cloud::lattice(&scene.plot(), &levels, 0.0);
@@ -66,7 +72,12 @@ fn what_is_carried_to_new_cells_is_neither_lost_nor_disturbed() {
     let [old, new] = [&before, &after].map(|levels| scene.made_with(levels));
     let field = |p: &Vector<2>| 1.0 + (3.0 * p.x).sin() * p.y;
     let states: Vec<f64> = old.cells.points.iter().map(field).collect();
-    let parts = shares(&scene.plot(), &old.cloud, &new.cloud);
+    let parts = shares(
+        &scene.plot(),
+        &old.cloud,
+        &new.cloud,
+        &vec![NOBODY; new.cloud.places.len()],
+    );
     let total = |cells: &Cells<2>, states: &[f64]| -> f64 {
         cells.volumes.iter().zip(states).map(|(v, q)| v * q).sum()
     };

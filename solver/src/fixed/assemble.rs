@@ -1,0 +1,327 @@
+//! Faces, walls and sides of all cells put together, closed, and their volumes.
+
+use aero_geometry::Vector;
+use rayon::prelude::*;
+
+use super::build::{Beside, Builder, CutCell, Findings};
+use super::cells::{Cells, Face, SideFace, WallFace, WallOwner};
+use super::folding::{folded_faces, folded_sides, folded_walls};
+use super::merge::{Nodes, Target, given};
+use super::voronoi::IN_BODY;
+use crate::problem::Side;
+use crate::walls::shape_operator;
+
+/// Faces smaller than this, in spacings to their power, are left out.
+const SMALLEST: f64 = 1e-13;
+
+/// The faces of some cells.
+#[derive(Clone, Debug, Default)]
+struct Found<const D: usize> {
+    faces: Vec<Face<D>>,
+    walls: Vec<WallFace<D>>,
+    sides: Vec<SideFace<D>>,
+}
+
+impl<const D: usize> Builder<'_, D> {
+    /// All cells, those that were `cut` among them.
+    pub(super) fn assemble(
+        &self,
+        positions: Vec<Vector<D>>,
+        cut: &[CutCell<D>],
+    ) -> (Cells<D>, Findings) {
+        const CHUNK: usize = 4096;
+        let nodes = Nodes::new(&self.is_plain, cut);
+        let targets = given(&nodes, cut);
+        let mut volumes: Vec<f64> = (0..positions.len())
+            .into_par_iter()
+            .map(|number| {
+                if self.is_plain[number] {
+                    self.plain_volume(number)
+                } else {
+                    0.0
+                }
+            })
+            .collect();
+        for (cell, targets) in cut.iter().zip(&targets.of_parts) {
+            for (part, target) in cell.parts.iter().zip(targets) {
+                if let Some(target) = target {
+                    volumes[target.cell as usize] += part.volume;
+                }
+            }
+        }
+        let starts: Vec<usize> = (0..positions.len()).step_by(CHUNK).collect();
+        let plain: Vec<Found<D>> = starts
+            .par_iter()
+            .map(|&first| {
+                let mut found = Found::default();
+                for number in first..(first + CHUNK).min(positions.len()) {
+                    if self.is_plain[number] {
+                        self.plain_faces(number, &mut found);
+                    }
+                }
+                found
+            })
+            .collect();
+        let of_cut: Vec<Found<D>> = (0..cut.len())
+            .collect::<Vec<_>>()
+            .par_chunks(CHUNK)
+            .map(|chunk| {
+                let mut found = Found::default();
+                for &k in chunk {
+                    self.cut_faces(k, cut, &nodes, &targets.of_parts, &mut found);
+                }
+                found
+            })
+            .collect();
+        let mut all = Found::default();
+        for found in plain.into_iter().chain(of_cut) {
+            all.faces.extend(found.faces);
+            all.walls.extend(found.walls);
+            all.sides.extend(found.sides);
+        }
+        let mut cells = Cells {
+            points: positions,
+            volumes,
+            faces: folded_faces(all.faces, self.plot.spacing),
+            walls: folded_walls(all.walls),
+            sides: folded_sides(all.sides),
+        };
+        let mut findings = Findings {
+            cut: cut.len(),
+            given: targets.given,
+            lost: targets.lost,
+            open: 0.0,
+        };
+        findings.open = self.close(&mut cells);
+        self.bend(&mut cells);
+        (cells, findings)
+    }
+
+    fn radius(&self, number: usize, offset: f64) -> f64 {
+        if self.about_axis {
+            // Rounding must not give the axis an area.
+            let radius = self.cloud.places[number].position[1] + offset;
+            if radius.abs() < 1e-12 * self.plot.spacing {
+                0.0
+            } else {
+                radius
+            }
+        } else {
+            1.0
+        }
+    }
+
+    fn plain_volume(&self, number: usize) -> f64 {
+        let [low, high] = self.block(number);
+        let middle = if D > 1 {
+            0.5 * (low[D.min(2) - 1] + high[D.min(2) - 1])
+        } else {
+            0.0
+        };
+        (high - low).product() * self.radius(number, middle)
+    }
+
+    fn plain_faces(&self, number: usize, found: &mut Found<D>) {
+        let [low, high] = self.block(number);
+        let place = &self.cloud.places[number];
+        let Some(site) = place.site else {
+            return;
+        };
+        for axis in 0..D {
+            for end in 0..2 {
+                let mut step = [0; D];
+                step[axis] = 2 * end - 1;
+                let sign = f64::from(step[axis]);
+                let mut centre = (low + high) * 0.5;
+                centre[axis] = if end == 0 { low[axis] } else { high[axis] };
+                let mut size: f64 = 1.0;
+                for k in (0..D).filter(|&k| k != axis) {
+                    size *= high[k] - low[k];
+                }
+                let mut area = Vector::<D>::zeros();
+                area[axis] = sign * size * self.radius(number, if D > 1 { centre[1] } else { 0.0 });
+                match self.beside(&site, &step) {
+                    Beside::Point(other) => {
+                        if other == number || self.is_plain[other] && end == 0 {
+                            continue;
+                        }
+                        let mut apart = Vector::<D>::zeros();
+                        apart[axis] = sign * place.spacing;
+                        found
+                            .faces
+                            .push(ordered(number as u32, other as u32, area, apart));
+                    }
+                    _ => self.add_side(number as u32, (axis, end as usize), area, centre, found),
+                }
+            }
+        }
+    }
+
+    fn cut_faces(
+        &self,
+        k: usize,
+        cut: &[CutCell<D>],
+        nodes: &Nodes,
+        targets: &[Vec<Option<Target<D>>>],
+        found: &mut Found<D>,
+    ) {
+        let cell = &cut[k];
+        let unit = self.cloud.places[cell.number as usize].spacing;
+        let least = SMALLEST * unit.powi(D as i32 - 1);
+        for (part, target) in cell.parts.iter().zip(&targets[k]) {
+            let Some(target) = target else {
+                continue;
+            };
+            let origin = self.cloud.places[cell.number as usize].position;
+            for wall in &part.walls {
+                if wall.area.norm() > least {
+                    found.walls.push(WallFace {
+                        i: target.cell,
+                        area: wall.area,
+                        owner: WallOwner::Body(wall.body),
+                        curvature: nalgebra::SMatrix::zeros(),
+                        foot: origin + wall.centre,
+                        facet: wall.facet,
+                    });
+                }
+            }
+            for face in &part.faces {
+                if face.area.norm() <= least {
+                    continue;
+                }
+                if face.label == IN_BODY {
+                    self.add_open(target.cell, face.area, origin + face.centre, found);
+                    continue;
+                }
+                let Some(number) = (face.label as usize).checked_sub(2 * D) else {
+                    let side = (face.label as usize / 2, face.label as usize % 2);
+                    let shift = origin - self.cloud.places[target.cell as usize].position;
+                    self.add_side(target.cell, side, face.area, face.centre + shift, found);
+                    continue;
+                };
+                let link = &cell.links[number];
+                if link.to == cell.number || nodes.is_plain(link.to) {
+                    continue;
+                }
+                let Some((other, piece)) = nodes.across(cut, k, face) else {
+                    continue;
+                };
+                match &targets[other][piece] {
+                    Some(beyond) => {
+                        let apart = link.apart + beyond.offset - target.offset;
+                        let same = beyond.cell == target.cell && apart.norm() < 1e-6 * unit;
+                        if cell.number < link.to && !same {
+                            found
+                                .faces
+                                .push(ordered(target.cell, beyond.cell, face.area, apart));
+                        }
+                    }
+                    None => self.add_open(target.cell, face.area, origin + face.centre, found),
+                }
+            }
+        }
+    }
+
+    fn add_side(
+        &self,
+        i: u32,
+        (axis, end): (usize, usize),
+        area: Vector<D>,
+        centre: Vector<D>,
+        found: &mut Found<D>,
+    ) {
+        let centre = self.cloud.places[i as usize].position + centre;
+        if area.norm() <= SMALLEST * self.plot.spacing.powi(D as i32 - 1) * 1e-3 {
+            return;
+        }
+        let (axis8, end8) = (axis as u8, end as u8);
+        match self.plot.domain.sides[axis][end] {
+            Side::Wall { .. } | Side::Body => found.walls.push(WallFace {
+                i,
+                area,
+                owner: WallOwner::Side {
+                    axis: axis8,
+                    end: end8,
+                },
+                curvature: nalgebra::SMatrix::zeros(),
+                foot: centre,
+                facet: 0,
+            }),
+            _ => found.sides.push(SideFace {
+                i,
+                area,
+                axis: axis8,
+                end: end8,
+                centre,
+            }),
+        }
+    }
+
+    /// A face with nothing beyond it, which only a pocket without points has: a wall of the nearest body.
+    fn add_open(&self, i: u32, area: Vector<D>, centre: Vector<D>, found: &mut Found<D>) {
+        let (body, facet) = self
+            .plot
+            .solids
+            .closest(&centre)
+            .map_or((0, 0), |(body, closest)| (body, closest.face));
+        found.walls.push(WallFace {
+            i,
+            area,
+            owner: WallOwner::Body(body),
+            curvature: nalgebra::SMatrix::zeros(),
+            foot: centre,
+            facet,
+        });
+    }
+
+    /// Lets the walls take what rounding left open; says how much that was at most.
+    fn close(&self, cells: &mut Cells<D>) -> f64 {
+        let sums = cells.open_areas(self.about_axis);
+        let mut most = 0.0_f64;
+        let mut largest: Vec<Option<usize>> = vec![None; cells.points.len()];
+        for (number, wall) in cells.walls.iter().enumerate() {
+            let known = &mut largest[wall.i as usize];
+            let larger = known.is_none_or(|k| wall.area.norm() > cells.walls[k].area.norm());
+            if larger {
+                *known = Some(number);
+            }
+        }
+        for (i, sum) in sums.iter().enumerate() {
+            let unit = self.cloud.places[i].spacing.powi(D as i32 - 1);
+            most = most.max(sum.norm() / unit);
+            if let Some(wall) = largest[i] {
+                cells.walls[wall].area -= sum;
+            }
+        }
+        most
+    }
+
+    /// Says how the walls bend.
+    fn bend(&self, cells: &mut Cells<D>) {
+        if D == 1 {
+            return;
+        }
+        cells.walls.par_iter_mut().for_each(|wall| {
+            if let WallOwner::Body(body) = wall.owner
+                && !self.plot.solids.is_empty()
+            {
+                let reach = self.cloud.places[wall.i as usize].spacing;
+                let lifted = wall.foot - wall.area.normalize() * (0.1 * reach);
+                wall.curvature = shape_operator(self.plot.solids.shape(body), &lifted, reach);
+            }
+        });
+    }
+}
+
+fn ordered<const D: usize>(i: u32, j: u32, area: Vector<D>, apart: Vector<D>) -> Face<D> {
+    if i < j {
+        Face { i, j, area, apart }
+    } else {
+        Face {
+            i: j,
+            j: i,
+            area: -area,
+            apart: -apart,
+        }
+    }
+}

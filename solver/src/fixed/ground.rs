@@ -1,0 +1,230 @@
+//! What cells are made from, where points come and go: bodies, lattice, what is split of it, and how far that may go.
+
+use super::build::{CutCell, built};
+use super::cells::Cells;
+use super::cloud::{Cloud, Plot};
+use super::levels::Levels;
+use super::refine::{Adaption, BodyNeeds, Wish};
+use super::solids::Solids;
+use super::wishes::wishes;
+use crate::method::{Refine, Time};
+use crate::problem::Problem;
+
+/// Points across the thickness of a part of a body.
+const ACROSS: f64 = 4.0;
+
+/// Points along the radius of a bend.
+const RADIUS: f64 = 5.0;
+
+/// Distance from the wall, in spacings, up to which bodies ask.
+const REACH: f64 = 2.0;
+
+/// Cells of their own size that are kept around the marked ones while a flow settles.
+const AROUND_SETTLING: i32 = 2;
+
+/// The same of an unsteady flow, whenever there is an adaption: so far waves run before there must be another.
+const AROUND_MARCHING: i32 = 8;
+
+/// Part of a given number of points that bodies may ask for before the first step.
+const FOR_BODIES: f64 = 0.5;
+
+/// By so much more, for one, must the gas change to get points where there are not enough for all.
+const DEARER: [f64; 3] = [1.0, 2.0, 4.0];
+
+/// What cells are made from, where points come and go.
+#[derive(Clone, Debug)]
+pub struct Ground<const D: usize> {
+    /// The bodies.
+    pub solids: Solids<D>,
+    /// What is split.
+    pub levels: Levels<D>,
+    /// The points.
+    pub cloud: Cloud<D>,
+    /// Cells that were cut out one by one, where they are wanted again.
+    pub cut: Vec<CutCell<D>>,
+    /// What bodies ask for, which stays.
+    kept: Levels<D>,
+    adaption: Adaption,
+    /// Points at most.
+    limit: Option<u64>,
+    settles: bool,
+}
+
+impl<const D: usize> Ground<D> {
+    /// That of `problem` before the flow has asked for anything, and its cells.
+    ///
+    /// # Errors
+    /// Fewer points asked for than the spacing makes.
+    pub fn new(problem: &Problem<D>) -> Result<(Self, Cells<D>), String> {
+        let solids = Solids::new(
+            problem.bodies.iter().map(|body| body.shape.clone()),
+            problem.spacing,
+        );
+        let points = problem.method.fixed().copied().unwrap_or_default();
+        let limit = match points.refine {
+            Refine::Points(limit) => Some(limit),
+            Refine::Levels(_) => None,
+        };
+        let settles = points.time == Time::Settle;
+        let around = if settles {
+            AROUND_SETTLING
+        } else {
+            AROUND_MARCHING
+        };
+        let most = points.refine.levels();
+        let plot = plot(problem, &solids);
+        let (levels, cloud) = around_bodies(&plot, most, limit, problem.disorder)?;
+        let built = built(&plot, &cloud);
+        let ground = Self {
+            kept: levels.clone(),
+            cut: if settles || most == 0 {
+                Vec::new()
+            } else {
+                built.cut
+            },
+            levels,
+            cloud,
+            adaption: Adaption { most, around },
+            limit,
+            settles,
+            solids,
+        };
+        Ok((ground, built.cells))
+    }
+
+    /// True where points may come.
+    pub fn may_change(&self) -> bool {
+        self.adaption.most > 0
+    }
+
+    /// How often cells may be split.
+    pub fn most(&self) -> u8 {
+        self.adaption.most
+    }
+
+    /// The same with cells split as [`Levels::numbers`] of an earlier one said.
+    #[must_use]
+    pub fn with_numbers(mut self, problem: &Problem<D>, numbers: &[i32]) -> (Self, Cells<D>) {
+        let plot = plot(problem, &self.solids);
+        self.levels = Levels::on(&plot).with_numbers(numbers);
+        self.cloud = Cloud::lattice(&plot, &self.levels, problem.disorder);
+        let built = built(&plot, &self.cloud);
+        if !self.settles {
+            self.cut = built.cut;
+        }
+        (self, built.cells)
+    }
+
+    /// How often the cell of each point was split.
+    pub fn level(&self, point: usize) -> u8 {
+        self.cloud.places[point].site.map_or(0, |site| site.level)
+    }
+
+    /// True where all cells are there that must be within `around` of where the gas changes by `changes`.
+    pub fn is_served(&self, changes: &[f64], around: i32) -> bool {
+        let Some(adaption) = self.affordable(changes) else {
+            return true;
+        };
+        let wishes = self.wishes(changes, 1.0, adaption.most);
+        adaption.is_served(&self.cloud, &self.levels, &wishes, around)
+    }
+
+    /// What is to be split where the gas changes by `changes`.
+    pub fn heard(&self, changes: &[f64]) -> Levels<D> {
+        let Some(limit) = self.limit else {
+            return self.heard_by(self.adaption, changes, 1.0);
+        };
+        for most in (0..=self.adaption.most).rev() {
+            let adaption = Adaption {
+                most,
+                ..self.adaption
+            };
+            for dearer in DEARER {
+                let levels = self.heard_by(adaption, changes, dearer);
+                if self.points_of(&levels) <= limit {
+                    return levels;
+                }
+            }
+        }
+        self.levels.clone()
+    }
+
+    /// The most halvings for which there are points enough.
+    fn affordable(&self, changes: &[f64]) -> Option<Adaption> {
+        let Some(limit) = self.limit else {
+            return Some(self.adaption);
+        };
+        let all = (0..=self.adaption.most).rev();
+        let mut all = all.map(|most| Adaption {
+            most,
+            ..self.adaption
+        });
+        all.find(|adaption| self.points_of(&self.heard_by(*adaption, changes, 1.0)) <= limit)
+    }
+
+    fn heard_by(&self, adaption: Adaption, changes: &[f64], dearer: f64) -> Levels<D> {
+        let wishes = self.wishes(changes, dearer, adaption.most);
+        adaption.heard(&self.cloud, &self.levels, &self.kept, &wishes)
+    }
+
+    fn wishes(&self, changes: &[f64], dearer: f64, most: u8) -> Vec<Wish> {
+        let mut wishes = wishes(changes, dearer);
+        for (wish, place) in wishes.iter_mut().zip(&self.cloud.places) {
+            if place.site.is_some_and(|site| site.level > most) {
+                *wish = Wish::Join;
+            }
+        }
+        wishes
+    }
+
+    /// About so many points other levels would make.
+    fn points_of(&self, levels: &Levels<D>) -> u64 {
+        let each = (1_u64 << D) - 1;
+        let before = each * self.levels.len() as u64;
+        (self.cloud.places.len() as u64 + each * levels.len() as u64).saturating_sub(before)
+    }
+}
+
+/// The plot of `problem`, with its bodies as one.
+pub fn plot<'a, const D: usize>(problem: &'a Problem<D>, solids: &'a Solids<D>) -> Plot<'a, D> {
+    Plot {
+        domain: &problem.domain,
+        solids,
+        spacing: problem.spacing,
+    }
+}
+
+/// What bodies ask for, as far as there are points enough.
+fn around_bodies<const D: usize>(
+    plot: &Plot<'_, D>,
+    most: u8,
+    limit: Option<u64>,
+    disorder: f64,
+) -> Result<(Levels<D>, Cloud<D>), String> {
+    let mut halvings = most;
+    loop {
+        let needs = BodyNeeds {
+            most: halvings,
+            across: ACROSS,
+            radius: RADIUS,
+            reach: REACH,
+        };
+        let levels = needs.levels(plot);
+        let cloud = Cloud::lattice(plot, &levels, disorder);
+        let count = cloud.places.len() as u64;
+        let Some(limit) = limit else {
+            return Ok((levels, cloud));
+        };
+        if count > limit && halvings == 0 {
+            return Err(format!(
+                "`scheme.refine` has {limit} points in all, but a spacing of {} makes {count} before any is added; \
+                 use a larger `spacing` or more points",
+                plot.spacing
+            ));
+        }
+        if halvings == 0 || count as f64 <= FOR_BODIES * limit as f64 {
+            return Ok((levels, cloud));
+        }
+        halvings -= 1;
+    }
+}

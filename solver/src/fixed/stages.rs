@@ -1,0 +1,37 @@
+//! When a flow that settles gets more points: once it has come near to rest on those that it has, one halving of the spacing after
+//! another, until it wants hardly any more.
+
+use super::FixedSimulation;
+use crate::Failure;
+
+/// Largest change of what is watched over a window below which the flow may ask.
+const NEAR: f64 = 3e-3;
+
+/// Part of all points that is hardly any.
+const FEW: f64 = 0.02;
+
+/// Adaptions after the one that makes the smallest cells: shocks move a little as they sharpen.
+const AFTER: u32 = 3;
+
+impl<const D: usize> FixedSimulation<D> {
+    /// Lets the flow ask for points where it `change`s no more than little.
+    pub(super) fn ask_for_points(&mut self, change: f64) -> Result<(), Failure> {
+        let Some(ground) = &self.ground else {
+            return Ok(());
+        };
+        if self.settling.has_points || change > NEAR {
+            return Ok(());
+        }
+        let most = u32::from(ground.most());
+        let new = self.adapt_settling()?;
+        let settling = &mut self.settling;
+        settling.adaptions += 1;
+        let is_enough = (new as f64) < FEW * self.points.len() as f64;
+        settling.has_points = is_enough || settling.adaptions >= most + AFTER;
+        if new > 0 {
+            settling.since = 0;
+            settling.watched.clear();
+        }
+        Ok(())
+    }
+}
