@@ -3,7 +3,7 @@
 use aero_geometry::Vector;
 
 use super::cells::WallFace;
-use super::fluxes::smoothness;
+use super::fluxes::steepness;
 use super::gas::Gas;
 use super::net::Matrix;
 use super::reconstruction::{Neighbours, rise};
@@ -60,7 +60,7 @@ impl<const D: usize> Image<D> {
         let [inner, _] = Neighbours {
             means: [*cell, cell.mirrored(&self.normal)],
             rises: [rise; 2],
-            smooth: smoothness(calmness),
+            smooth: steepness(calmness),
             order: calmness,
         }
         .states();

@@ -11,6 +11,7 @@ use super::levels::Levels;
 use super::solids::Solids;
 use crate::problem::{Domain, Side};
 
+mod flows;
 mod jumps;
 pub(crate) mod lattice;
 mod plane;
