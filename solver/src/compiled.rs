@@ -5,8 +5,8 @@ use std::any::Any;
 
 use aero_geometry::Bounds;
 
+use crate::carrier::{Carrier, FlowMemory};
 use crate::fixed::Settled;
-use crate::flow::{Flow, FlowMemory};
 use crate::frame::{Frame, Load, SurfaceFrame, Totals};
 use crate::problem::Problem;
 use crate::{Failure, Statistics};
@@ -71,24 +71,24 @@ fn same<A>(value: A) -> A {
 }
 
 compiled! {
-    /// See [`Flow::new`].
-    fn start(renamed problem: Problem<D>) -> Result<Flow<D>, String> = Flow::start;
-    /// See [`Flow::resume`].
-    fn resume(renamed problem: Problem<D>, renamed memory: FlowMemory<'static, D>) -> Result<Flow<D>, String> = Flow::go_on;
-    /// See [`Flow::step`].
-    fn step(held flow: &mut Flow<D>, same limit: f64) -> Result<f64, Failure> = Flow::advance;
-    /// See [`Flow::settle_step`].
-    fn settle_step(held flow: &mut Flow<D>) -> Option<Result<Settled, Failure>> = Flow::settle;
-    /// See [`Flow::frame`].
-    fn frame(seen flow: &Flow<D>) -> Frame = Flow::all_shown;
-    /// See [`Flow::frame_within`].
-    fn frame_within(seen flow: &Flow<D>, seen region: &Bounds<D>) -> Frame = Flow::shown_within;
-    /// See [`Flow::surface`].
-    fn surface(seen flow: &Flow<D>) -> SurfaceFrame = Flow::surface_shown;
-    /// See [`Flow::loads`].
-    fn loads(seen flow: &Flow<D>) -> Vec<Load> = Flow::loads_summed;
-    /// See [`Flow::totals`].
-    fn totals(seen flow: &Flow<D>) -> Totals = Flow::totals_summed;
-    /// See [`Flow::statistics`].
-    fn statistics(seen flow: &Flow<D>) -> Statistics = Flow::counted;
+    /// See [`Carrier::new`].
+    fn start(renamed problem: Problem<D>) -> Result<Carrier<D>, String> = Carrier::new;
+    /// See [`Carrier::resume`].
+    fn resume(renamed problem: Problem<D>, renamed memory: FlowMemory<'static, D>) -> Result<Carrier<D>, String> = Carrier::resume;
+    /// See [`Carrier::step`].
+    fn step(held carrier: &mut Carrier<D>, same limit: f64) -> Result<f64, Failure> = Carrier::step;
+    /// See [`Carrier::settle_step`].
+    fn settle_step(held carrier: &mut Carrier<D>) -> Option<Result<Settled, Failure>> = Carrier::settle_step;
+    /// See [`Carrier::frame`].
+    fn frame(seen carrier: &Carrier<D>) -> Frame = Carrier::frame;
+    /// See [`Carrier::frame_within`].
+    fn frame_within(seen carrier: &Carrier<D>, seen region: &Bounds<D>) -> Frame = Carrier::frame_within;
+    /// See [`Carrier::surface`].
+    fn surface(seen carrier: &Carrier<D>) -> SurfaceFrame = Carrier::surface;
+    /// See [`Carrier::loads`].
+    fn loads(seen carrier: &Carrier<D>) -> Vec<Load> = Carrier::loads;
+    /// See [`Carrier::totals`].
+    fn totals(seen carrier: &Carrier<D>) -> Totals = Carrier::totals;
+    /// See [`Carrier::statistics`].
+    fn statistics(seen carrier: &Carrier<D>) -> Statistics = Carrier::statistics;
 }

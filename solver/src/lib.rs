@@ -34,6 +34,7 @@ use problem::Problem;
 
 mod backend;
 mod books;
+mod carrier;
 mod compiled;
 mod evaluation;
 mod faces;
