@@ -268,13 +268,14 @@ impl Line {
         let Scheme {
             equations,
             extrapolation,
+            ..
         } = self.scheme;
         format!("{equations}, {extrapolation}{shifted}{start}{mixed}")
     }
 
     fn settings(&self) -> Vec<String> {
         let precision = if self.mixed { "mixed" } else { "double" };
-        let mut settings = self.scheme.settings().to_vec();
+        let mut settings = self.scheme.settings();
         settings.push(format!("scheme.shifting={}", self.shifted));
         settings.push(format!("scheme.precision={precision}"));
         settings

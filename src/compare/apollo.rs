@@ -71,6 +71,8 @@ pub const RINGS: Comparison<Part> = Comparison {
     variants: || {
         let published = Variant::new(10, Part::Rings);
         vec![
+            published.settled().both(),
+            published.cells(20).settled(),
             published.wm().quick(),
             published.wm(),
             published.cells(20).wm(),

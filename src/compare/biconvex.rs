@@ -44,6 +44,8 @@ pub const BICONVEX: Comparison<Halves> = Comparison {
         let published = Variant::new(80, Halves::Upper);
         vec![
             published.quick(),
+            published.settled().both(),
+            published.cells(160).settled(),
             published,
             published.wm(),
             published.with(Halves::Both),

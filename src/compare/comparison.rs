@@ -69,7 +69,10 @@ impl<P> Compare for Comparison<P> {
         let mut checks = Vec::new();
         let mut histories = Vec::new();
         for variant in (self.variants)() {
-            if !variant.levels.contain(context.level) {
+            // What is tried of the particles' schemes is no key of points that stay.
+            let is_tried = |setting: &String| setting.starts_with("scheme.");
+            let is_asked = !variant.scheme.is_of_points() || !context.settings.iter().any(is_tried);
+            if !variant.levels.contain(context.level) || !is_asked {
                 continue;
             }
             let label = (self.label)(&variant);

@@ -72,7 +72,10 @@ pub const CONE: Comparison<Model> = Comparison {
         let quarter = Variant::new(30, Model::Quarter);
         vec![
             fine.cells(50).quick(),
+            fine.cells(50).settled().quick(),
+            fine.settled(),
             fine,
+            quarter.settled(),
             fine.wm(),
             quarter,
             quarter.wm(),

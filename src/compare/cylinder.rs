@@ -32,6 +32,8 @@ pub const CYLINDER: Comparison = Comparison {
         let published = Variant::new(40, ());
         vec![
             published.cells(20).quick(),
+            published.cells(20).settled().quick(),
+            published.settled(),
             published,
             published.wm(),
             published.paper(),

@@ -29,6 +29,8 @@ pub const DOUBLE_MACH: Comparison = Comparison {
         let published = Variant::new(80, ());
         vec![
             published.cells(40).quick(),
+            published.cells(40).marched().quick(),
+            published.marched(),
             published,
             published.wm(),
             published.paper(),

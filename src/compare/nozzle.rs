@@ -34,6 +34,7 @@ pub const NOZZLE: Comparison = Comparison {
         let published = Variant::new(30, ());
         vec![
             published.quick(),
+            published.settled(),
             published,
             published.wm(),
             published.cells(60),

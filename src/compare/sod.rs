@@ -52,6 +52,7 @@ pub const SOD: Comparison<Moment> = Comparison {
         [
             of(Variant::both),
             of(|v| v.wm().both()),
+            of(|v| v.marched().cells(200).both()),
             of(Variant::paper),
             of(|v| v.wm().paper()),
         ]

@@ -46,6 +46,19 @@ pub struct Scheme {
     pub equations: &'static str,
     /// `scheme.extrapolation`.
     pub extrapolation: &'static str,
+    /// `scheme.motion`.
+    pub motion: Motion,
+}
+
+/// What carries the gas, and how it goes through time.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Motion {
+    /// Particles.
+    WithTheGas,
+    /// Points that stay, marched to the end of the scene.
+    Marched,
+    /// Points that stay, settled.
+    Settled,
 }
 
 impl Scheme {
@@ -53,6 +66,7 @@ impl Scheme {
     pub const USUAL: Self = Self {
         equations: "conservative",
         extrapolation: "wom",
+        motion: Motion::WithTheGas,
     };
 
     /// The same with ghost mirrors.
@@ -71,27 +85,58 @@ impl Scheme {
         }
     }
 
+    /// About points that stay.
+    pub const fn by_points(self, motion: Motion) -> Self {
+        Self { motion, ..self }
+    }
+
+    /// True where no particles move: `scheme.equations` and the like are not theirs.
+    pub fn is_of_points(self) -> bool {
+        self.motion != Motion::WithTheGas
+    }
+
     /// True for the project's own equations, whose errors are judged.
     pub fn is_conservative(self) -> bool {
         self.equations == Self::USUAL.equations
     }
 
     /// What it sets in a scene.
-    pub fn settings(self) -> [String; 2] {
-        [
-            format!("scheme.equations={}", self.equations),
-            format!("scheme.extrapolation={}", self.extrapolation),
-        ]
+    pub fn settings(self) -> Vec<String> {
+        match self.motion {
+            Motion::WithTheGas => vec![
+                format!("scheme.equations={}", self.equations),
+                format!("scheme.extrapolation={}", self.extrapolation),
+            ],
+            Motion::Marched => vec!["scheme.motion=fixed".into()],
+            Motion::Settled => vec!["scheme.motion=fixed".into(), "stop=steady".into()],
+        }
     }
 
     /// What is said of it where all variants have the same equations.
     pub const fn brief(self) -> &'static str {
-        self.extrapolation
+        match self.motion {
+            Motion::WithTheGas => self.extrapolation,
+            Motion::Marched => "points, marched",
+            Motion::Settled => "points, settled",
+        }
+    }
+}
+
+impl Scheme {
+    /// What is said of it where extrapolations play no part.
+    pub const fn laws(self) -> &'static str {
+        match self.motion {
+            Motion::WithTheGas => self.equations,
+            Motion::Marched | Motion::Settled => self.brief(),
+        }
     }
 }
 
 impl std::fmt::Display for Scheme {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        if self.is_of_points() {
+            return f.write_str(self.brief());
+        }
         write!(f, "{} {}", self.equations, self.extrapolation)
     }
 }
@@ -142,6 +187,22 @@ impl<P: Copy> Variant<P> {
         Self {
             scheme: self.scheme.paper(),
             is_judged: false,
+            ..self
+        }
+    }
+
+    /// The same about points that stay, marched.
+    pub const fn marched(self) -> Self {
+        Self {
+            scheme: self.scheme.by_points(Motion::Marched),
+            ..self
+        }
+    }
+
+    /// The same about points that stay, settled.
+    pub const fn settled(self) -> Self {
+        Self {
+            scheme: self.scheme.by_points(Motion::Settled),
             ..self
         }
     }

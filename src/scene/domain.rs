@@ -3,7 +3,7 @@
 use aero_geometry::{Bounds, Vector};
 
 use super::error::SceneError;
-use super::file::{SceneFile, SidesEntry};
+use super::file::{MotionWord, SceneFile, SidesEntry};
 use super::vector::{AXES, vector};
 use aero_solver::layers;
 use aero_solver::problem::{Domain, Side};
@@ -27,6 +27,10 @@ pub(super) fn domain<const D: usize>(file: &SceneFile) -> Result<Domain<D>, Scen
     let spacing = file.spacing.get();
     for k in 0..D {
         axis(AXES[k], [min[k], max[k]], sides[k], spacing)?;
+        // Points that stay meet their own image without harm: a cell that spans the box has no face towards itself.
+        if sides[k][0] == Side::Periodic && file.scheme.motion != Some(MotionWord::Fixed) {
+            holds_a_support(AXES[k], max[k] - min[k], spacing)?;
+        }
     }
     let bounds = Bounds::new(min, max);
     Ok(Domain { bounds, sides })
@@ -138,18 +142,23 @@ fn axis(
             ),
         ));
     }
-    if sides[0] == Side::Periodic && count + WHOLE < 2.0 * SUPPORT {
-        return Err(SceneError::value(
-            place,
-            format!(
-                "the domain is {width} wide and periodic, but a particle reaches {} to either side and would meet its own image; widen it to {} or set spacing = {}",
-                number(SUPPORT * spacing),
-                number((2.0 * SUPPORT).ceil() * spacing),
-                number(width / (2.0 * SUPPORT).ceil()),
-            ),
-        ));
-    }
     Ok(())
+}
+
+/// Checks that no particle meets its own image across a periodic axis.
+fn holds_a_support(name: &str, width: f64, spacing: f64) -> Result<(), SceneError> {
+    if width / spacing + WHOLE >= 2.0 * SUPPORT {
+        return Ok(());
+    }
+    Err(SceneError::value(
+        format!("domain.max, {name}"),
+        format!(
+            "the domain is {width} wide and periodic, but a particle reaches {} to either side and would meet its own image; widen it to {} or set spacing = {}",
+            number(SUPPORT * spacing),
+            number((2.0 * SUPPORT).ceil() * spacing),
+            number(width / (2.0 * SUPPORT).ceil()),
+        ),
+    ))
 }
 
 /// `spacing` with the fewest decimals that still divides `width` into `whole` parts.
@@ -188,8 +197,9 @@ mod tests {
 
     #[test]
     fn a_periodic_axis_must_hold_two_supports() {
-        let error = axis("y", [0.0, 0.8], [Side::Periodic; 2], 0.1).unwrap_err();
+        let error = holds_a_support("y", 0.8, 0.1).unwrap_err();
         assert!(error.to_string().contains("widen it to 0.9"), "{error}");
+        assert!(holds_a_support("y", 0.9, 0.1).is_ok());
     }
 
     #[test]

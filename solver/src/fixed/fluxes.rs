@@ -22,6 +22,13 @@ const STRONG: f64 = 0.6;
 /// Ratio above which there is no shock, and the flux HLLC.
 const WEAK: f64 = 0.95;
 
+/// Ratio of pressures below which a shock is so strong that slopes in it are those of minmod: with steeper ones a captured bow shock never
+/// comes to rest.
+const STRONGEST: f64 = 0.2;
+
+/// Ratio above which slopes are those of central differences.
+const NOT_STRONGEST: f64 = 0.4;
+
 /// States and slopes of all cells.
 #[derive(Clone, Copy, Debug)]
 pub struct Flow<'a, const D: usize> {
@@ -40,10 +47,22 @@ pub struct Gains<const D: usize> {
     pub boundary: Conserved<D>,
 }
 
-/// From zero in strong shocks to one elsewhere.
+/// From zero in strong shocks to one elsewhere: how much of the flux is HLLC's.
 #[inline(always)]
-pub fn smoothness<R: Real>(calmness: R) -> R {
-    let share = (calmness - STRONG) * (1.0 / (WEAK - STRONG));
+fn smoothness<R: Real>(calmness: R) -> R {
+    share(calmness, STRONG, WEAK)
+}
+
+/// From zero in the strongest shocks to one elsewhere: how much of the slopes is that of central differences.
+#[inline(always)]
+pub fn steepness<R: Real>(calmness: R) -> R {
+    share(calmness, STRONGEST, NOT_STRONGEST)
+}
+
+/// From zero at `low` to one at `high`.
+#[inline(always)]
+fn share<R: Real>(calmness: R, low: f64, high: f64) -> R {
+    let share = (calmness - low) * (1.0 / (high - low));
     share.max(calmness.like(0.0)).min(calmness.like(1.0))
 }
 
@@ -175,7 +194,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
                 rise(&self.slopes[0], &self.apart),
                 rise(&self.slopes[1], &self.apart),
             ],
-            smooth,
+            smooth: steepness(self.calmness),
             order: self.calmness,
         }
         .states();

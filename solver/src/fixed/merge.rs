@@ -151,3 +151,100 @@ fn taker<const D: usize>(
     }
     best.map(|(_, target)| target)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::part::Part;
+    use super::super::voronoi::Link;
+    use super::*;
+
+    /// A piece with faces to other cells of this row, each so long.
+    fn piece(is_own: bool, cell: u32, faces: &[(u32, f64)]) -> Part<2> {
+        let mut part = Part::new();
+        part.is_own = is_own;
+        for &(to, length) in faces {
+            let apart = f64::from(to) - f64::from(cell);
+            part.add_face(PartFace {
+                label: 4 + to,
+                area: Vector::from([length * apart.signum(), 0.0]),
+                // Own pieces meet above, hidden ones below.
+                centre: Vector::from([0.5 * apart, if is_own { 0.5 } else { -0.5 }]),
+            });
+        }
+        part
+    }
+
+    /// The cell of a row of three, one apart, with a link to each of them under its own number.
+    fn cell(number: u32, parts: Vec<Part<2>>) -> CutCell<2> {
+        let link = |to: u32| Link {
+            to,
+            apart: Vector::from([f64::from(to) - f64::from(number), 0.0]),
+        };
+        let links = (0..3).map(link).collect();
+        CutCell {
+            number,
+            links,
+            parts,
+        }
+    }
+
+    fn owners(cut: &[CutCell<2>]) -> Targets<2> {
+        let nodes = Nodes::new(&[false; 3], cut);
+        given(&nodes, cut)
+    }
+
+    #[test]
+    fn a_hidden_piece_goes_to_the_neighbour_that_it_shares_most_with() {
+        for (left, right, expected) in [(0.7, 0.2, 0), (0.2, 0.7, 2)] {
+            let cut = [
+                cell(0, vec![piece(true, 0, &[(1, left)])]),
+                cell(
+                    1,
+                    vec![
+                        piece(true, 1, &[(0, 0.9), (2, 0.9)]),
+                        piece(false, 1, &[(0, left), (2, right)]),
+                    ],
+                ),
+                cell(2, vec![piece(true, 2, &[(1, right)])]),
+            ];
+            let targets = owners(&cut);
+            assert_eq!((targets.given, targets.lost), (1, 0));
+            let target = targets.of_parts[1][1].unwrap();
+            assert_eq!(target.cell, expected);
+            assert_eq!(target.offset.x, f64::from(expected) - 1.0);
+            assert_eq!(targets.of_parts[1][0].unwrap().cell, 1);
+        }
+    }
+
+    #[test]
+    fn a_piece_behind_another_goes_where_that_one_goes() {
+        let cut = [
+            cell(
+                0,
+                vec![piece(true, 0, &[(1, 0.9)]), piece(false, 0, &[(1, 0.4)])],
+            ),
+            cell(
+                1,
+                vec![
+                    piece(true, 1, &[(0, 0.9), (2, 0.9)]),
+                    piece(false, 1, &[(0, 0.4), (2, 0.3)]),
+                ],
+            ),
+            cell(2, vec![piece(true, 2, &[(1, 0.3)])]),
+        ];
+        let targets = owners(&cut);
+        assert_eq!((targets.given, targets.lost), (2, 0));
+        for k in [0, 1] {
+            let target = targets.of_parts[k][1].unwrap();
+            assert_eq!((target.cell, target.offset.x), (2, 2.0 - k as f64));
+        }
+    }
+
+    #[test]
+    fn a_pocket_without_a_point_is_lost_and_told() {
+        let own = |number| cell(number, vec![piece(true, number, &[])]);
+        let hidden = vec![piece(true, 1, &[]), piece(false, 1, &[])];
+        let cut = [own(0), cell(1, hidden), own(2)];
+        assert_eq!(owners(&cut).lost, 1);
+    }
+}

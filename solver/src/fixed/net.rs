@@ -13,7 +13,7 @@ use nalgebra::SMatrix;
 
 use super::cells::{Cells, WallOwner};
 use super::sides::{Beyond, Side};
-use super::walls::Wall;
+use super::walls::{Image, Wall};
 
 /// Cells of a block.
 pub const BLOCK: usize = 512;
@@ -41,7 +41,7 @@ pub struct FaceShape<const D: usize> {
     pub apart: [f64; D],
     /// Area.
     pub size: f64,
-    /// Area over distance: weight in the cells' gradients.
+    /// Area over distance, in the plane of rings the length of the face there: weight in the cells' gradients.
     pub weight: f64,
 }
 
@@ -85,7 +85,7 @@ pub struct Net<const D: usize> {
 }
 
 /// Axis in the meridian plane along which the radius is measured.
-const RADIAL: usize = 1;
+pub const RADIAL: usize = 1;
 
 impl<const D: usize> Block<D> {
     /// Faces whose first cell is in this block: each face once, over all blocks.
@@ -133,20 +133,36 @@ impl<const D: usize> Net<D> {
             cell_shapes: Vec::new(),
             face_shapes: Vec::new(),
         };
-        net.add_faces(cells);
+        // What counts is how near a cell is, not how far around the axis it goes: the ring next to the axis would not feel its own image.
+        let radius = |place: f64| if is_axisymmetric { place } else { 1.0 };
+        let weights: Vec<f64> = cells
+            .faces
+            .iter()
+            .map(|face| {
+                let middle = cells.points[face.i as usize] + face.apart * 0.5;
+                face.area.norm() / face.apart.norm() / radius(middle[RADIAL.min(D - 1)])
+            })
+            .collect();
+        net.add_faces(cells, &weights);
         for wall in &cells.walls {
-            let wall = Wall::new(wall, &cells.points[wall.i as usize], owner(wall.owner));
+            let foot = wall.foot[RADIAL.min(D - 1)];
+            let mut wall = Wall::new(wall, &cells.points[wall.i as usize], owner(wall.owner));
+            wall.image = wall.image.at_radius(radius(foot));
             net.blocks[wall.i as usize / BLOCK].walls.push(wall);
         }
         for face in &cells.sides {
-            let side = Side::new(
+            let mut side = Side::new(
                 face,
                 &cells.points[face.i as usize],
                 beyond(face.axis, face.end),
             );
+            side.image = side.image.at_radius(radius(face.centre[RADIAL.min(D - 1)]));
             net.blocks[side.i as usize / BLOCK].sides.push(side);
         }
-        net.add_cell_shapes(cells, is_axisymmetric);
+        if is_axisymmetric {
+            net.add_axis(cells);
+        }
+        net.add_cell_shapes(cells, &weights, is_axisymmetric);
         net.find_nearby();
         Ok(net)
     }
@@ -162,9 +178,41 @@ impl<const D: usize> Net<D> {
         &self.cell_shapes[self.shape_of[i] as usize]
     }
 
-    fn add_faces(&mut self, cells: &Cells<D>) {
-        let mut shapes = Table::default();
+    /// Gives the cells on the axis their images behind it, for the gradients: what is left of a cell's sides in the plane of rings lies on
+    /// the axis.
+    fn add_axis(&mut self, cells: &Cells<D>) {
+        /// Least part of a cell's width that has to lie on the axis.
+        const LEAST: f64 = 0.05;
+        let mut lengths = vec![0.0; cells.points.len()];
         for face in &cells.faces {
+            let middle = cells.points[face.i as usize][RADIAL] + 0.5 * face.apart[RADIAL];
+            let length = face.area[RADIAL] / middle;
+            lengths[face.i as usize] += length;
+            lengths[face.j as usize] -= length;
+        }
+        for block in &self.blocks {
+            let walls = block.walls.iter().map(|wall| (wall.i, &wall.image));
+            let sides = block.sides.iter().map(|side| (side.i, &side.image));
+            for (i, image) in walls.chain(sides) {
+                lengths[i as usize] += image.share * image.normal[RADIAL];
+            }
+        }
+        for (i, length) in lengths.into_iter().enumerate() {
+            let distance = cells.points[i][RADIAL];
+            let width = (cells.volumes[i] / distance).sqrt();
+            if distance < width && length > LEAST * width {
+                self.blocks[i / BLOCK].sides.push(Side {
+                    i: i as u32,
+                    image: Image::behind_axis(length, distance),
+                    beyond: Beyond::Mirror,
+                });
+            }
+        }
+    }
+
+    fn add_faces(&mut self, cells: &Cells<D>, weights: &[f64]) {
+        let mut shapes = Table::default();
+        for (face, weight) in cells.faces.iter().zip(weights) {
             let size = face.area.norm();
             let key = [bits(&face.area), bits(&face.apart)];
             let shape = shapes.number(key, || {
@@ -172,7 +220,7 @@ impl<const D: usize> Net<D> {
                     area: face.area.into(),
                     apart: face.apart.into(),
                     size,
-                    weight: size / face.apart.norm(),
+                    weight: *weight,
                 });
             });
             let face = Face {
@@ -188,13 +236,12 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    fn add_cell_shapes(&mut self, cells: &Cells<D>, is_axisymmetric: bool) {
+    fn add_cell_shapes(&mut self, cells: &Cells<D>, weights: &[f64], is_axisymmetric: bool) {
         let mut moments = vec![Matrix::<D>::zeros(); cells.points.len()];
         let mut hoops = vec![0.0; cells.points.len()];
         let radial = |area: &Vector<D>| if is_axisymmetric { area[RADIAL] } else { 0.0 };
-        for face in &cells.faces {
-            let weight = face.area.norm() / face.apart.norm();
-            let moment = face.apart * face.apart.transpose() * weight;
+        for (face, weight) in cells.faces.iter().zip(weights) {
+            let moment = face.apart * face.apart.transpose() * *weight;
             moments[face.i as usize] += moment;
             moments[face.j as usize] += moment;
             hoops[face.i as usize] += radial(&face.area);

@@ -1,6 +1,6 @@
 //! The states on both sides of a face, from the cells' means and slopes.
 
-use super::limiter::{minmod, van_leer};
+use super::limiter::{central, minmod};
 use super::real::Real;
 use super::state::{Primitive, scaled};
 
@@ -11,7 +11,7 @@ pub struct Neighbours<const D: usize, R> {
     pub means: [Primitive<D, R>; 2],
     /// Slopes of both along the line from the first to the second cell, times its length.
     pub rises: [Primitive<D, R>; 2],
-    /// From zero in strong shocks to one elsewhere.
+    /// From zero in the strongest shocks to one elsewhere: how much of the limiter is that of central differences.
     pub smooth: R,
     /// Below zero where no slope may be used at all.
     pub order: R,
@@ -19,8 +19,8 @@ pub struct Neighbours<const D: usize, R> {
 
 impl<const D: usize, R: Real> Neighbours<D, R> {
     /// States on both sides of the face, halfway between: `q_i + phi(2 rise_i - D, D) / 2` and `q_j - phi(2 rise_j - D, D) / 2`,
-    /// `D = q_j - q_i`, [van Leer 1977's extrapolation with the slope beyond each cell read off its gradient]. The limiter is van
-    /// Leer's, and minmod in strong shocks. A side whose density or pressure would not be positive takes its cell's mean.
+    /// `D = q_j - q_i`, [van Leer 1977's extrapolation with the slope beyond each cell read off its gradient]. The limiter is
+    /// that of central differences, and minmod in the strongest shocks. A side whose density or pressure would not be positive takes its cell's mean.
     #[inline(always)]
     pub fn states(&self) -> [Primitive<D, R>; 2] {
         let [first, second] = &self.means;
@@ -59,7 +59,7 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
     fn step(&self, rise: R, jump: R) -> R {
         let beyond = rise * 2.0 - jump;
         let careful = minmod(beyond, jump);
-        careful + self.smooth * (van_leer(beyond, jump) - careful)
+        careful + self.smooth * (central(beyond, jump) - careful)
     }
 }
 

@@ -1,6 +1,10 @@
 //! One implicit step towards the steady state without matrices: lower-upper symmetric Gauss-Seidel.
 //!
+//! Cells that no face joins are computed side by side, in an order that no number of threads changes.
+//!
 //! [Yoon & Jameson 1988, AIAA J. 26, 1025-1026; for cells of any shape Sharov & Nakahashi 1998, AIAA J. 36, 484-486]
+
+use rayon::prelude::*;
 
 use super::FixedSimulation;
 use super::gas::Gas;
@@ -17,36 +21,73 @@ const LEAST: f64 = 0.2;
 /// How often the change of a cell is halved that would leave less.
 const HALVINGS: u32 = 20;
 
+/// Cells of a level that one thread takes at a time.
+const CHUNK: usize = 64;
+
 /// A neighbour of a cell.
 #[derive(Clone, Copy, Debug)]
 struct Link {
     cell: u32,
+    /// Its place in the order.
+    place: u32,
     shape: u32,
     /// The area points out of the cell, or into it.
     sign: f64,
 }
 
 /// Cells in the order of the flow, with their neighbours.
+///
+/// Cells stand in levels: no two cells of a level are neighbours, and a cell's level is above those of all its neighbours upstream. All
+/// cells of a level can then be computed at once, and whoever computes them, the sums are the same.
 #[derive(Clone, Debug)]
 pub struct Sweeps {
+    /// Cells by level, and by number within one.
     order: Vec<u32>,
-    /// Place of each cell in the order.
-    rank: Vec<u32>,
+    /// Where each level starts in the order, and where the last one ends.
+    levels: Vec<usize>,
+    /// Where the links of the cell at each place start.
     starts: Vec<u32>,
     links: Vec<Link>,
+}
+
+/// The level of each cell: above those of its neighbours with a smaller key, and none that a neighbour with the same key has.
+fn levels(starts: &[u32], links: &[Link], keys: &[f64]) -> Vec<u32> {
+    const NONE: u32 = u32::MAX;
+    let mut order: Vec<u32> = (0..keys.len() as u32).collect();
+    order.sort_by(|&a, &b| {
+        keys[a as usize]
+            .total_cmp(&keys[b as usize])
+            .then(a.cmp(&b))
+    });
+    let mut levels = vec![NONE; keys.len()];
+    let mut taken: Vec<u32> = Vec::new();
+    for &cell in &order {
+        let i = cell as usize;
+        let mut level = 0;
+        taken.clear();
+        for link in &links[starts[i] as usize..starts[i + 1] as usize] {
+            let j = link.cell as usize;
+            if levels[j] == NONE || i == j {
+                continue;
+            }
+            if keys[j] < keys[i] {
+                level = level.max(levels[j] + 1);
+            } else {
+                taken.push(levels[j]);
+            }
+        }
+        while taken.contains(&level) {
+            level += 1;
+        }
+        levels[i] = level;
+    }
+    levels
 }
 
 impl Sweeps {
     /// The cells of `net`, `along` the flow.
     pub fn new<const D: usize>(net: &Net<D>, along: impl Fn(usize) -> f64) -> Self {
         let count = net.len();
-        let mut order: Vec<u32> = (0..count as u32).collect();
-        let keys: Vec<f64> = (0..count).map(along).collect();
-        order.sort_by(|&a, &b| keys[a as usize].total_cmp(&keys[b as usize]));
-        let mut rank = vec![0; count];
-        for (place, &i) in (0..).zip(&order) {
-            rank[i as usize] = place;
-        }
         let mut starts = vec![0_u32; count + 1];
         let each = || {
             net.blocks.iter().flat_map(|block| {
@@ -63,6 +104,7 @@ impl Sweeps {
         }
         let nothing = Link {
             cell: 0,
+            place: 0,
             shape: 0,
             sign: 0.0,
         };
@@ -73,22 +115,57 @@ impl Sweeps {
                 let place = &mut next[i as usize];
                 links[*place as usize] = Link {
                     cell,
+                    place: 0,
                     shape: face.shape,
                     sign,
                 };
                 *place += 1;
             }
         }
-        Self {
-            order,
-            rank,
-            starts,
-            links,
-        }
+        let keys: Vec<f64> = (0..count).map(along).collect();
+        let level_of = levels(&starts, &links, &keys);
+        Self::ordered(&level_of, &starts, &links)
     }
 
-    fn links(&self, i: usize) -> &[Link] {
-        &self.links[self.starts[i] as usize..self.starts[i + 1] as usize]
+    /// The same links in the order of the levels.
+    fn ordered(level_of: &[u32], starts: &[u32], links: &[Link]) -> Self {
+        let mut order: Vec<u32> = (0..level_of.len() as u32).collect();
+        order.sort_by_key(|&i| (level_of[i as usize], i));
+        let mut places = vec![0_u32; order.len()];
+        let mut sweeps = Self {
+            order: Vec::new(),
+            levels: Vec::new(),
+            starts: vec![0],
+            links: Vec::with_capacity(links.len()),
+        };
+        for (place, &i) in (0..).zip(&order) {
+            places[i as usize] = place;
+        }
+        for (place, &i) in order.iter().enumerate() {
+            let level = level_of[i as usize] as usize;
+            if level == sweeps.levels.len() {
+                sweeps.levels.push(place);
+            }
+            let range = starts[i as usize] as usize..starts[i as usize + 1] as usize;
+            sweeps.links.extend(links[range].iter().map(|link| Link {
+                place: places[link.cell as usize],
+                ..*link
+            }));
+            sweeps.starts.push(sweeps.links.len() as u32);
+        }
+        sweeps.levels.push(order.len());
+        sweeps.order = order;
+        sweeps
+    }
+
+    /// Neighbours of the cell at `place`.
+    fn links(&self, place: usize) -> &[Link] {
+        &self.links[self.starts[place] as usize..self.starts[place + 1] as usize]
+    }
+
+    /// First and last place of each level, in their order.
+    fn levels(&self) -> impl DoubleEndedIterator<Item = (usize, usize)> {
+        self.levels.windows(2).map(|ends| (ends[0], ends[1]))
     }
 }
 
@@ -114,30 +191,42 @@ impl<const D: usize> FixedSimulation<D> {
             })
         });
         let reaches = self.reaches(&sweeps);
+        let residual = self.residual(&sweeps, &reaches);
         let share = 0.5 + 0.5 / courant;
-        let residual = self.residual(&reaches);
-        for &i in &sweeps.order {
+        let mut changes = vec![Conserved::<D>::ZERO; sweeps.order.len()];
+        for (start, end) in sweeps.levels() {
+            let (before, rest) = changes.split_at_mut(start);
+            let level = rest[..end - start].par_iter_mut().enumerate();
+            level.with_min_len(CHUNK).for_each(|(k, change)| {
+                let place = start + k;
+                let i = sweeps.order[place] as usize;
+                if self.is_awake(i) {
+                    let links = sweeps.links(place).iter();
+                    let known =
+                        links.filter_map(|link| Some((link, before.get(link.place as usize)?)));
+                    let gain = self.before[i].plus(-0.5, &self.neighbours(known));
+                    *change = Conserved::ZERO.plus(1.0 / (share * reaches[place]), &gain);
+                }
+            });
+        }
+        for (start, end) in sweeps.levels().rev() {
+            let (front, after) = changes.split_at_mut(end);
+            let level = front[start..].par_iter_mut().enumerate();
+            level.with_min_len(CHUNK).for_each(|(k, change)| {
+                let place = start + k;
+                if self.is_awake(sweeps.order[place] as usize) {
+                    let links = sweeps.links(place).iter();
+                    let known = links.filter_map(|link| {
+                        Some((link, after.get((link.place as usize).wrapping_sub(end))?))
+                    });
+                    *change = change.plus(-0.5 / (share * reaches[place]), &self.neighbours(known));
+                }
+            });
+        }
+        for (change, &i) in changes.iter().zip(&sweeps.order) {
             let i = i as usize;
             if self.is_awake(i) {
-                let sum = self.neighbours(&sweeps, i, |other, own| other < own);
-                let diagonal = 1.0 / (share * reaches[i]);
-                let change = self.before[i].plus(-0.5, &sum);
-                self.before[i] = Conserved::ZERO.plus(diagonal, &change);
-            } else {
-                self.before[i] = Conserved::ZERO;
-            }
-        }
-        for &i in sweeps.order.iter().rev() {
-            let i = i as usize;
-            if self.is_awake(i) {
-                let sum = self.neighbours(&sweeps, i, |other, own| other > own);
-                let diagonal = 0.5 / (share * reaches[i]);
-                self.before[i] = self.before[i].plus(-diagonal, &sum);
-            }
-        }
-        for i in 0..self.held.len() {
-            if self.is_awake(i) {
-                self.held[i] = self.changed(i);
+                self.held[i] = self.changed(i, change);
             }
         }
         self.sweeps = Some(sweeps);
@@ -151,29 +240,37 @@ impl<const D: usize> FixedSimulation<D> {
         self.quiet.blocks[i / super::net::BLOCK].is_awake
     }
 
-    /// Sum of wave speed times area over all faces of each cell.
+    /// Sum of wave speed times area over all faces of each cell that is awake, place by place.
     fn reaches(&self, sweeps: &Sweeps) -> Vec<f64> {
-        let mut reaches: Vec<f64> = (0..self.held.len())
-            .map(|i| {
-                let state = &self.states[i];
-                let sound = self.sound(state);
-                let each = sweeps.links(i).iter().map(|link| {
-                    let shape = &self.net.face_shapes[link.shape as usize];
-                    dot(&state.velocity, &shape.area).abs() + sound * shape.size
-                });
-                each.sum()
-            })
-            .collect();
-        for block in &self.net.blocks {
+        let mut ends = vec![0.0; self.held.len()];
+        for (block, rest) in self.net.blocks.iter().zip(&self.quiet.blocks) {
+            if !rest.is_awake {
+                continue;
+            }
             let walls = block.walls.iter().map(|wall| (wall.i, &wall.image));
             let sides = block.sides.iter().map(|side| (side.i, &side.image));
             for (i, image) in walls.chain(sides) {
                 let state = &self.states[i as usize];
                 let speed = dot(&state.velocity, &image.normal).abs() + self.sound(state);
-                reaches[i as usize] += speed * image.size;
+                ends[i as usize] += speed * image.size;
             }
         }
-        reaches
+        let places = sweeps.order.par_iter().enumerate().with_min_len(CHUNK);
+        let reach = |(place, &i): (usize, &u32)| {
+            let i = i as usize;
+            if !self.is_awake(i) {
+                return 1.0;
+            }
+            let state = &self.states[i];
+            let sound = self.sound(state);
+            let mut sum = ends[i];
+            for link in sweeps.links(place) {
+                let shape = &self.net.face_shapes[link.shape as usize];
+                sum += dot(&state.velocity, &shape.area).abs() + sound * shape.size;
+            }
+            sum
+        };
+        places.map(reach).collect()
     }
 
     fn sound(&self, state: &Primitive<D>) -> f64 {
@@ -181,9 +278,10 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     /// Mean over the cells that are awake of how much of its mass each gains while a wave crosses it.
-    fn residual(&self, reaches: &[f64]) -> f64 {
+    fn residual(&self, sweeps: &Sweeps, reaches: &[f64]) -> f64 {
         let (mut sum, mut count) = (0.0, 0.0);
-        for (i, reach) in reaches.iter().enumerate() {
+        for (&i, reach) in sweeps.order.iter().zip(reaches) {
+            let i = i as usize;
             if self.is_awake(i) {
                 let part = self.before[i].mass / (self.held[i].mass * reach);
                 sum += part * part;
@@ -197,20 +295,14 @@ impl<const D: usize> FixedSimulation<D> {
         }
     }
 
-    /// `sum (dF_j.A_ij - lambda_j A_ij dU_j)` over the neighbours whose rank and the cell's are `chosen`.
-    fn neighbours(
+    /// `sum (dF_j.A_ij - lambda_j A_ij dU_j)` over the neighbours with `known` changes.
+    fn neighbours<'a>(
         &self,
-        sweeps: &Sweeps,
-        i: usize,
-        chosen: impl Fn(u32, u32) -> bool,
+        known: impl Iterator<Item = (&'a Link, &'a Conserved<D>)>,
     ) -> Conserved<D> {
         let mut sum = Conserved::ZERO;
-        for link in sweeps.links(i) {
+        for (link, change) in known {
             let j = link.cell as usize;
-            if !chosen(sweeps.rank[j], sweeps.rank[i]) {
-                continue;
-            }
-            let change = &self.before[j];
             let shape = &self.net.face_shapes[link.shape as usize];
             let area = scaled(&shape.area, link.sign);
             let state = &self.states[j];
@@ -228,9 +320,9 @@ impl<const D: usize> FixedSimulation<D> {
         sum
     }
 
-    /// What cell `i` holds after its change, which is cut where it would take or give too much.
-    fn changed(&self, i: usize) -> Conserved<D> {
-        let (held, change) = (&self.held[i], &self.before[i]);
+    /// What cell `i` holds after its `change`, which is cut where it would take or give too much.
+    fn changed(&self, i: usize, change: &Conserved<D>) -> Conserved<D> {
+        let held = &self.held[i];
         let mut part = (MOST * held.mass / change.mass.abs()).min(1.0);
         let least = LEAST * self.states[i].pressure;
         for _ in 0..HALVINGS {
@@ -241,5 +333,42 @@ impl<const D: usize> FixedSimulation<D> {
             part *= 0.5;
         }
         *held
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::lattice::{lattice, problem};
+    use super::*;
+    use crate::problem::Side;
+
+    #[test]
+    fn no_neighbours_share_a_level_and_the_stream_goes_upwards() {
+        let problem = problem::<2>(
+            [7, 6],
+            1.0,
+            [[Side::Inlet, Side::Outlet], [Side::Periodic; 2]],
+        );
+        let cells = lattice(&problem);
+        let x: Vec<f64> = cells.points.iter().map(|point| point[0]).collect();
+        let flow = FixedSimulation::on(cells, problem).unwrap();
+        let sweeps = Sweeps::new(&flow.net, |i| x[i]);
+        let mut level_of = vec![0; x.len()];
+        for (level, (start, end)) in sweeps.levels().enumerate() {
+            for &i in &sweeps.order[start..end] {
+                level_of[i as usize] = level;
+            }
+        }
+        for (place, &i) in sweeps.order.iter().enumerate() {
+            assert!(sweeps.links(place).len() >= 3);
+            for link in sweeps.links(place) {
+                let (i, j) = (i as usize, link.cell as usize);
+                assert_eq!(sweeps.order[link.place as usize], link.cell);
+                assert_ne!(level_of[i], level_of[j]);
+                assert!(x[i] <= x[j] || level_of[i] > level_of[j]);
+            }
+        }
+        // One for each column, and one more for every other cell of it.
+        assert_eq!(sweeps.levels().count(), 8);
     }
 }

@@ -3,9 +3,9 @@
 use aero_geometry::Vector;
 
 use super::cells::WallFace;
-use super::fluxes::smoothness;
+use super::fluxes::steepness;
 use super::gas::Gas;
-use super::net::Matrix;
+use super::net::{Matrix, RADIAL};
 use super::reconstruction::{Neighbours, rise};
 use super::state::{Conserved, Primitive, dot};
 
@@ -16,6 +16,8 @@ pub struct Image<const D: usize> {
     pub normal: [f64; D],
     /// Area of the cell's face on it.
     pub size: f64,
+    /// What counts of that in gradients: the face in the plane of rings, all of it elsewhere.
+    pub share: f64,
     /// Distance of the point from it.
     pub distance: f64,
 }
@@ -32,8 +34,30 @@ impl<const D: usize> Image<D> {
         Self {
             normal: normal.into(),
             size,
+            share: size,
             // At an edge a point may lie beyond the plane of a wall that its cell holds a part of: it has no image there.
             distance: (foot - point).dot(&normal).max(0.0),
+        }
+    }
+
+    /// The same about an axis that the face is at this distance from.
+    #[must_use]
+    pub fn at_radius(self, radius: f64) -> Self {
+        Self {
+            share: self.size / radius,
+            ..self
+        }
+    }
+
+    /// Behind an axis at the lower end of the radius: a face of this length in the plane, and of no area.
+    pub fn behind_axis(length: f64, distance: f64) -> Self {
+        let mut normal = [0.0; D];
+        normal[RADIAL] = -1.0;
+        Self {
+            normal,
+            size: 0.0,
+            share: length,
+            distance,
         }
     }
 
@@ -45,7 +69,7 @@ impl<const D: usize> Image<D> {
     /// `w d d^T` with the image at `d = 2 distance normal` and `w` area over distance.
     pub fn moment(&self) -> Matrix<D> {
         let normal = Vector::from(self.normal);
-        normal * normal.transpose() * (2.0 * self.size * self.distance)
+        normal * normal.transpose() * (2.0 * self.share * self.distance)
     }
 
     /// The state of `cell` drawn out to the plane, with the mirror image as its neighbour.
@@ -60,7 +84,7 @@ impl<const D: usize> Image<D> {
         let [inner, _] = Neighbours {
             means: [*cell, cell.mirrored(&self.normal)],
             rises: [rise; 2],
-            smooth: smoothness(calmness),
+            smooth: steepness(calmness),
             order: calmness,
         }
         .states();
@@ -70,7 +94,7 @@ impl<const D: usize> Image<D> {
     /// `w d`.
     #[inline]
     pub fn weight(&self) -> [f64; D] {
-        self.normal.map(|n| n * self.size)
+        self.normal.map(|n| n * self.share)
     }
 }
 
@@ -153,6 +177,7 @@ mod tests {
         Image {
             normal: [0.0, -1.0],
             size: 0.2,
+            share: 0.2,
             distance: 0.1,
         }
     }

@@ -81,7 +81,7 @@ impl Ball {
     fn compare(&self, scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
         let spacing = self.quick.filter(|_| context.level == Level::Quick);
         let trial = Trial::new(self.scene, scheme)
-            .called(scheme.equations.to_owned())
+            .called(scheme.laws().to_owned())
             .with(spacing.map(|spacing| format!("spacing={spacing}")));
         trial.compare(context, |outcome| {
             let error = |measured| {
@@ -204,7 +204,8 @@ impl Ball {
             Series::particles("particles", &radii, &densities),
             Series::exact([1e-3, outer], 1000, exact),
         ];
-        let name = format!("{}-{}", self.scene.name, scheme.equations);
+        let laws = scheme.laws().replace(", ", "-");
+        let name = format!("{}-{laws}", self.scene.name);
         let curves = Curves::single(&name, Panel::new("r", "density", series));
         Ok(curves.save(&context.out.join(format!("{name}.png")))?)
     }

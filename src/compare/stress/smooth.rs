@@ -36,7 +36,7 @@ fn vortex(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareEr
         Level::Quick => &[32, 64],
         Level::Full => &[32, 64, 128],
     };
-    let equations = scheme.equations;
+    let equations = scheme.laws();
     let (mut checks, mut spacings, mut errors) = (Vec::new(), Vec::new(), Vec::new());
     for &count in counts {
         let spacing = 10.0 / f64::from(count);
@@ -68,7 +68,7 @@ fn vortex(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareEr
 }
 
 fn gresho(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-    let trial = Trial::new(GRESHO, scheme).called(scheme.equations.to_owned());
+    let trial = Trial::new(GRESHO, scheme).called(scheme.laws().to_owned());
     trial.compare(context, |outcome| {
         let Some(outcome) = outcome else {
             return Ok(Vec::new());
@@ -90,7 +90,7 @@ fn gresho(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareEr
 }
 
 fn shear(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-    let trial = Trial::new(SHEAR, scheme).called(scheme.equations.to_owned());
+    let trial = Trial::new(SHEAR, scheme).called(scheme.laws().to_owned());
     trial.compare(context, |outcome| {
         let growth = outcome.map(|o| mode(&o.gas) / MODE_AT_START);
         let quantity = "amplitude of the mode over its start";

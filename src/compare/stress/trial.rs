@@ -56,9 +56,24 @@ impl Trial {
         context: &Context<'_>,
         rows: impl FnOnce(Option<&Outcome>) -> Result<Vec<Row>, CompareError>,
     ) -> Result<Vec<Check>, CompareError> {
-        let attempt = self.attempt(context)?;
-        let mut all = common(&attempt);
-        all.extend(rows(attempt.outcome())?);
+        let all = match self.attempt(context) {
+            Ok(attempt) => {
+                let mut all = common(&attempt);
+                all.extend(rows(attempt.outcome())?);
+                all
+            }
+            // Pistons, moving bodies and vacuum.
+            Err(error) if self.scheme.is_of_points() => {
+                let what = format!("refused: {error}");
+                vec![Row::informs(
+                    what,
+                    "points that stay cannot follow it",
+                    0.0,
+                    0.0,
+                )]
+            }
+            Err(error) => return Err(error),
+        };
         let heading = Heading {
             case: &self.case,
             label: &self.label,

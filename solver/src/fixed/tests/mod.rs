@@ -12,6 +12,7 @@ use super::solids::Solids;
 use crate::problem::{Domain, Side};
 
 mod adapting;
+mod flows;
 mod jumps;
 pub(crate) mod lattice;
 mod plane;

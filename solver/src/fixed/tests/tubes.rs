@@ -248,3 +248,43 @@ fn what_moves_sticks_or_is_empty_is_refused_by_name() {
     let refused = FixedSimulation::on(lattice(&empty), empty).unwrap_err();
     assert!(refused.starts_with("there is a vacuum"), "{refused}");
 }
+
+/// A tube as a strip of so many cells, periodic across.
+fn strip(across: usize) -> Vec<f64> {
+    let count = 40;
+    let dx = 1.0 / count as f64;
+    let sides = [[WALL, WALL], [Side::Periodic; 2]];
+    let mut problem = problem([count, across], dx, sides);
+    problem.initial = Initial::Riemann {
+        left: state(1.0, [0.0; 2], 1.0),
+        right: state(0.125, [0.0; 2], 0.1),
+        position: 0.5,
+        smooth: false,
+    };
+    let mut flow = FixedSimulation::new(problem).unwrap();
+    march(&mut flow, 0.1);
+    let frame = flow.frame();
+    let mut row: Vec<(f64, f64)> = (0..frame.position.len())
+        .filter(|&i| frame.position[i][1] < dx)
+        .map(|i| (frame.position[i][0], frame.density[i]))
+        .collect();
+    row.sort_by(|a, b| a.0.total_cmp(&b.0));
+    assert_eq!(row.len(), count);
+    row.into_iter().map(|(_, density)| density).collect()
+}
+
+/// Cells that meet their own images across a narrow box do as those of a wide one, and a single row as a line.
+#[test]
+fn a_periodic_box_may_be_as_narrow_as_a_cell() {
+    let off = |a: &[f64], b: &[f64]| {
+        let pairs = a.iter().zip(b);
+        pairs.fold(0.0, |most: f64, (a, b)| most.max((a - b).abs()))
+    };
+    let mut line = tube(40);
+    march(&mut line, 0.1);
+    assert!(off(&strip(1), &line.frame().density) < 1e-13);
+    let wide = strip(6);
+    for across in [2, 3] {
+        assert!(off(&strip(across), &wide) < 1e-13, "{across}");
+    }
+}
