@@ -3,9 +3,11 @@
 mod chart;
 mod error;
 mod interrupt;
+mod new;
 mod pack;
 mod progress;
 mod run;
+mod shell;
 mod validate;
 
 pub use error::CommandError;
@@ -26,10 +28,16 @@ enum Command {
     Pack(pack::PackArgs),
     /// Run a scene
     Run(run::RunArgs),
+    /// Write a commented scene to begin with
+    New(new::NewArgs),
     /// Compare cases with theory
     Validate(validate::ValidateArgs),
     /// Chart speed against accuracy
     Chart(chart::ChartArgs),
+    /// Print what a shell needs to complete commands
+    Completions(shell::CompletionsArgs),
+    /// Print the manual page
+    Man,
 }
 
 impl Cli {
@@ -39,7 +47,10 @@ impl Cli {
             Command::Pack(args) => pack::pack(&args),
             Command::Run(args) => run::run(&args),
             Command::Validate(args) => validate::validate(&args),
+            Command::New(args) => new::new(&args),
             Command::Chart(args) => chart::chart(&args),
+            Command::Completions(args) => shell::completions(&args),
+            Command::Man => shell::manual(),
         }
     }
 }

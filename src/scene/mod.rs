@@ -36,6 +36,7 @@
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
+mod atmosphere;
 mod axis;
 mod bodies;
 mod budget;
@@ -59,6 +60,7 @@ mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
+mod stream;
 mod vector;
 
 pub use bodies::{BodyPlan, PackWishes};
