@@ -3,6 +3,7 @@
 mod chart;
 mod cli;
 mod compare;
+mod nearest;
 
 use std::process::ExitCode;
 

@@ -115,10 +115,7 @@ impl<const D: usize> Flow<D> {
 
     /// Points whose cells were split so often, from those never split; none of particles.
     pub fn points_per_level(&self) -> Vec<usize> {
-        match self {
-            Self::WithTheGas(_) => Vec::new(),
-            Self::Fixed(flow) => flow.points_per_level(),
-        }
+        self.0.points_per_level()
     }
 
     /// Counts and extremes.

@@ -16,6 +16,7 @@ use aero::run::{Keep, Outcome};
 
 use crate::compare::scenes::Source;
 use crate::compare::{CompareError, Context, Level, Scheme};
+use crate::nearest::nearest;
 
 /// One line of a chart.
 #[derive(Clone, Copy)]
@@ -130,6 +131,7 @@ pub fn chart(names: &[String], wishes: Wishes<'_>) -> Result<Vec<PathBuf>, Compa
         let all: Vec<&str> = studies.iter().map(|study| study.scene.name).collect();
         return Err(CompareError::Unknown {
             name: name.clone(),
+            hint: nearest(name, &all),
             known: all.join(", "),
         });
     }

@@ -4,9 +4,11 @@ mod chart;
 mod check;
 mod error;
 mod interrupt;
+mod new;
 mod pack;
 mod progress;
 mod run;
+mod shell;
 mod validate;
 
 pub use error::CommandError;
@@ -29,10 +31,16 @@ enum Command {
     Check(check::CheckArgs),
     /// Run a scene
     Run(run::RunArgs),
+    /// Write a commented scene to begin with
+    New(new::NewArgs),
     /// Compare cases with theory
     Validate(validate::ValidateArgs),
     /// Chart speed against accuracy
     Chart(chart::ChartArgs),
+    /// Print what a shell needs to complete commands
+    Completions(shell::CompletionsArgs),
+    /// Print the manual page
+    Man,
 }
 
 impl Cli {
@@ -43,7 +51,10 @@ impl Cli {
             Command::Check(args) => check::check(&args),
             Command::Run(args) => run::run(&args),
             Command::Validate(args) => validate::validate(&args),
+            Command::New(args) => new::new(&args),
             Command::Chart(args) => chart::chart(&args),
+            Command::Completions(args) => shell::completions(&args),
+            Command::Man => shell::manual(),
         }
     }
 }

@@ -39,10 +39,12 @@ impl std::fmt::Debug for Context<'_> {
 #[derive(Debug, thiserror::Error)]
 pub enum CompareError {
     /// No such case.
-    #[error("unknown case `{name}`; known are {known}")]
+    #[error("unknown case `{name}`{hint}; known are {known}")]
     Unknown {
         /// As typed.
         name: String,
+        /// What may have been meant.
+        hint: String,
         /// All names.
         known: String,
     },

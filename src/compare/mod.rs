@@ -25,6 +25,7 @@ mod variant;
 mod view;
 pub mod wedge;
 
+use crate::nearest::nearest;
 use aero_validation::table::Check;
 
 use comparison::Compare;
@@ -80,6 +81,7 @@ pub fn compare(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, Co
         let known: Vec<&str> = all().map(|(name, _)| *name).collect();
         return Err(CompareError::Unknown {
             name: name.clone(),
+            hint: nearest(name, &known),
             known: known.join(", "),
         });
     }

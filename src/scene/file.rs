@@ -7,7 +7,8 @@ use serde::Deserialize;
 
 use super::formula::Formula;
 use super::number::{
-    Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
+    Altitude, Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
+    StreamAngle,
 };
 use super::refine::RefineEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
@@ -226,13 +227,14 @@ impl From<ExtrapolationWord> for Extrapolation {
     }
 }
 
-/// `[free_stream]`: pressure, one of density and temperature, one of Mach number, speed and
-/// velocity.
+/// `[free_stream]`: an altitude, or pressure and one of density and temperature; one of Mach number, speed and velocity.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FreeStreamEntry {
+    /// Altitude above the sea in m, in place of pressure and density or temperature: air of the US Standard Atmosphere 1976.
+    pub altitude: Option<Altitude>,
     /// Pressure; Pa with a temperature.
-    pub pressure: Positive,
+    pub pressure: Option<Positive>,
     /// Density, in place of a temperature.
     pub density: Option<Positive>,
     /// Temperature in kelvin, in place of the density.
@@ -247,8 +249,10 @@ pub struct FreeStreamEntry {
     pub velocity: Option<Vec<Finite>>,
     /// Direction, with a Mach number or a speed; along the first axis unless given.
     pub direction: Option<Vec<Finite>>,
-    /// In place of a direction: degrees by which the stream comes from below, so that `(cos, sin)` is its direction.
-    pub incidence: Option<Finite>,
+    /// Angle of attack in degrees, in place of a direction: gas that goes along the first axis comes from below the second one; 0 unless given.
+    pub incidence: Option<StreamAngle>,
+    /// Sideslip in degrees, in place of a direction: gas comes from below the third axis; 0 unless given.
+    pub sideslip: Option<StreamAngle>,
 }
 
 /// `[domain]`

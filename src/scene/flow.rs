@@ -2,18 +2,12 @@
 
 use std::path::Path;
 
-use aero_geometry::Vector;
-
 use super::error::SceneError;
-use super::file::{FreeStreamEntry, SceneFile, StateEntry};
-use super::number::{Gamma, Positive};
-use super::vector::{AXES, vector, vector_or_zero};
-use super::{earlier, field};
+use super::file::{SceneFile, StateEntry};
+use super::number::Gamma;
+use super::vector::{AXES, vector_or_zero};
+use super::{earlier, field, stream};
 use aero_solver::problem::{Domain, Initial, Side, State};
-
-/// Specific gas constant of dry air, J/(kg K) (R* / M = 8.31446 / 0.0289652; Picard et al. 2008,
-/// Metrologia 45, 149, doi 10.1088/0026-1394/45/2/004).
-const AIR: f64 = 287.05;
 
 /// Ratio of specific heats of a diatomic gas.
 const DIATOMIC: f64 = 1.4;
@@ -30,7 +24,7 @@ pub(super) fn free_stream<const D: usize>(
     domain: &Domain<D>,
 ) -> Result<State<D>, SceneError> {
     if let Some(entry) = &file.free_stream {
-        return stream_state(entry, gamma(file));
+        return stream::state(entry, gamma(file));
     }
     let needs_one = domain.has(Side::lets_in);
     match (&file.initial.riemann, &file.initial.field) {
@@ -153,86 +147,4 @@ fn state<const D: usize>(place: &str, entry: &StateEntry) -> Result<State<D>, Sc
         velocity: vector_or_zero(&format!("{place}.velocity"), entry.velocity.as_ref())?,
         pressure: entry.pressure.get(),
     })
-}
-
-fn stream_state<const D: usize>(
-    entry: &FreeStreamEntry,
-    gamma: f64,
-) -> Result<State<D>, SceneError> {
-    let pressure = entry.pressure.get();
-    let density = density(entry)?;
-    let sound_speed = (gamma * pressure / density).sqrt();
-    let velocity = match (entry.mach, entry.speed, &entry.velocity) {
-        (Some(mach), None, None) => direction(entry)? * (mach.get() * sound_speed),
-        (None, Some(speed), None) => direction(entry)? * speed.get(),
-        (None, None, Some(velocity)) => {
-            let given = [
-                ("direction", entry.direction.is_some()),
-                ("incidence", entry.incidence.is_some()),
-            ];
-            if let Some((key, _)) = given.iter().find(|(_, is_given)| *is_given) {
-                return Err(SceneError::value(
-                    format!("free_stream.{key}"),
-                    "goes with mach or speed; velocity has a direction already, so leave one out",
-                ));
-            }
-            vector("free_stream.velocity", velocity)?
-        }
-        _ => {
-            return Err(SceneError::value(
-                "free_stream",
-                "give exactly one of mach, speed and velocity",
-            ));
-        }
-    };
-    Ok(State {
-        density,
-        velocity,
-        pressure,
-    })
-}
-
-/// `rho`, or `p / (R T)`.
-fn density(entry: &FreeStreamEntry) -> Result<f64, SceneError> {
-    match (entry.density, entry.temperature) {
-        (Some(density), None) if entry.gas_constant.is_none() => Ok(density.get()),
-        (None, Some(temperature)) => {
-            let gas_constant = entry.gas_constant.map_or(AIR, Positive::get);
-            Ok(entry.pressure.get() / (gas_constant * temperature.get()))
-        }
-        (Some(_), None) => Err(SceneError::value(
-            "free_stream.gas_constant",
-            "goes with temperature; leave it out, or give temperature in place of density",
-        )),
-        _ => Err(SceneError::value(
-            "free_stream",
-            "give exactly one of density and temperature",
-        )),
-    }
-}
-
-fn direction<const D: usize>(entry: &FreeStreamEntry) -> Result<Vector<D>, SceneError> {
-    let place = "free_stream.direction";
-    if let Some(incidence) = &entry.incidence {
-        if entry.direction.is_some() {
-            return Err(SceneError::value(
-                "free_stream.incidence",
-                "is a direction too; leave out one of incidence and direction",
-            ));
-        }
-        if D == 1 {
-            return Err(SceneError::value(
-                "free_stream.incidence",
-                "has no meaning in a scene of dimension 1; leave it out",
-            ));
-        }
-        let (sin, cos) = incidence.get().to_radians().sin_cos();
-        return Ok(Vector::from_fn(|k, _| [cos, sin, 0.0][k]));
-    }
-    let Some(numbers) = &entry.direction else {
-        return Ok(Vector::<D>::from_fn(|k, _| f64::from(u8::from(k == 0))));
-    };
-    vector::<D>(place, numbers)?
-        .try_normalize(0.0)
-        .ok_or_else(|| SceneError::value(place, "is zero; give the way that the gas goes"))
 }

@@ -36,6 +36,7 @@
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
+mod atmosphere;
 mod axis;
 mod bodies;
 mod budget;
@@ -59,6 +60,7 @@ mod refine;
 pub mod shapes;
 pub mod side;
 pub mod spin;
+mod stream;
 mod vector;
 
 pub use bodies::{BodyPlan, PackWishes};
@@ -229,7 +231,7 @@ impl Scene {
 /// Degrees at which the stream meets the bodies, where the scene states them.
 fn incidence(file: &SceneFile) -> Option<f64> {
     let stream = file.free_stream.as_ref()?;
-    stream.incidence.map(number::Finite::get)
+    stream.incidence.map(number::StreamAngle::get)
 }
 
 fn scheme(entry: SchemeEntry) -> Scheme {

@@ -3,6 +3,8 @@
 
 use serde::Deserialize;
 
+use super::atmosphere::{HIGHEST, LOWEST};
+
 /// Declares a newtype over `f64` that only takes values for which a condition holds.
 macro_rules! ranged {
     ($(#[$doc:meta])* $name:ident, $holds:expr, $wanted:literal) => {
@@ -56,6 +58,16 @@ ranged!(
 ranged!(
     /// A random displacement as a fraction of the spacing.
     Disorder, |x| (0.0..0.5).contains(&x), "a disorder, which is zero or more and below 0.5"
+);
+
+ranged!(
+    /// An altitude that the standard atmosphere reaches to, m.
+    Altitude, |x| (LOWEST..=HIGHEST).contains(&x),
+    "an altitude in m that the standard atmosphere covers, which is -5000 to 86000; give pressure and temperature elsewhere"
+);
+ranged!(
+    /// An angle between a stream and an axis, degrees.
+    StreamAngle, |x| x.abs() < 90.0, "an angle of a stream in degrees, which is above -90 and below 90"
 );
 
 /// Number of space dimensions: 1, 2 or 3.

@@ -185,6 +185,7 @@ mod tests {
             number,
             links,
             parts,
+            reach: 1.0,
         }
     }
 
