@@ -4,7 +4,7 @@ mod support;
 
 use std::path::Path;
 
-use support::{BOX, Workplace, box_with};
+use support::{BOX, Workplace, box_with, read_vtp};
 
 /// The pressure behind the Mach 2.5, 20 degree shock over that before it: NACA Report 1135 (1953), eq. 128.
 const PRESSURE_RATIO: f64 = 3.2109;
@@ -47,6 +47,42 @@ fn any_number_of_threads_and_a_run_in_two_parts_give_the_same_bits() {
         std::fs::read(place.path("results/frame-000020.vtp")).expect("the last frame")
     };
     assert!(frame(&["--threads", "1"]) == frame(&["--threads", "2"]));
+    let refined = |threads| frame(&["--threads", threads, "--set", "scheme.refine=1"]);
+    assert!(refined("1") == refined("2"));
+}
+
+#[test]
+fn points_are_added_at_the_shock_and_told_of() {
+    let place = Workplace::new();
+    let settings = ["--set", "spacing=0.25", "--set", "scheme.refine=2"];
+    place.run(&wedge(), &settings).succeeds();
+    let summary = place.json("results/summary.json");
+    let counts: Vec<u64> = summary["points_per_level"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(|count| count.as_u64().unwrap())
+        .collect();
+    assert_eq!(counts.len(), 3);
+    assert_eq!(
+        counts.iter().sum::<u64>(),
+        summary["particles"]["fluid"].as_u64().unwrap()
+    );
+    assert!(counts[2] > counts[0], "{counts:?}");
+    let (points, arrays) = read_vtp(&place.path("results/frame-000001.vtp"));
+    let spacing = arrays.iter().find(|(name, _)| name == "spacing");
+    assert_eq!(spacing.map(|(_, length)| *length), Some(points));
+    let too_few = [
+        "--set",
+        "scheme.refine={ points = 100 }",
+        "--set",
+        "spacing=0.25",
+    ];
+    Workplace::new().run(&wedge(), &too_few).refuses(&[
+        "scheme.refine",
+        "100 points",
+        "larger `spacing`",
+    ]);
 }
 
 #[test]

@@ -237,7 +237,7 @@ fn normalised(mut shares: Vec<Share>) -> Vec<Share> {
 ///
 /// `volumes` are those of old and new cells. Walls are bent, and old and new cells divide the gas next to them a little differently; what an
 /// old cell's takers have more or less room for than it had is theirs, by up to [`ROOM`]. What is then left over is spread over
-/// all cells that are new.
+/// all cells that are new, by their masses.
 pub fn carried<const D: usize>(
     held: &[Conserved<D>],
     volumes: [&[f64]; 2],
@@ -250,15 +250,22 @@ pub fn carried<const D: usize>(
             taken[old as usize] += part * volume;
         }
     }
+    // The old cell that a new one is, of which nobody else has a part.
+    let same = |shares: &[Share], volume: f64| match shares[..] {
+        [(old, _)] => {
+            let old = old as usize;
+            (taken[old] == before[old] && volume == before[old]).then_some(old)
+        }
+        _ => None,
+    };
+    let mut is_same = vec![false; before.len()];
     let mut lost = Conserved::ZERO;
-    let mut room = 0.0;
+    let mut mass = 0.0;
     let mut carried = Vec::with_capacity(shares.len());
     for (shares, volume) in shares.iter().zip(after) {
-        if let [(old, _)] = shares[..]
-            && taken[old as usize] == before[old as usize]
-            && *volume == before[old as usize]
-        {
-            carried.push(held[old as usize]);
+        if let Some(old) = same(shares, *volume) {
+            is_same[old] = true;
+            carried.push(held[old]);
             continue;
         }
         let mut sum = Conserved::ZERO;
@@ -268,26 +275,17 @@ pub fn carried<const D: usize>(
             sum = sum.plus(part * fit, &held[old]);
         }
         lost = lost.plus(-volume, &sum);
-        room += volume;
+        mass += volume * sum.mass;
         carried.push(sum);
     }
-    let kept = |shares: &[Share], volume: f64| matches!(shares[..], [(old, _)] if taken[old as usize] == before[old as usize] && volume == before[old as usize]);
-    let mut is_kept = vec![false; before.len()];
-    for (shares, volume) in shares.iter().zip(after) {
-        if kept(shares, *volume) {
-            is_kept[shares[0].0 as usize] = true;
-        }
-    }
-    for ((held, volume), is_kept) in held.iter().zip(before).zip(is_kept) {
-        if !is_kept {
+    for ((held, volume), is_same) in held.iter().zip(before).zip(is_same) {
+        if !is_same {
             lost = lost.plus(*volume, held);
         }
     }
-    if room > 0.0 {
-        for ((carried, shares), volume) in carried.iter_mut().zip(shares).zip(after) {
-            if !kept(shares, *volume) {
-                *carried = carried.plus(1.0 / room, &lost);
-            }
+    for ((carried, shares), volume) in carried.iter_mut().zip(shares).zip(after) {
+        if same(shares, *volume).is_none() {
+            *carried = carried.plus(carried.mass / mass, &lost);
         }
     }
     carried

@@ -7,6 +7,9 @@ use crate::Failure;
 /// Largest change of what is watched over a window below which the flow may ask.
 const NEAR: f64 = 3e-3;
 
+/// So many iterations after which it may ask in any case: on few points a flow may never come near to rest.
+const PATIENCE: u64 = 400;
+
 /// Part of all points that is hardly any.
 const FEW: f64 = 0.02;
 
@@ -19,7 +22,8 @@ impl<const D: usize> FixedSimulation<D> {
         let Some(ground) = &self.ground else {
             return Ok(());
         };
-        if self.settling.has_points || change > NEAR {
+        let may_ask = change < NEAR || self.settling.since > PATIENCE;
+        if self.settling.has_points || !may_ask {
             return Ok(());
         }
         let most = u32::from(ground.most());
