@@ -55,3 +55,75 @@ fn shells_and_manuals_are_served() {
         "{manual}"
     );
 }
+
+/// A lens at Mach 3 about a few points that stay.
+const LENS: &str = r#"
+dimension = 2
+spacing = 0.05
+end_time = 20.0
+stop = "steady"
+
+[scheme]
+motion = "fixed"
+
+[free_stream]
+mach = 3.0
+density = 1.0
+pressure = 0.7142857142857143
+
+[domain]
+min = [-0.3, -0.8]
+max = [1.3, 0.8]
+
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+y_min = "free-stream"
+y_max = "free-stream"
+
+[[body]]
+name = "lens"
+shape = { biconvex = { chord = 1.0, thickness = 0.1 } }
+"#;
+
+#[test]
+fn a_sweep_makes_a_polar_and_keeps_what_is_done() {
+    let place = Workplace::new();
+    place.write("lens.toml", LENS);
+    let command = [
+        "sweep",
+        "lens.toml",
+        "--incidence",
+        "-2..2:2",
+        "--out",
+        "polar",
+    ];
+    let answer = place.aero(&command);
+    assert_eq!(answer.status, 0, "{}", answer.err);
+    let rows = place.json("polar/polar.json");
+    let lift = |row: usize| rows[row]["cl"].as_f64().unwrap();
+    assert_eq!(rows.as_array().unwrap().len(), 3);
+    assert!(rows[0]["settled"].as_bool().unwrap(), "{rows}");
+    assert!(
+        lift(2) > 0.05 && (lift(0) + lift(2)).abs() < 0.05 * lift(2),
+        "{rows}"
+    );
+    assert!(place.path("polar/polar.svg").exists());
+    let csv = std::fs::read_to_string(place.path("polar/polar.csv")).unwrap();
+    assert!(
+        csv.lines().nth(1).unwrap().starts_with(",-2,,lens,"),
+        "{csv}"
+    );
+
+    let again = place.aero(&command);
+    assert!(!again.err.contains("iteration"), "{}", again.err);
+    assert_eq!(place.json("polar/polar.json"), rows);
+    let other = [&command[..], &["--set", "spacing=0.1"]].concat();
+    place.aero(&other).refuses(&["another scene", "--out"]);
+    place
+        .aero(&["sweep", "lens.toml"])
+        .refuses(&["--incidence -4..8:2"]);
+    place
+        .aero(&["sweep", "lens.toml", "--mach", "1..2"])
+        .refuses(&["no step"]);
+}

@@ -9,6 +9,7 @@ mod pack;
 mod progress;
 mod run;
 mod shell;
+mod sweep;
 mod validate;
 
 pub use error::CommandError;
@@ -33,6 +34,8 @@ enum Command {
     Run(run::RunArgs),
     /// Write a commented scene to begin with
     New(new::NewArgs),
+    /// Run a scene at many Mach numbers and angles: a polar
+    Sweep(sweep::SweepArgs),
     /// Compare cases with theory
     Validate(validate::ValidateArgs),
     /// Chart speed against accuracy
@@ -51,6 +54,7 @@ impl Cli {
             Command::Check(args) => check::check(&args),
             Command::Run(args) => run::run(&args),
             Command::Validate(args) => validate::validate(&args),
+            Command::Sweep(args) => sweep::sweep(&args),
             Command::New(args) => new::new(&args),
             Command::Chart(args) => chart::chart(&args),
             Command::Completions(args) => shell::completions(&args),

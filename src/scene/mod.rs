@@ -142,6 +142,12 @@ impl Scene {
         lines::of(&self.text)
     }
 
+    /// True where the scene says nothing of another start than the undisturbed stream.
+    pub fn starts_in_the_free_stream(&self) -> bool {
+        let initial = &self.file.initial;
+        initial.riemann.is_none() && initial.field.is_none() && initial.frame.is_none()
+    }
+
     /// Number of space dimensions.
     pub fn dimension(&self) -> usize {
         self.file.dimension.get()

@@ -1,0 +1,253 @@
+//! `aero sweep`: a polar, a run for each Mach number and angle.
+
+mod polar;
+mod values;
+
+use std::path::{Path, PathBuf};
+
+use aero::case::AnyCase;
+use aero::output::Summary;
+use aero::run::{Destination, RunError, Stopwatch, run_any};
+use aero::scene::Scene;
+use clap::Args;
+use serde_json::Value;
+
+use super::interrupt::Interrupt;
+use super::progress::Display;
+use super::{CommandError, on_threads};
+use polar::{Point, Row};
+use values::Values;
+
+/// What `aero sweep` takes.
+#[derive(Args, Debug)]
+pub struct SweepArgs {
+    /// Scene file (TOML)
+    scene: PathBuf,
+    /// Mach numbers: 1.5,2,3 or 1.5..3:0.5
+    #[arg(long, value_name = "LIST")]
+    mach: Option<Values>,
+    /// Angles of attack in degrees: -4..8:2
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    incidence: Option<Values>,
+    /// Angles of sideslip in degrees
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    sideslip: Option<Values>,
+    /// Folder for the results, in which points that are done are kept; `out/NAME-sweep` unless given
+    #[arg(long, value_name = "DIR")]
+    out: Option<PathBuf>,
+    /// Override a value of the scene; may be given many times
+    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
+    set: Vec<String>,
+    /// Number of threads; all processors unless given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    threads: Option<u16>,
+}
+
+/// What is swept, in the order of a [`Point`], and how far apart two values of it are worth one.
+const AXES: [(&str, f64); 3] = [("mach", 1.0), ("incidence", 5.0), ("sideslip", 5.0)];
+
+/// What a folder's results belong to.
+const SETTINGS: &str = "point.toml";
+
+/// Runs all points that are not done yet.
+pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
+    let lists = [&args.mach, &args.incidence, &args.sideslip];
+    if lists.iter().all(|list| list.is_none()) {
+        return Err(CommandError::wrong(
+            "nothing to sweep; give --mach, --incidence or --sideslip, as in --incidence -4..8:2",
+        ));
+    }
+    let mut scene = Scene::load(&args.scene).map_err(CommandError::wrong)?;
+    for setting in &args.set {
+        scene.set(setting).map_err(CommandError::wrong)?;
+    }
+    let out = args
+        .out
+        .clone()
+        .unwrap_or_else(|| Path::new("out").join(format!("{}-sweep", scene.name())));
+    let points = points(&lists);
+    // All scenes are read before the first runs: a typing error shows at once.
+    let scenes = points
+        .iter()
+        .map(|point| at(&scene, point))
+        .collect::<Result<Vec<_>, CommandError>>()?;
+    let interrupt = Interrupt::listen()?;
+    on_threads(args.threads, || {
+        let mut done: Vec<(Point, PathBuf)> = Vec::new();
+        let mut rows: Vec<Row> = Vec::new();
+        for (number, (point, scene)) in points.iter().zip(scenes).enumerate() {
+            let folder = out.join(name(point));
+            eprintln!("point {} of {}: {}", number + 1, points.len(), name(point));
+            let summary = match earlier(&folder, &scene)? {
+                Some(summary) => summary,
+                None => fly(scene, &folder, nearest(point, &done), &interrupt)?,
+            };
+            rows.extend(polar::rows(*point, &summary));
+            polar::write(&rows, &out)?;
+            done.push((*point, folder));
+        }
+        print!("{}", polar::text(&rows));
+        println!("polar in `{}`", out.display());
+        let open = rows.iter().filter(|row| !row.settled).count();
+        if open > 0 {
+            println!(
+                "{open} of {} rows are not settled: they end at the scene's `end_time`; give it more, or `stop = \"steady\"`",
+                rows.len()
+            );
+        }
+        Ok(())
+    })
+}
+
+/// All points; along the last list first, there and back, so that each is next to the one before.
+fn points(lists: &[&Option<Values>; 3]) -> Vec<Point> {
+    let mut points: Vec<Point> = vec![[None; 3]];
+    for (axis, list) in lists.iter().enumerate() {
+        let Some(Values(values)) = list else {
+            continue;
+        };
+        let mut grown = Vec::new();
+        for (number, point) in points.iter().enumerate() {
+            let one = |value: &f64| {
+                let mut point = *point;
+                point[axis] = Some(*value);
+                point
+            };
+            if number % 2 == 0 {
+                grown.extend(values.iter().map(one));
+            } else {
+                grown.extend(values.iter().rev().map(one));
+            }
+        }
+        points = grown;
+    }
+    points
+}
+
+/// The scene of a point.
+fn at(scene: &Scene, point: &Point) -> Result<Scene, CommandError> {
+    let mut scene = scene.clone();
+    for ((key, _), value) in AXES.iter().zip(point) {
+        if let Some(value) = value {
+            let setting = format!("free_stream.{key}={value:?}");
+            scene.set(&setting).map_err(CommandError::wrong)?;
+        }
+    }
+    Ok(scene)
+}
+
+/// A folder's name for a point.
+fn name(point: &Point) -> String {
+    let words = AXES.iter().zip(point);
+    let words = words.filter_map(|((key, _), value)| value.map(|value| format!("{key}-{value}")));
+    words.collect::<Vec<_>>().join("-")
+}
+
+/// Summary of a point that was done before; none of one that was not.
+fn earlier(folder: &Path, scene: &Scene) -> Result<Option<Value>, CommandError> {
+    let read = |name: &str| std::fs::read_to_string(folder.join(name)).ok();
+    let (Some(summary), Some(settings)) = (read("summary.json"), read(SETTINGS)) else {
+        return Ok(None);
+    };
+    if settings != scene.lines() {
+        return Err(CommandError::wrong(format!(
+            "`{}` holds a run of another scene; give `--out` another folder, or remove it",
+            folder.display()
+        )));
+    }
+    let summary = serde_json::from_str(&summary);
+    summary.map(Some).map_err(CommandError::failed)
+}
+
+/// Last frame of the point nearest to `point`.
+fn nearest(point: &Point, done: &[(Point, PathBuf)]) -> Option<PathBuf> {
+    let distance = |other: &Point| -> f64 {
+        let apart = AXES.iter().zip(point.iter().zip(other));
+        apart
+            .map(|((_, unit), (a, b))| a.zip(*b).map_or(0.0, |(a, b)| ((a - b) / unit).abs()))
+            .sum()
+    };
+    let (_, folder) = done
+        .iter()
+        .min_by(|(a, _), (b, _)| distance(a).total_cmp(&distance(b)))?;
+    let files = std::fs::read_dir(folder).ok()?.flatten();
+    let frames = files.map(|file| file.path()).filter(|path| {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        name.starts_with("frame-") && path.extension().is_some_and(|it| it == "vtp")
+    });
+    frames.max().and_then(|path| std::path::absolute(path).ok())
+}
+
+/// Runs one point, from `start` where the scene says nothing of the start itself.
+fn fly(
+    mut scene: Scene,
+    folder: &Path,
+    start: Option<PathBuf>,
+    interrupt: &Interrupt,
+) -> Result<Value, CommandError> {
+    let stopwatch = Stopwatch::start();
+    let settings = scene.lines();
+    if let Some(frame) = start.filter(|_| scene.starts_in_the_free_stream()) {
+        let setting = format!("initial.frame={:?}", frame.display().to_string());
+        scene.set(&setting).map_err(CommandError::wrong)?;
+    }
+    let case = scene.build_any().map_err(CommandError::wrong)?;
+    let case = case.checked().map_err(CommandError::wrong)?;
+    let (summary, came_to_its_end) = run(case, folder, &scene.lines(), stopwatch, interrupt)?;
+    if came_to_its_end {
+        std::fs::write(folder.join(SETTINGS), settings).map_err(CommandError::failed)?;
+    }
+    serde_json::to_value(&summary).map_err(CommandError::failed)
+}
+
+/// Runs a case; tells whether it came to its end.
+fn run(
+    case: AnyCase,
+    folder: &Path,
+    lines: &str,
+    stopwatch: Stopwatch,
+    interrupt: &Interrupt,
+) -> Result<(Summary, bool), CommandError> {
+    for line in case.remarks() {
+        eprintln!("{line}");
+    }
+    let destination = Destination {
+        folder,
+        scene: lines,
+        resume: false,
+    };
+    let mut display = Display::of_run();
+    let result = run_any(case, destination, stopwatch, &mut |progress| {
+        display.show(progress);
+        interrupt.wish()
+    });
+    display.finish();
+    match result {
+        Ok(summary) => Ok((summary, true)),
+        Err(RunError::Stopped { .. }) if interrupt.came() => Err(CommandError::failed(
+            "interrupted; the same command goes on with the points that are left",
+        )),
+        Err(RunError::Stopped { reason, summary }) => {
+            eprintln!("the run in `{}` stopped: {reason}", folder.display());
+            Ok((*summary, false))
+        }
+        Err(RunError::Output(error)) => Err(CommandError::failed(error)),
+        Err(error @ (RunError::SetUp(_) | RunError::Resume(_))) => Err(CommandError::wrong(error)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn each_point_is_next_to_the_one_before() {
+        let list = |text: &str| Some(text.parse::<Values>().unwrap());
+        let (mach, incidence) = (list("2,3"), list("0..4:2"));
+        let points = points(&[&mach, &incidence, &None]);
+        let names: Vec<String> = points.iter().map(name).collect();
+        assert_eq!(names[2], "mach-2-incidence-4");
+        assert_eq!(names[3], "mach-3-incidence-4");
+        assert_eq!(points.len(), 6);
+    }
+}
