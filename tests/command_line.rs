@@ -83,7 +83,7 @@ y_max = "free-stream"
 
 [[body]]
 name = "lens"
-shape = { biconvex = { chord = 1.0, thickness = 0.1 } }
+shape = { biconvex = { chord = 1.0, thickness_ratio = 0.1 } }
 "#;
 
 #[test]
