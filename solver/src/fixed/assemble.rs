@@ -9,7 +9,7 @@ use super::folding::{folded_faces, folded_sides, folded_walls};
 use super::merge::{Nodes, Target, given};
 use super::voronoi::IN_BODY;
 use crate::problem::Side;
-use crate::walls::shape_operator;
+use crate::walls::curvature::shape_operator;
 
 /// Faces smaller than this, in spacings to their power, are left out.
 const SMALLEST: f64 = 1e-13;

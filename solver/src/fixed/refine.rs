@@ -10,7 +10,7 @@ use super::cloud::{Cloud, Plot};
 use super::levels::{Levels, Sites, parent, parts};
 use super::site::{Site, children};
 use super::solids::Line;
-use crate::walls::shape_operator;
+use crate::walls::curvature::shape_operator;
 
 /// What is to be done about a point's cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
