@@ -118,6 +118,14 @@ impl<const D: usize> Carrier<D> {
         of_either!(self, flow => flow.totals())
     }
 
+    /// Points whose cells were split so often, from those never split; none of particles.
+    pub fn points_per_level(&self) -> Vec<usize> {
+        match self {
+            Self::WithTheGas(_) => Vec::new(),
+            Self::Fixed(flow) => flow.points_per_level(),
+        }
+    }
+
     /// Counts and extremes.
     pub fn statistics(&self) -> Statistics {
         of_either!(self, flow => flow.statistics())

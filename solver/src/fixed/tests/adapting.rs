@@ -230,9 +230,10 @@ fn a_uniform_stream_stays_so_on_points_of_all_spacings() {
         [0.0; 2],
     );
     let open = [[Side::FreeStream; 2]; 3];
-    let place = Placement::default().moved(Vector::<3>::new(0.5, 0.45, 0.52));
-    let ball = bodies::sphere(0.25).unwrap().placed(&place);
-    still(problem([8, 8, 8], 0.125, open), Arc::new(ball), [0.0; 3]);
+    let mut cube = problem([8, 8, 8], 0.125, open);
+    cube.domain.bounds = Bounds::new(Vector::repeat(-0.52), Vector::repeat(0.48));
+    let ball = bodies::sphere(0.25).unwrap();
+    still(cube, Arc::new(ball), [0.0; 3]);
 }
 
 /// Oblique shock of 20 degrees at Mach 2.5: 2.2002 times the density at an angle of 42.890 degrees.
