@@ -163,12 +163,4 @@ impl<const D: usize> Carrier<D> {
     pub fn mass_and_centre(&self) -> (f64, [f64; 3]) {
         of_either!(self, flow => flow.mass_and_centre())
     }
-
-    /// Points whose cells were split so often, from those never split; none of particles.
-    pub fn points_per_level(&self) -> Vec<usize> {
-        match self {
-            Self::WithTheGas(_) => Vec::new(),
-            Self::Fixed(flow) => flow.points_per_level(),
-        }
-    }
 }
