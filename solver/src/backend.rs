@@ -142,10 +142,13 @@ impl<B: Basis<D>, L: Law<B, D>, const D: usize> Pass for Sweep<'_, B, L, D> {
                 };
                 laws.add_ghost((&own, &laws_own), &mut pair, j, &mut sums);
             }
-            let all = laws.in_metres(sums, per_length).lanes();
+            // Most clusters are far from walls: their sums need not be read off the lanes twice.
+            let with_walls =
+                (!cluster.wall.is_empty()).then(|| laws.in_metres(sums, per_length).lanes());
+            let all = with_walls.as_ref().unwrap_or(&gas);
             for (l, (slot, result)) in results.enumerate() {
                 let mut site = basis.open(slot, result);
-                let (gas, all) = (L::Sums::number(&gas, l), L::Sums::number(&all, l));
+                let (gas, all) = (L::Sums::number(&gas, l), L::Sums::number(all, l));
                 laws.finish(gas, all, &mut site, result);
                 basis.close(site, result);
             }

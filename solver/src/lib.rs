@@ -34,6 +34,8 @@ use problem::Problem;
 
 mod backend;
 mod books;
+mod carrier;
+mod compiled;
 mod evaluation;
 mod faces;
 mod fill;

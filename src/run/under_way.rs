@@ -71,7 +71,7 @@ impl<const D: usize> UnderWay<D> {
     /// Where a checkpoint was written.
     pub(super) fn resume(
         case: Case<D>,
-        checkpoint: Checkpoint<'_, D>,
+        checkpoint: Checkpoint<'static, D>,
         stopwatch: Stopwatch,
     ) -> Result<Self, String> {
         let Case { problem, plan } = case;

@@ -17,7 +17,7 @@ use std::sync::Arc;
 use aero_geometry::{Bounds, Shape, Vector};
 use serde::{Deserialize, Serialize};
 
-use super::walls::Pose;
+use super::walls::rigid::Pose;
 use across::is_edge;
 use numbers::Numbers;
 

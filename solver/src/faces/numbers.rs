@@ -5,7 +5,7 @@ use aero_geometry::Vector;
 use super::across::Across;
 use super::{FaceSet, NOWHERE};
 use crate::records::Matrix;
-use crate::walls::tangents;
+use crate::walls::curvature::tangents;
 
 /// A face of a body, and which part of it where a smooth face is its own opposite, as an ellipse's is: the side of
 /// the frame's axis along which its normal mostly points.

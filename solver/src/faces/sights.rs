@@ -4,10 +4,11 @@ use aero_geometry::kernel::SUPPORT;
 use rayon::prelude::*;
 
 use super::{FaceSet, Faces, NOWHERE, Sight};
-use crate::neighbourhood::{Copies, Images};
+use crate::neighbourhood::images::{Copies, Images};
 use crate::neighbours::{GROWTH, Lists};
 use crate::records::{GHOSTS, OPEN, Records};
-use crate::walls::{Ghost, Pose, Walls};
+use crate::walls::rigid::Pose;
+use crate::walls::{Ghost, Walls};
 
 /// Takes out of `lists`, those of the fluid and those around ghosts and their mirror points, the neighbours that are not seen
 /// from where a particle is. `time` is now.

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::across::{Across, Foot, across, foot_on, is_edge};
 use super::numbers::Numbers;
 use super::{FaceSet, Faces, Sight, ThinBody};
-use crate::neighbourhood::LAYERS;
+use crate::neighbourhood::reach::LAYERS;
 use crate::problem::{Body, Problem};
 
 /// Reflections by which a thin part is continued at most; a part thinner than a third of a spacing needs more, and is

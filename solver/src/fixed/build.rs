@@ -11,7 +11,7 @@ use super::merge::{Nodes, Target, given};
 use super::part::Part;
 use super::voronoi::{IN_BODY, Link, Voronoi};
 use crate::problem::Side;
-use crate::walls::shape_operator;
+use crate::walls::curvature::shape_operator;
 
 /// Faces smaller than this, in spacings to their power, are left out.
 const SMALLEST: f64 = 1e-13;

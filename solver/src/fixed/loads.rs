@@ -6,7 +6,8 @@ use super::FixedSimulation;
 use super::walls::Wall;
 use crate::frame::{Load, Totals};
 use crate::sides::closed::reflections;
-use crate::walls::{pad, wall_sides};
+use crate::walls::rigid::pad;
+use crate::walls::wall_sides;
 
 impl<const D: usize> FixedSimulation<D> {
     /// Loads on the bodies, in scene order; then on the wall sides in the order of [`crate::wall_sides`]: sums of pressure times

@@ -12,7 +12,7 @@ use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
 use super::state::{Conserved, Primitive};
 use crate::Failure;
-use crate::walls::pad;
+use crate::walls::rigid::pad;
 
 /// How often a step is halved before the run stops.
 const HALVINGS: u32 = 8;

@@ -8,7 +8,7 @@ use rayon::prelude::*;
 use super::cloud::{Cloud, Plot, Site, children};
 use super::levels::{Levels, parent, parts};
 use super::solids::Line;
-use crate::walls::shape_operator;
+use crate::walls::curvature::shape_operator;
 
 /// What is to be done about a point's cell.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

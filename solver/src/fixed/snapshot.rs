@@ -11,7 +11,7 @@ use super::net::Block;
 use super::state::Conserved;
 use crate::Statistics;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
-use crate::walls::pad;
+use crate::walls::rigid::pad;
 
 impl<const D: usize> FixedSimulation<D> {
     /// All points now.

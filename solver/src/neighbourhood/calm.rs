@@ -10,10 +10,9 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 
 use crate::neighbours::GROWTH;
 use crate::particles::{Particle, Rates};
-use crate::problem::Problem;
+use crate::problem::{Problem, Side};
 use crate::records::Near;
 use crate::scheme::Precision;
-use crate::sides::Side;
 
 /// What counts as nothing: differences of density, energy and smoothing length over their values, of velocity
 /// over the speed of sound, and what the rates make of these in the time that sound takes for a

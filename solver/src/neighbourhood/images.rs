@@ -5,8 +5,8 @@ use rayon::prelude::*;
 
 use super::levels::{Grid, Levels};
 use crate::neighbours::{Candidates, Rough};
+use crate::problem::Domain;
 use crate::records::{FLOW_IMAGES, FLUID, GHOST_IMAGES, GHOSTS, Near, Records, State};
-use crate::sides::Domain;
 use crate::sides::closed::Map;
 
 /// A copy of a record: `x' = sign * x + shift` component by component.

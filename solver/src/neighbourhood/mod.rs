@@ -5,25 +5,25 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use rayon::prelude::*;
 
 pub mod calm;
-mod images;
-mod levels;
-mod reach;
+pub mod images;
+pub mod levels;
+pub mod reach;
 
 use super::faces::part_thin_sides;
 use super::lattice;
 use super::neighbours::{Candidates, GROWTH, Kind, Lists, Rough, Seeker};
 use super::particles::{Particle, Particles};
-use super::problem::Problem;
+use super::problem::{Problem, Side};
 use super::records::{FLOW_IMAGES, FLUID, GHOSTS, OPEN, Records, Rounded};
-use super::sides::{Buffers, Side};
+use super::sides::Buffers;
 use super::vectors::Arch;
 use super::walls::{WallLists, Walls};
 use calm::Calm;
 use levels::Levels;
 
-pub use images::{Copies, Images};
-pub use levels::Grid;
-pub use reach::{LAYERS, open_side_distance, widest};
+use images::Copies;
+use levels::Grid;
+pub use reach::{open_side_distance, widest};
 
 /// Records of all particles in the order of space, and lists of their neighbours.
 #[derive(Debug)]

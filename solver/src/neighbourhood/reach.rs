@@ -7,9 +7,8 @@ use rayon::prelude::*;
 
 use crate::layers::GHOSTS;
 use crate::neighbours::{GROWTH, Lists};
-use crate::problem::Problem;
+use crate::problem::{Domain, Problem};
 use crate::records::{FLUID, Records};
-use crate::sides::Domain;
 
 /// Largest smoothing length at a wall, relative to that of the starting lattice. A wider kernel would
 /// look through the five layers of ghosts, and a lone particle in rarefied gas would no longer feel

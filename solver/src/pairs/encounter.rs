@@ -4,12 +4,11 @@ use aero_geometry::Vector;
 
 use super::law::Basis;
 use super::pair::{LaneVector, Pair, Target, dot};
-use super::renormalisation::Renormalisation;
+use super::renormalisation::{Renormalisation, even_renormalisation};
 use crate::lanes::Lane;
 use crate::particles::Rates;
 use crate::records::{GHOSTS, Matrix, Near, Read, Records, State};
 use crate::vectors::Vectors;
-use crate::walls::even_renormalisation;
 
 /// What a pass over encounters reads.
 pub struct Encounters<'a, const D: usize> {

@@ -18,6 +18,7 @@ pub mod exchange;
 pub mod pressure_force;
 pub mod velocity_gradient;
 
+pub mod arrangement;
 pub mod concentration;
 pub mod density_slope;
 pub mod renormalisation;

@@ -1,18 +1,14 @@
 //! Renormalisation of the kernel's gradient.
 
 use aero_geometry::Vector;
+use aero_geometry::kernel::SMOOTHING_RATIO;
 
-use super::concentration::Concentration;
-use super::density_slope::DensitySlope;
 use super::law::{Basis, Law, Neighbour};
 use super::pair::{LaneVector, Pair, Target};
-use crate::backend::Backend;
 use crate::lanes::Lane;
-use crate::neighbours::Lists;
-use crate::records::{Matrix, Read, Records};
-use crate::scheme::{Density, Scheme};
+use crate::lattice;
+use crate::records::{Matrix, Read};
 use crate::vectors::Vectors;
-use crate::walls::even_renormalisation;
 
 /// Below this determinant, relative to that of a ball of the same trace, the neighbours lie too
 /// nearly in a plane for the matrix to mean anything.
@@ -49,35 +45,23 @@ impl<const D: usize> Default for Renormalisation<D> {
     }
 }
 
-/// Renormalises every listed particle, and sums the gradients that `scheme` asks for.
-pub fn renormalise<const D: usize>(
-    backend: &impl Backend,
-    lists: &Lists,
-    records: &Records<D>,
-    scheme: &Scheme,
-    results: &mut [Renormalisation<D>],
-) {
-    let neighbourhoods = Neighbourhoods {
-        even: even_renormalisation(),
-    };
-    let laws = (
-        Moments,
-        (
-            DensitySlope {
-                is_sought: scheme.density == Density::Continuity,
-            },
-            Concentration {
-                is_sought: scheme.shifting,
-            },
-        ),
-    );
-    backend.sweep(lists, records, &neighbourhoods, &laws, results);
+/// Renormalisation matrix of ghosts.
+pub fn even_renormalisation<const D: usize>() -> Matrix<D> {
+    Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO)
 }
 
 /// Where neighbours are, whatever their state.
 pub struct Neighbourhoods<const D: usize> {
     /// Matrix of a lattice.
     even: Matrix<D>,
+}
+
+impl<const D: usize> Default for Neighbourhoods<D> {
+    fn default() -> Self {
+        Self {
+            even: even_renormalisation(),
+        }
+    }
 }
 
 /// A pair, and how its gradient is weighed.
@@ -98,7 +82,7 @@ pub struct Moment {
 
 /// The moments `sum_j V_j (r_j - r_i) (x) grad_i W_ij` and their inverse.
 #[derive(Clone, Copy, Debug)]
-struct Moments;
+pub struct Moments;
 
 impl<const D: usize> Basis<D> for Neighbourhoods<D> {
     type Own<V: Vectors> = Target<V, D>;

@@ -8,7 +8,8 @@ use crate::books::add;
 use crate::frame::{Frame, Kind, Load, SurfaceFrame, Totals};
 use crate::gas::Gas;
 use crate::particles::{ByPressure, Particle};
-use crate::walls::{Ghost, loads, pad};
+use crate::walls::rigid::pad;
+use crate::walls::{Ghost, loads};
 
 /// Counts and extremes since the start.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -4,8 +4,8 @@
 use aero_geometry::{Bounds, Vector};
 use rayon::prelude::*;
 
-use super::{Domain, Side};
 use crate::particles::Particle;
+use crate::problem::{Domain, Side};
 
 /// `x' = sign x + shift` along one axis: from the gas within to its copy beyond a side, and from gas beyond the side to where
 /// it belongs.

@@ -1,7 +1,7 @@
 //! Inlets and free-stream sides: gas enters in the undisturbed state, whatever the flow inside [Lastiwka et al.
 //! 2009]; a free-stream side is one that the flow inside does not reach.
 
-use super::OpenModel;
+use super::model::OpenModel;
 use crate::problem::{Problem, State};
 
 /// A side that the free stream is beyond.

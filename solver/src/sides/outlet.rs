@@ -1,6 +1,6 @@
 //! Outlets: what crosses keeps its state, drifts on at its own velocity and is removed past the buffer [Federico et al. 2012].
 
-use super::OpenModel;
+use super::model::OpenModel;
 use crate::problem::{Problem, State};
 
 /// A side that gas leaves through, with its state frozen.

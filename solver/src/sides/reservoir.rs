@@ -4,7 +4,7 @@
 
 use aero_geometry::Vector;
 
-use super::{OpenModel, Place};
+use super::model::{OpenModel, Place};
 use crate::gas::{Gas, IdealGas};
 use crate::particles::Particle;
 use crate::problem::{Problem, State};

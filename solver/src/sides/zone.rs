@@ -2,9 +2,12 @@
 
 use aero_geometry::{Bounds, Vector};
 
-use super::{OpenModel, Place, model};
+use super::inlet::Inlet;
+use super::model::{OpenModel, Place};
+use super::outlet::Outlet;
+use super::reservoir::Reservoir;
 use crate::layers::BUFFER;
-use crate::problem::{Problem, State};
+use crate::problem::{Problem, Side, State};
 
 /// Where a point is in relation to the domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -159,5 +162,19 @@ impl<const D: usize> OpenSides<D> {
             }
         }
         slabs
+    }
+}
+
+/// The model of a kind of side; none of closed ones.
+fn model<const D: usize>(
+    problem: &Problem<D>,
+    side: Side,
+    place: Place,
+) -> Option<Box<dyn OpenModel<D>>> {
+    match side {
+        Side::Inlet | Side::FreeStream => Some(Box::new(Inlet)),
+        Side::Reservoir => Some(Box::new(Reservoir::new(problem, place))),
+        Side::Outlet => Some(Box::new(Outlet)),
+        Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } | Side::Body => None,
     }
 }

@@ -7,8 +7,10 @@ use aero_geometry::kernel::SUPPORT;
 use super::stages::Senseless;
 use crate::Simulation;
 use crate::particles::Particle;
+use crate::problem::Body;
 use crate::records::GHOSTS;
-use crate::walls::{Body, pad, wall_sides};
+use crate::walls::rigid::pad;
+use crate::walls::wall_sides;
 
 /// Mach number at which heat is a thousandth of the motion's energy, and within its errors.
 const COLD: f64 = 30.0;

@@ -4,16 +4,16 @@ use aero_geometry::Vector;
 use nalgebra::Vector3;
 use rayon::prelude::*;
 
-use super::{Ghost, Walls, pad};
+use super::rigid::pad;
+use super::{Ghost, Walls};
 use crate::frame::{Load, Totals};
 use crate::neighbourhood::Neighbourhood;
 use crate::pairs::rates::reactions;
 use crate::particles::{Particles, Rates};
-use crate::problem::Problem;
+use crate::problem::{Domain, Problem, Side};
 use crate::records::GHOSTS;
 use crate::rings::Rings;
 use crate::sides::closed::reflections;
-use crate::sides::{Domain, Side};
 
 /// Particles that are summed up at once.
 const BLOCK: usize = 4096;

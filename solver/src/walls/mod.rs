@@ -1,34 +1,31 @@
 //! Ghosts of bodies and wall sides: where they are, and what the pair loops read of them.
 
-use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
-mod body;
-mod curvature;
+pub mod curvature;
 mod ghost;
 pub mod loads;
 mod mirror;
 mod plane;
-mod rigid;
+pub mod rigid;
 mod setup;
 mod turning;
 
-pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
-pub use curvature::{shape_operator, tangents};
 pub use ghost::Ghost;
 pub use plane::wall_sides;
-pub use rigid::{Pose, pad};
+
+use rigid::Pose;
 
 use super::faces::Faces;
-use super::lattice;
-use super::neighbourhood::Grid;
+use super::neighbourhood::levels::Grid;
 use super::neighbours::{Candidates, Kind, Lists, Seeker};
 use super::pairs::extrapolation::Interpolated;
-use super::records::{GHOSTS, Matrix, Near, Records, State, Symmetric};
+use super::pairs::renormalisation::even_renormalisation;
+use super::records::{GHOSTS, Near, Records, State, Symmetric};
 use super::vectors::Arch;
 use crate::gas::Gas;
-use crate::problem::Problem;
+use crate::problem::{Motion, Problem, WallKind};
 use crate::scheme::{Extrapolation, WallTreatment};
 
 /// All ghosts, and what their bodies do.
@@ -216,11 +213,6 @@ fn sorted<const D: usize>(
     pencils.rebuild_on_grid(&grid.corner, grid.width, ghosts.len(), place, rank);
     let order = pencils.order().iter();
     order.map(|&g| ghosts[g as usize]).collect()
-}
-
-/// Renormalisation matrix of ghosts.
-pub fn even_renormalisation<const D: usize>() -> Matrix<D> {
-    Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO)
 }
 
 fn seeker<const D: usize>(ghost: &Ghost<D>) -> Seeker<D> {

@@ -2,10 +2,9 @@
 
 use aero_geometry::Vector;
 
-use super::{Motion, WallKind};
 use crate::lattice;
 use crate::layers::{BUFFER, GHOSTS};
-use crate::sides::{Domain, Side};
+use crate::problem::{Domain, Motion, Side, WallKind};
 
 /// One wall side with its ghosts.
 #[derive(Clone, Debug)]

@@ -3,7 +3,7 @@
 use aero_geometry::Vector;
 use nalgebra::Vector3;
 
-use super::{Motion, Turning};
+use crate::problem::{Motion, Turning};
 use crate::records::Matrix;
 
 /// Where a rigid body is at one time.

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use nalgebra::Vector3;
 
-use super::Turning;
+use crate::problem::Turning;
 
 impl Turning {
     /// Angle turned through since time zero, as a rotation vector.

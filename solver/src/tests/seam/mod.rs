@@ -9,14 +9,14 @@ use nalgebra::Vector3;
 use super::reference::{GAMMA, Point, Rate, Wall};
 use crate::Simulation;
 use crate::evaluation::{Moment, evaluate, read_densities};
-use crate::pairs::renormalisation::Renormalisation;
+use crate::pairs::renormalisation::{Renormalisation, even_renormalisation};
 use crate::particles::Particle;
 use crate::problem::{Problem, Side, WallKind};
 use crate::rings::Rings;
 use crate::scheme::Precision;
 use crate::step::prepare;
 use crate::vectors::{Arch, avx2};
-use crate::walls::{Ghost, even_renormalisation, wall_sides};
+use crate::walls::{Ghost, wall_sides};
 
 pub use problems::{DEFAULT, PUBLISHED, Setup, body_on_the_lattice, maps, room, turn};
 

@@ -4,8 +4,13 @@ use std::sync::Arc;
 
 use aero_geometry::Vector;
 
-pub use super::sides::{Domain, Side};
-pub use super::walls::{Body, Motion, PackedFluid, Turning, WallKind};
+mod body;
+mod domain;
+mod side;
+
+pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
+pub use domain::Domain;
+pub use side::Side;
 
 use crate::gas::Gas;
 use crate::method::Method;

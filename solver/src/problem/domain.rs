@@ -2,7 +2,7 @@
 
 use aero_geometry::Bounds;
 
-use super::Side;
+use super::side::Side;
 
 /// Box of the flow and its sides.
 #[derive(Clone, Debug)]

@@ -1,0 +1,66 @@
+//! What bounds the domain on one side, as a problem names it.
+
+use super::body::WallKind;
+
+/// What bounds the domain on one side.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Side {
+    /// Buffer of free-stream particles that turn into fluid when they enter.
+    Inlet,
+    /// Particles that cross freeze their state, drift on and are removed.
+    Outlet,
+    /// Buffer of free-stream particles along a side that the flow does not disturb.
+    FreeStream,
+    /// Inlet at less than the speed of sound, from a reservoir at the free stream's stagnation state:
+    /// the flow inside decides how fast the gas enters.
+    Reservoir,
+    /// Mirror plane.
+    Symmetry,
+    /// The axis that an axisymmetric flow is the same all around.
+    Axis,
+    /// Joined to the opposite side.
+    Periodic,
+    /// Plane wall.
+    Wall {
+        /// Slip or no slip.
+        kind: WallKind,
+        /// Velocity along the axis at the start.
+        velocity: f64,
+        /// Constant acceleration along the axis.
+        acceleration: f64,
+    },
+    /// Closed by a body that covers it.
+    Body,
+}
+
+impl Side {
+    /// True where the flow beyond is the mirror image of the flow within.
+    pub fn is_mirror(self) -> bool {
+        matches!(self, Self::Symmetry | Self::Axis)
+    }
+
+    /// True of one that is joined to the opposite side.
+    pub fn is_periodic(self) -> bool {
+        self == Self::Periodic
+    }
+
+    /// True of one that lets gas in or out.
+    pub fn is_open(self) -> bool {
+        self.lets_in() || self == Self::Outlet
+    }
+
+    /// True of one that gas enters through, in a state that is prescribed or follows from a reservoir.
+    pub fn lets_in(self) -> bool {
+        matches!(self, Self::Inlet | Self::FreeStream | Self::Reservoir)
+    }
+
+    /// True of one that keeps the free stream up, whatever the flow inside does.
+    pub fn keeps_free_stream(self) -> bool {
+        matches!(self, Self::Inlet | Self::FreeStream)
+    }
+
+    /// True of a plane wall.
+    pub fn is_wall(self) -> bool {
+        matches!(self, Self::Wall { .. })
+    }
+}

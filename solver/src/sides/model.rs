@@ -1,0 +1,73 @@
+//! Where an open side is, and what a model of it is.
+
+use std::fmt::Debug;
+
+use aero_geometry::Vector;
+
+use super::particle::OpenParticle;
+use crate::particles::Particle;
+use crate::problem::{Problem, State};
+
+/// Where an open side is: a face of the domain.
+#[derive(Clone, Copy, Debug)]
+pub struct Place {
+    /// Axis across the face.
+    pub axis: usize,
+    /// 0 for the lower face, 1 for the upper one.
+    pub end: usize,
+    /// Coordinate of the face.
+    pub face: f64,
+}
+
+impl Place {
+    /// How far `position` is beyond the face; negative in front of it.
+    pub fn depth<const D: usize>(&self, position: &Vector<D>) -> f64 {
+        if self.end == 0 {
+            self.face - position[self.axis]
+        } else {
+            position[self.axis] - self.face
+        }
+    }
+
+    /// True beyond the face. The lower face belongs to the domain, the upper one does not, so that neighbouring cells of the
+    /// lattice never claim the same point.
+    pub fn is_beyond(&self, depth: f64) -> bool {
+        if self.end == 0 {
+            depth > 0.0
+        } else {
+            depth >= 0.0
+        }
+    }
+
+    /// Direction into the domain along the axis.
+    pub fn inward(&self) -> f64 {
+        if self.end == 0 { 1.0 } else { -1.0 }
+    }
+}
+
+/// How gas crosses an open side: a published model. All but the first have an answer that fits a side that asks nothing of
+/// the flow inside.
+pub trait OpenModel<const D: usize>: Debug + Send + Sync {
+    /// State of the gas that enters at first; none through a side that gas only leaves by.
+    fn inflow(&self, problem: &Problem<D>) -> Option<State<D>>;
+
+    /// State in which gas enters from now on, after a step that left the flow inside as `fluid`; none where it stays as it
+    /// was, and for a model that never answers.
+    fn answer(&self, _problem: &Problem<D>, _fluid: &[Particle<D>]) -> Option<State<D>> {
+        None
+    }
+
+    /// True where [`Self::answer`] may ever change the state.
+    fn answers(&self) -> bool {
+        false
+    }
+
+    /// State of the gas that enters at `position` of the buffer at `time`, where that of the stream as a whole is
+    /// `stream`: a profile in space and time.
+    fn profile(&self, stream: &State<D>, _position: &Vector<D>, _time: f64) -> State<D> {
+        *stream
+    }
+
+    /// What becomes, in a step, of a particle of the buffer that has left the domain here; it has drifted on already.
+    fn hold(&self, _problem: &Problem<D>, _gone: &mut OpenParticle<D>) {}
+}
