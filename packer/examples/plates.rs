@@ -17,7 +17,7 @@ fn main() -> Result<(), Box<dyn Error>> {
         let spacing: f64 = spacing.parse()?;
         for file in words {
             let mesh = Mesh::read(Path::new(&file), Unit::Metre)?;
-            row(&file, &mesh, spacing)?;
+            row(&file, &mesh, spacing);
         }
         return Ok(());
     }
@@ -33,19 +33,19 @@ fn main() -> Result<(), Box<dyn Error>> {
                 &format!("{thickness:.1}, {angle}"),
                 &Placed::new(plate, place),
                 1.0,
-            )?;
+            );
         }
     }
     Ok(())
 }
 
-fn row(name: &str, shape: &dyn Shape<3>, spacing: f64) -> Result<(), Box<dyn Error>> {
+fn row(name: &str, shape: &dyn Shape<3>, spacing: f64) {
     let start = ProcessTime::now();
     let packing = match pack(shape, &PackOptions::new(spacing)) {
         Ok(packing) => packing,
         Err(error) => {
             println!("| {name} | {error}");
-            return Ok(());
+            return;
         }
     };
     let report = packing.report;
@@ -64,5 +64,4 @@ fn row(name: &str, shape: &dyn Shape<3>, spacing: f64) -> Result<(), Box<dyn Err
         start.elapsed().as_secs_f64(),
         report.warnings,
     );
-    Ok(())
 }

@@ -24,7 +24,7 @@ const SPREADING: Relaxation = Relaxation {
 };
 
 /// Width of the blocks whose counts are set right one by one, in spacings.
-const BLOCK: i64 = 8;
+const BLOCK: f64 = 8.0;
 
 /// Rounds of repairs before the rest is left to relaxation.
 const MOST_REPAIRS: usize = 20;
@@ -62,7 +62,7 @@ impl<const D: usize> Sheets<'_, D> {
                 ((place - centre).norm() < 1.01 * self.step()).then(|| Seed {
                     place: self.keep_on_planes(place, &centre),
                     normal: cell.normal,
-                    block: block_of(&cell.index),
+                    block: block_at(self.plan, &place),
                     fixed: perfect.contains(&cell.index),
                 })
             })
@@ -151,15 +151,18 @@ impl<const D: usize> Sheets<'_, D> {
         let mut gone = vec![false; points.len()];
         let mut added = Vec::new();
         let mut unfinished = HashSet::new();
+        let lent = wanted.lent_by_the_empty(|block| crowds.get(block).map_or(0, Vec::len));
         for (block, volume) in wanted.in_order() {
-            let mut crowd = crowds.remove(block).unwrap_or_default();
+            let Some(mut crowd) = crowds.remove(block) else {
+                continue;
+            };
             crowd.sort_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
             let share = |n: usize| self.plan.mirrors.share(&places[n]);
             let mut have: f64 = crowd.iter().map(|&(_, n, _)| share(n)).sum();
-            if !crowd.is_empty() && crowd.iter().all(|&(_, n, _)| points[n].fixed) {
+            if crowd.iter().all(|&(_, n, _)| points[n].fixed) {
                 continue;
             }
-            let goal = volume + *carry;
+            let goal = volume + lent.get(block).copied().unwrap_or(0.0) + *carry;
             for &(_, n, _) in crowd.iter().rev() {
                 if have - goal <= 0.5 * share(n) {
                     break;
@@ -189,11 +192,12 @@ impl<const D: usize> Sheets<'_, D> {
                     have += 1.0;
                 }
             }
-            if !crowd.is_empty() && (have - goal).abs() > 0.5 {
+            *carry = goal - have;
+            if carry.abs() > 0.5 {
                 unfinished.insert(*block);
             }
             // Only rounding is passed on: what one block has no place for would crowd the next.
-            *carry = (goal - have).clamp(-1.0, 1.0);
+            *carry = carry.clamp(-1.0, 1.0);
         }
         let mut n = 0;
         points.retain(|_| {
@@ -260,12 +264,13 @@ pub(crate) struct Seed<const D: usize> {
     pub fixed: bool,
 }
 
-/// The block of a lattice cell.
-fn block_of<const D: usize>(index: &[i64; D]) -> [i64; D] {
-    index.map(|i| i.div_euclid(BLOCK))
+/// The block of a place.
+fn block_at<const D: usize>(plan: &Plan<'_, D>, place: &Vector<D>) -> [i64; D] {
+    let width = BLOCK * plan.grid.step;
+    std::array::from_fn(|k| ((place[k] - plan.grid.origin[k]) / width).floor() as i64)
 }
 
-/// How many particles of one layer each block of space holds.
+/// How many particles of one layer each block of space holds: a piece of the layer counts where its middle is.
 pub(crate) struct BlockVolumes<const D: usize> {
     order: Vec<[i64; D]>,
     volume: HashMap<[i64; D], f64>,
@@ -281,8 +286,9 @@ impl<const D: usize> BlockVolumes<D> {
             })
             .collect();
         for cell in plan.cells() {
-            let block = block_of(&cell.index);
             for (layer, volume) in plan.parts(cell).filter(|part| part.0 < cell.full) {
+                let off = cell.distance - plan.level(layer);
+                let block = block_at(plan, &(cell.centre - off * cell.normal));
                 let blocks = &mut layers[layer];
                 let sum = blocks.volume.entry(block).or_insert_with(|| {
                     blocks.order.push(block);
@@ -292,6 +298,20 @@ impl<const D: usize> BlockVolumes<D> {
             }
         }
         layers
+    }
+
+    /// What blocks without a seed leave to the fullest of their neighbours.
+    fn lent_by_the_empty(&self, seeds: impl Fn(&[i64; D]) -> usize) -> HashMap<[i64; D], f64> {
+        let mut lent = HashMap::new();
+        for (block, volume) in self.in_order().filter(|entry| seeds(entry.0) == 0) {
+            let fullest = around(*block, 1)
+                .filter(|other| seeds(other) > 0 && self.volume.contains_key(other))
+                .reduce(|a, b| if seeds(&b) > seeds(&a) { b } else { a });
+            if let Some(other) = fullest {
+                *lent.entry(other).or_insert(0.0) += volume;
+            }
+        }
+        lent
     }
 
     /// All blocks, neighbours mostly one after the other.

@@ -44,13 +44,13 @@ pub(super) fn ball<const D: usize>(
     radius
 }
 
-/// Radius of the ball around the deepest place that is reached from `start`, on the surface or inside, by going away from the nearest surface as long as that
+/// Centre and radius of the ball around the deepest place that is reached from `start`, on the surface or inside, by going away from the nearest surface as long as that
 /// does not lead nearer to another: from the rim of a plate to its middle, but not up a wedge.
 pub(super) fn climbed<const D: usize>(
     shape: &dyn Shape<D>,
     start: &Vector<D>,
     (spacing, largest): (f64, f64),
-) -> f64 {
+) -> (Vector<D>, f64) {
     let mut step = FIRST_CLIMB * spacing;
     let mut here = *start;
     let mut seen = shape.closest(&here);
@@ -66,7 +66,8 @@ pub(super) fn climbed<const D: usize>(
             step *= 0.5;
         }
     }
-    ball(shape, (seen.point, seen.normal), largest)
+    let radius = ball(shape, (seen.point, seen.normal), largest);
+    (seen.point - radius * seen.normal, radius)
 }
 
 /// How far below the surface, in spacings, a chord begins.
@@ -113,8 +114,9 @@ mod tests {
             Vector::<3>::new(10.0, 1.0, 0.1),
             Vector::<3>::new(10.0, 10.0, 0.29),
         ] {
-            let found = climbed(&plate, &start, (1.0, 2.0));
+            let (centre, found) = climbed(&plate, &start, (1.0, 2.0));
             assert!((found - 0.3).abs() < 1e-3, "{found}");
+            assert!(centre[2].abs() < 1e-3, "{centre}");
         }
     }
 
@@ -122,7 +124,7 @@ mod tests {
     fn the_ball_at_the_tip_of_a_cone_stays_there() {
         let cone = bodies::cone(15.0, 10.0).expect("a cone");
         let start = Vector::<3>::new(1.0, 15_f64.to_radians().tan(), 0.0);
-        let found = climbed(&cone, &start, (1.0, 2.0));
+        let (_, found) = climbed(&cone, &start, (1.0, 2.0));
         assert!(found < 0.35, "{found}");
     }
 }

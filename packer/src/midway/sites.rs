@@ -90,12 +90,12 @@ fn site<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Site<D
     let filled = full as f64 * spacing;
     let widest = 2.0 * (filled + spacing);
     let chord = chord(plan.shape, seen, widest, spacing);
-    let (whole, faces) = if let Some(chord) = chord {
-        (chord, 1.0)
+    let (whole, faces, rim) = if let Some(chord) = chord {
+        (chord, 1.0, None)
     } else {
         // On the rim of a plate, which has no area of its own.
-        let radius = climbed(plan.shape, &sample.point, (spacing, 0.5 * widest));
-        (2.0 * radius, 0.0)
+        let (middle, radius) = climbed(plan.shape, &sample.point, (spacing, 0.5 * widest));
+        (2.0 * radius, 0.0, Some(middle))
     };
     let left = whole - 2.0 * filled;
     if full > 0 && left < NO_ROW * spacing {
@@ -103,7 +103,9 @@ fn site<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Site<D
     }
     let is_paired = left >= TWO_ROWS * spacing;
     let depth = filled + left * if is_paired { 0.25 } else { 0.5 };
-    let place = sample.point - depth * sample.normal;
+    let below = sample.point - depth * sample.normal;
+    // A single row ends in the middle of the rim, whatever height the sample has on it.
+    let place = rim.filter(|_| !is_paired).unwrap_or(below);
     Some(Site {
         place: plan.mirrors.snapped(place, ON_PLANE * spacing),
         normal: sample.normal,
