@@ -188,6 +188,7 @@ impl Finding {
         let Scheme {
             equations,
             extrapolation,
+            ..
         } = scheme;
         let reason = self.reason.replace('"', "'");
         let _ = writeln!(
