@@ -190,3 +190,48 @@ fn iterations_have_the_same_bits_for_any_number_of_threads() {
     };
     assert!(run(1) == run(3));
 }
+
+/// Ahead of a sphere, as rings about its axis.
+fn ball(mach: f64, cells: f64) -> FixedSimulation<2> {
+    let ball = Arc::new(bodies::circle(1.0).unwrap());
+    let bounds = [[-1.5, 0.0], [0.0, 2.5]];
+    let mut problem = stream(mach, bounds, 1.0 / cells, vec![ball]);
+    problem.domain.sides[1][0] = Side::Axis;
+    FixedSimulation::new(problem).unwrap()
+}
+
+/// Next to the axis nothing grows that the rings' images would have stopped: the bow shock of a sphere comes to rest, without a spike on
+/// the axis, where the stagnation pressure is Rayleigh's.
+#[test]
+fn the_bow_shock_of_a_sphere_comes_to_rest_on_its_axis() {
+    for (mach, within) in [(3.0, 0.07), (10.0, 0.05)] {
+        let mut flow = ball(mach, 20.0);
+        let settled = flow.settle(800).unwrap();
+        assert!(settled.is_settled, "Mach {mach}: {settled:?}");
+        let surface = flow.surface();
+        let walls = surface.position.iter().zip(&surface.pressure);
+        let (_, nose) = walls.min_by(|a, b| a.0[1].total_cmp(&b.0[1])).unwrap();
+        let nose = nose * 1.4 / pitot(mach);
+        assert!((nose - 1.0).abs() < within, "Mach {mach}: {nose}");
+    }
+}
+
+/// In the ring next to the axis the slope of the pressure is that between its neighbour and its own image.
+#[test]
+fn rings_next_to_the_axis_have_their_image_for_a_neighbour() {
+    let mut problem = stream::<2>(0.0, [[0.0; 2], [1.0; 2]], 0.1, Vec::new());
+    problem.domain.sides[1][0] = Side::Axis;
+    problem.initial = super::lattice::field(|place: &Vector<2>| State {
+        density: 1.0,
+        velocity: Vector::from([0.0, 0.3 * place[1]]),
+        pressure: 1.0 + place[1],
+    });
+    let flow = FixedSimulation::new(problem).unwrap();
+    for (point, slopes) in flow.points.iter().zip(&flow.slopes) {
+        if point[1] < 0.1 && (0.2..0.8).contains(&point[0]) {
+            let radial = &slopes.along[1];
+            assert!((radial.pressure - 0.5).abs() < 1e-12, "{radial:?}");
+            assert!((radial.velocity[1] - 0.3).abs() < 1e-12, "{radial:?}");
+        }
+    }
+}
