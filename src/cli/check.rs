@@ -3,7 +3,6 @@
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-use aero::case::AnyCase;
 use aero::output;
 use aero::run::{Burst, burst};
 use aero::scene::Scene;
