@@ -192,12 +192,26 @@ fn regained<const D: usize>(
         let weight = sum[3] * rings.circumference(&panel.centre);
         moments[panel.owner as usize] += panel.normal * panel.normal.transpose() * weight;
     }
-    let solve = |(moment, lacking): (&Matrix<D>, &Vector<D>)| {
+    let domain = &flow.problem.domain;
+    // A wall that comes in through an inlet has no tip: what it lacks is friction.
+    let has_tip = |owner: usize| {
+        let body = flow.problem.bodies.get(owner);
+        body.is_some_and(|body| {
+            let extent = body.shape.bounds();
+            let mut entrances = domain.each_side().filter(|(_, _, side, _)| side.lets_in());
+            !entrances
+                .any(|(axis, end, _, face)| [extent.min[axis] < face, extent.max[axis] > face][end])
+        })
+    };
+    let solve = |(owner, (moment, lacking)): (usize, (&Matrix<D>, &Vector<D>))| {
+        if !has_tip(owner) {
+            return Vector::zeros();
+        }
         let stiffened = moment + Matrix::identity() * (SLENDER * moment.trace());
         let inverse = stiffened.try_inverse();
         inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking)
     };
-    moments.iter().zip(lacking).map(solve).collect()
+    moments.iter().zip(lacking).enumerate().map(solve).collect()
 }
 
 /// All gas within reach of which panels may be, buffers too.
