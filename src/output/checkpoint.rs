@@ -16,7 +16,7 @@ use super::error::OutputError;
 pub const CHECKPOINT: &str = "checkpoint";
 
 /// Changes whenever the content does.
-const FORMAT: &str = concat!("aero checkpoint 4, version ", env!("CARGO_PKG_VERSION"));
+const FORMAT: &str = concat!("aero checkpoint 5, version ", env!("CARGO_PKG_VERSION"));
 
 /// Why a checkpoint is of no use.
 #[derive(Debug, thiserror::Error)]

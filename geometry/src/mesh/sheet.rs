@@ -152,4 +152,9 @@ impl Shape<3> for Sheet {
     fn mirror_planes(&self) -> Vec<(usize, f64)> {
         self.mirrors.clone()
     }
+
+    /// Both sides, without the rims.
+    fn facets(&self, _: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        self.surface().collect()
+    }
 }

@@ -7,10 +7,12 @@ use rayon::prelude::*;
 
 use super::FixedSimulation;
 use super::gas::Gas;
+use super::net::Matrix;
 use super::state::dot;
 use crate::frame::{Load, PanelFrame};
 use crate::panels::{Panels, Pressed};
 use crate::problem::Motion;
+use crate::rings::Rings;
 use crate::walls::rigid::Pose;
 
 /// Part of the spacing that a panel looks about, at first.
@@ -18,6 +20,9 @@ const LOOK: f64 = 0.25;
 
 /// So often it looks twice as far.
 const FARTHER: usize = 8;
+
+/// Part of the panels' spread of directions that counts as none.
+const LEVEL: f64 = 1e-4;
 
 /// Cosine below which walls face another way.
 const ASKEW: f64 = 0.7;
@@ -30,7 +35,7 @@ impl<const D: usize> FixedSimulation<D> {
         let places: Vec<Vector<D>> = walls.iter().map(|(wall, _)| wall.foot).collect();
         let look = LOOK * SMOOTHING_RATIO * SUPPORT * self.problem.spacing;
         let grid = Pencils::new(&places, look);
-        let pressed: Vec<Pressed> = panels
+        let mut pressed: Vec<Pressed> = panels
             .all()
             .par_iter()
             .map(|panel| {
@@ -66,8 +71,46 @@ impl<const D: usize> FixedSimulation<D> {
                 }
             })
             .collect();
+        self.balance(panels, &mut pressed);
         let still = Pose::new(&Motion::none(), 0.0);
         panels.frame(&self.problem, self.time, &pressed, |_| still)
+    }
+
+    /// Presses each body's panels more, evenly for each unit of their normals, for the force on it to be that on the walls of its
+    /// cells: what interpolation and the panels' straightness have lost.
+    fn balance(&self, panels: &Panels<D>, pressed: &mut [Pressed]) {
+        let bodies = self.problem.bodies.len();
+        let rings = Rings::new(&self.problem);
+        let bounds = &self.problem.domain.bounds;
+        let mut lacking = vec![Vector::<D>::zeros(); bodies];
+        let mut moments = vec![Matrix::<D>::zeros(); bodies];
+        let around = self.around();
+        for (wall, pressure) in self.walls() {
+            if let Some(lacking) = lacking.get_mut(wall.owner as usize) {
+                *lacking += wall.image.area() * (pressure * around);
+            }
+        }
+        let owned = |owner: u32| (owner as usize) < bodies;
+        let shown = |centre: &Vector<D>| bounds.contains(centre);
+        for (panel, pressed) in panels.all().iter().zip(&*pressed) {
+            if owned(panel.owner) && shown(&panel.centre) {
+                let area = panel.size * rings.circumference(&panel.centre);
+                // Walls point out of the gas, panels into it.
+                lacking[panel.owner as usize] += panel.normal * (pressed.pressure * area);
+                moments[panel.owner as usize] += panel.normal * panel.normal.transpose() * area;
+            }
+        }
+        let solve = |(moment, lacking): (&Matrix<D>, &Vector<D>)| {
+            let stiffened = moment + Matrix::identity() * (LEVEL * moment.trace());
+            let inverse = stiffened.try_inverse();
+            inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking)
+        };
+        let more: Vec<Vector<D>> = moments.iter().zip(&lacking).map(solve).collect();
+        for (panel, pressed) in panels.all().iter().zip(pressed) {
+            if owned(panel.owner) {
+                pressed.pressure -= more[panel.owner as usize].dot(&panel.normal);
+            }
+        }
     }
 
     /// Loads of a pressure of one everywhere: on bodies, then on wall sides.

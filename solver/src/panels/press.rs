@@ -21,8 +21,8 @@ use crate::sides::closed::Map;
 /// hardly bends it is not made one.
 const FLAT: f64 = 0.02;
 
-/// Panels whose normal's cosine with that of the near side is below this are the far side of a thin part.
-const FAR_SIDE: f64 = -0.5;
+/// The same for a whole body: a slender one shows its drag by little else.
+const SLENDER: f64 = 1e-4;
 
 /// Pressure and Mach number on a panel.
 #[derive(Clone, Copy, Debug, Default)]
@@ -62,38 +62,39 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     let seen = seen(flow, panels, reach);
     let places: Vec<Vector<D>> = seen.iter().map(|seen| seen.centre).collect();
     let grid = Pencils::new(&places, reach.max(flow.problem.spacing));
-    let near = |presser: &Presser<D>| {
-        let mut met = Vec::new();
-        let at = &presser.position;
-        grid.for_each_run_near(at, at, presser.reach, |run| {
-            let run = grid.order()[run].iter().map(|&n| &seen[n as usize]);
-            met.extend(run.filter_map(|seen| seen.met(presser)));
-        });
-        part_sides(&mut met);
-        met
-    };
-    let ambient = ambient(&pressers, panels, &near);
-    let shares: Vec<Vec<Share>> = pressers
+    let all: Vec<(Vec<Share>, Vector<D>)> = pressers
         .par_iter()
         .map(|presser| {
-            shares(presser, &near(presser), |number| {
-                ambient[panels.all()[number as usize].owner as usize]
-            })
+            let mut met = Vec::new();
+            let at = &presser.position;
+            grid.for_each_run_near(at, at, presser.reach, |run| {
+                let run = grid.order()[run].iter().map(|&n| &seen[n as usize]);
+                met.extend(run.filter_map(|seen| seen.met(presser)));
+            });
+            // Gas that has come into the wall presses what is near.
+            if met.iter().any(|met: &Met<D>| met.faces) {
+                met.retain(|met| met.faces);
+            }
+            shares(presser, &met)
         })
         .collect();
-    let mut sums = vec![[0.0; 3]; panels.all().len()];
-    for (presser, shares) in pressers.iter().zip(&shares) {
+    let mut sums = vec![[0.0; 4]; panels.all().len()];
+    for (presser, (shares, lost)) in pressers.iter().zip(&all) {
         for share in shares {
             let sum = &mut sums[share.number as usize];
             sum[0] += share.force;
             sum[1] += share.weight;
             sum[2] += share.weight * presser.mach;
+            sum[3] += share.weight * lost.norm();
         }
     }
+    let lacking = lacking(flow, panels, &pressers, &all);
+    let regained = regained(flow, panels, &sums, &lacking);
     let pressures = sums.iter().zip(panels.all());
     pressures
-        .map(|(&[force, weight, mach], panel)| Pressed {
-            pressure: ambient[panel.owner as usize] + force / panel.size,
+        .map(|(&[force, weight, mach, lost], panel)| Pressed {
+            pressure: force / panel.size
+                + regained[panel.owner as usize].dot(&panel.normal) * (lost / panel.size),
             mach: if weight > 0.0 { mach / weight } else { 0.0 },
         })
         .collect()
@@ -110,12 +111,11 @@ struct Met<const D: usize> {
     faces: bool,
 }
 
-/// What a particle presses a panel with, over what the body's mean pressure does.
+/// What a particle presses a panel with.
 #[derive(Clone, Copy, Debug)]
 struct Share {
     number: u32,
     force: f64,
-    /// Nothing where the particle is behind it.
     weight: f64,
 }
 
@@ -133,64 +133,85 @@ impl<const D: usize> Seen<D> {
     }
 }
 
-/// Leaves out the far side of thin parts, which the gas in front of the near side does not feel.
-fn part_sides<const D: usize>(met: &mut Vec<Met<D>>) {
-    let facing = met.iter().filter(|met| met.faces);
-    let mean: Vector<D> = facing.map(|met| met.normal * met.weight).sum();
-    if let Some(mean) = mean.try_normalize(0.0) {
-        met.retain(|met| met.faces || met.normal.dot(&mean) > FAR_SIDE);
-    }
-}
-
-/// Mean pressure in front of each body and wall side: on a closed body it presses with nothing, and what is no more than that is shown
-/// even at edges.
-fn ambient<const D: usize>(
-    pressers: &[Presser<D>],
-    panels: &Panels<D>,
-    near: &(impl Fn(&Presser<D>) -> Vec<Met<D>> + Sync),
-) -> Vec<f64> {
-    let owners = panels.all().iter().map(|panel| panel.owner as usize + 1);
-    let mut sums = vec![[0.0; 2]; owners.max().unwrap_or(0)];
-    let met: Vec<_> = pressers.par_iter().map(near).collect();
-    for (presser, met) in pressers.iter().zip(&met) {
-        for met in met.iter().filter(|met| met.faces) {
-            let sum = &mut sums[panels.all()[met.number as usize].owner as usize];
-            sum[0] += met.weight * presser.volume * presser.pressure;
-            sum[1] += met.weight * presser.volume;
-        }
-    }
-    let mean = |[pressure, weight]: [f64; 2]| if weight > 0.0 { pressure / weight } else { 0.0 };
-    sums.into_iter().map(mean).collect()
-}
-
-/// What a particle presses the panels near it with. Of the force of the pair sums, what an even pressure explains goes by the panels'
-/// own shares; the rest by the least squares.
-fn shares<const D: usize>(
-    presser: &Presser<D>,
-    met: &[Met<D>],
-    ambient: impl Fn(u32) -> f64,
-) -> Vec<Share> {
-    let twice = 2.0 * presser.volume;
-    let mut lacking = presser.force.unwrap_or_else(Vector::zeros);
+/// What a particle presses the panels near it with, and what of its force they cannot show. Of the force of the pair sums, what an
+/// even pressure explains goes by the panels' own shares, the rest by least squares.
+fn shares<const D: usize>(presser: &Presser<D>, met: &[Met<D>]) -> (Vec<Share>, Vector<D>) {
+    let even = 2.0 * presser.volume * presser.pressure;
     let mut moment = Matrix::<D>::zeros();
+    let mut lacking = presser.force.unwrap_or_else(Vector::zeros);
     for met in met {
-        lacking -= met.normal * (twice * presser.pressure * met.weight);
+        lacking -= met.normal * (even * met.weight);
         moment += met.normal * met.normal.transpose() * met.weight;
     }
     let stiffened = moment + Matrix::identity() * (FLAT * moment.trace());
     let inverse = presser.force.and_then(|_| stiffened.try_inverse());
-    let correction = inverse.map_or_else(Vector::zeros, |inverse| {
-        // Twice, so that of what the walls can press nothing is lost [iterated regularisation: Engl 1987].
-        let first = inverse * lacking;
-        first + inverse * (lacking - moment * first)
-    });
+    // On a flat wall nothing of what is normal to it is lost.
+    let correction = inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking * (1.0 + FLAT));
+    let lost = match presser.force {
+        Some(_) if !met.is_empty() => lacking - moment * correction,
+        _ => Vector::zeros(),
+    };
     let share = |met: &Met<D>| Share {
         number: met.number,
-        force: met.weight
-            * (twice * (presser.pressure - ambient(met.number)) + met.normal.dot(&correction)),
-        weight: if met.faces { met.weight } else { 0.0 },
+        force: met.weight * (even + met.normal.dot(&correction)),
+        weight: met.weight,
     };
-    met.iter().map(share).collect()
+    (met.iter().map(share).collect(), lost)
+}
+
+/// Sum of what the panels of each owner do not show, all around an axis if there is one.
+fn lacking<const D: usize>(
+    flow: &Simulation<D>,
+    panels: &Panels<D>,
+    pressers: &[Presser<D>],
+    all: &[(Vec<Share>, Vector<D>)],
+) -> Vec<Vector<D>> {
+    let rings = Rings::new(&flow.problem);
+    let mut sums = vec![Vector::zeros(); flow.walls.body_count()];
+    for (presser, (shares, lost)) in pressers.iter().zip(all) {
+        let nearest = shares.iter().max_by(|a, b| a.weight.total_cmp(&b.weight));
+        if let Some(share) = nearest {
+            let owner = panels.all()[share.number as usize].owner as usize;
+            sums[owner] += lost * rings.circumference(&presser.position);
+        }
+    }
+    sums
+}
+
+/// By what each owner's panels, where something is lost and as much as is, are pressed more for each unit of their normals, for the
+/// force on it to be the pair sums': at tips and edges, where gas ahead of a panel holds the body back.
+fn regained<const D: usize>(
+    flow: &Simulation<D>,
+    panels: &Panels<D>,
+    sums: &[[f64; 4]],
+    lacking: &[Vector<D>],
+) -> Vec<Vector<D>> {
+    let rings = Rings::new(&flow.problem);
+    let mut moments = vec![Matrix::<D>::zeros(); lacking.len()];
+    for (panel, sum) in panels.all().iter().zip(sums) {
+        let weight = sum[3] * rings.circumference(&panel.centre);
+        moments[panel.owner as usize] += panel.normal * panel.normal.transpose() * weight;
+    }
+    let domain = &flow.problem.domain;
+    // A wall that comes in through an inlet has no tip: what it lacks is friction.
+    let has_tip = |owner: usize| {
+        let body = flow.problem.bodies.get(owner);
+        body.is_some_and(|body| {
+            let extent = body.shape.bounds();
+            let mut entrances = domain.each_side().filter(|(_, _, side, _)| side.lets_in());
+            !entrances
+                .any(|(axis, end, _, face)| [extent.min[axis] < face, extent.max[axis] > face][end])
+        })
+    };
+    let solve = |(owner, (moment, lacking)): (usize, (&Matrix<D>, &Vector<D>))| {
+        if !has_tip(owner) {
+            return Vector::zeros();
+        }
+        let stiffened = moment + Matrix::identity() * (SLENDER * moment.trace());
+        let inverse = stiffened.try_inverse();
+        inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking)
+    };
+    moments.iter().zip(lacking).enumerate().map(solve).collect()
 }
 
 /// All gas within reach of which panels may be, buffers too.

@@ -88,7 +88,7 @@ impl<'a, const D: usize> Solids<'a, D> {
     fn may_meet(&self) -> bool {
         let sides = self.problem.domain.each_side();
         let planes: Vec<_> = sides
-            .filter(|(_, _, side, _)| side.is_wall() || side.is_mirror())
+            .filter(|(_, _, side, _)| is_still_wall(*side) || side.is_mirror())
             .collect();
         self.bodies.iter().enumerate().any(|(n, (_, _, extent))| {
             let others = &self.bodies[..n];
@@ -101,31 +101,48 @@ impl<'a, const D: usize> Solids<'a, D> {
         })
     }
 
-    /// Depth of `point` beyond the wall sides and mirror planes: the largest; negative within.
-    fn beyond(&self, point: &Vector<D>, counts: impl Fn(Side) -> bool) -> f64 {
+    /// Depth of `point` beyond the walls that stay where they are: the largest; negative within.
+    fn beyond_walls(&self, point: &Vector<D>) -> f64 {
         let sides = self.problem.domain.each_side();
         sides
-            .filter(|(_, _, side, _)| counts(*side))
+            .filter(|(_, _, side, _)| is_still_wall(*side))
             .map(|(axis, end, _, plane)| [plane - point[axis], point[axis] - plane][end])
             .fold(f64::NEG_INFINITY, f64::max)
     }
 
+    /// True of a point beyond a mirror plane about which `body` is not symmetric: the plane cuts it there, and its image is
+    /// another body.
+    fn is_beyond_a_cut(&self, body: &Body<D>, point: &Vector<D>, tolerance: f64) -> bool {
+        let sides = self.problem.domain.each_side();
+        let mirrors = sides.filter(|(_, _, side, _)| side.is_mirror());
+        let mut beyond = mirrors.filter(|(axis, end, _, plane)| {
+            [plane - point[*axis], point[*axis] - plane][*end] > tolerance
+        });
+        beyond.any(|(axis, _, _, plane)| {
+            let near = |(k, at): &(usize, f64)| *k == axis && (at - plane).abs() < tolerance;
+            !body.shape.mirror_planes().iter().any(near)
+        })
+    }
+
     /// Distance from the solid of all; negative within.
     fn distance(&self, point: &Vector<D>) -> f64 {
-        let walls = -self.beyond(point, Side::is_wall);
+        let walls = -self.beyond_walls(point);
         let bodies = self.bodies.iter().map(|(_, body, _)| body);
         let bodies = bodies.map(|body| body.shape.signed_distance(point));
         bodies.fold(walls, f64::min)
     }
 
-    /// True of a point on the surface of `owner` that lies on or in another solid, or beyond a mirror plane.
+    /// True of a point on the surface of `owner` that lies on or in another solid, or beyond a plane that cuts it.
     fn is_hidden(&self, foot: &Vector<D>, owner: u32, tolerance: f64) -> bool {
-        let is_of_body = (owner as usize) < self.problem.bodies.len();
-        if is_of_body && !self.bodies.iter().any(|(number, ..)| *number == owner) {
+        let own = self.bodies.iter().find(|(number, ..)| *number == owner);
+        if own.is_none() && (owner as usize) < self.problem.bodies.len() {
+            // It moves.
             return false;
         }
-        (is_of_body && self.beyond(foot, Side::is_wall) > -tolerance)
-            || self.beyond(foot, Side::is_mirror) > tolerance
+        let is_cut = own.is_some_and(|(_, body, _)| {
+            self.beyond_walls(foot) > -tolerance || self.is_beyond_a_cut(body, foot, tolerance)
+        });
+        is_cut
             || self.bodies.iter().any(|(number, body, extent)| {
                 *number != owner
                     && extent.contains(foot)
@@ -148,6 +165,11 @@ impl<'a, const D: usize> Solids<'a, D> {
         })
         .product()
     }
+}
+
+/// True of a plane wall that does not move.
+fn is_still_wall(side: Side) -> bool {
+    matches!(side, Side::Wall { velocity, acceleration, .. } if velocity == 0.0 && acceleration == 0.0)
 }
 
 /// What of the solids' surfaces gas is in front of.

@@ -1,0 +1,120 @@
+//! Forces are the integral of what `surface-*.vtp` shows, for particles and for points that stay.
+
+mod support;
+
+use support::{Workplace, read_surface};
+
+/// A body in a stream at Mach 2, on its own.
+fn scene(dimension: usize, spacing: f64, shape: &str, more: &str) -> String {
+    let list = |x: f64, others: f64| {
+        let all = [x, others, others];
+        format!("{:?}", &all[..dimension])
+    };
+    let mut sides = String::from("x_min = \"inlet\"\nx_max = \"outlet\"\n");
+    for axis in &["y", "z"][..dimension - 1] {
+        sides += &format!("{axis}_min = \"free-stream\"\n{axis}_max = \"free-stream\"\n");
+    }
+    format!(
+        r#"
+dimension = {dimension}
+spacing = {spacing}
+end_time = 0.4
+
+[free_stream]
+mach = 2.0
+density = 1.4
+pressure = 1.0
+{more}
+
+[domain]
+min = {}
+max = {}
+
+[domain.sides]
+{sides}
+
+[[body]]
+name = "body"
+shape = {{ {shape} }}
+
+[output]
+frames = 1
+"#,
+        list(-1.2, -1.0),
+        list(1.4, 1.0)
+    )
+}
+
+/// How far the integral over the last surface is from the force in the summary, per cent of the force.
+fn difference(scene: &str, motion: &str) -> f64 {
+    let place = Workplace::new();
+    let settings = ["--set", motion];
+    place.run(scene, &settings).succeeds();
+    let surface = read_surface(&place.path("results/surface-000001.vtp"));
+    let (pressure, normal) = (&surface.arrays["pressure"], &surface.arrays["normal"]);
+    let mut shown = [0.0; 3];
+    for (n, corners) in surface.cells.iter().enumerate() {
+        let area = match corners[..] {
+            [a, b] => (0..3).map(|k| (a[k] - b[k]).powi(2)).sum::<f64>().sqrt(),
+            [a, b, c] => {
+                let [u, v]: [[f64; 3]; 2] = [b, c].map(|p| std::array::from_fn(|k| p[k] - a[k]));
+                let cross = |i: usize, j: usize| u[i] * v[j] - u[j] * v[i];
+                0.5 * (cross(1, 2).powi(2) + cross(2, 0).powi(2) + cross(0, 1).powi(2)).sqrt()
+            }
+            _ => panic!("neither a segment nor a triangle"),
+        };
+        assert!((area - surface.arrays["area"][n]).abs() < 1e-9 * area.max(1e-9));
+        for k in 0..3 {
+            shown[k] -= pressure[n] * area * normal[3 * n + k];
+        }
+    }
+    let force = &place.json("results/summary.json")["bodies"]["body"]["force"];
+    let force: [f64; 3] = std::array::from_fn(|k| force[k].as_f64().unwrap());
+    let size = force.iter().map(|f| f * f).sum::<f64>().sqrt();
+    let error = (0..3)
+        .map(|k| (shown[k] - force[k]).powi(2))
+        .sum::<f64>()
+        .sqrt();
+    100.0 * error / size
+}
+
+const MOVING: &str = "scheme.motion=with-the-gas";
+const FIXED: &str = "scheme.motion=fixed";
+
+#[test]
+fn the_force_on_an_aerofoil_is_the_integral_of_its_surface() {
+    let wing = scene(
+        2,
+        0.025,
+        "biconvex = { chord = 1.0, thickness_ratio = 0.1 }",
+        "incidence = 4.0",
+    );
+    for motion in [MOVING, FIXED] {
+        let found = difference(&wing, motion);
+        assert!(found < 1.0, "{motion}: {found} %");
+    }
+}
+
+#[test]
+fn the_force_on_a_block_is_the_integral_of_its_surface() {
+    let block = scene(2, 0.05, "rectangle = { width = 0.6, height = 0.5 }", "");
+    for motion in [MOVING, FIXED] {
+        let found = difference(&block, motion);
+        assert!(found < 1.0, "{motion}: {found} %");
+    }
+}
+
+#[test]
+fn the_force_on_bodies_in_space_is_the_integral_of_their_surfaces() {
+    let shapes = [
+        "cuboid = { edges = [0.6, 0.5, 0.5] }",
+        "cone = { half_angle = 20.0, length = 0.8 }",
+        "tessellated = { body = { sphere = { radius = 0.35 } }, around = 32 }",
+    ];
+    for shape in shapes {
+        for motion in [MOVING, FIXED] {
+            let found = difference(&scene(3, 0.1, shape, ""), motion);
+            assert!(found < 1.0, "{shape}, {motion}: {found} %");
+        }
+    }
+}
