@@ -87,6 +87,27 @@ pub fn origins<const D: usize>(plot: &Plot<'_, D>, [old, new]: [&Cloud<D>; 2]) -
     new.places.par_iter().map(origin).collect()
 }
 
+/// The nearest of all points, looked for from `radius` on.
+fn nearest_of<const D: usize>(
+    nearby: &Nearby<'_, D>,
+    place: &Vector<D>,
+    mut radius: f64,
+) -> Option<u32> {
+    const TRIES: usize = 40;
+    let mut near = Vec::new();
+    for _ in 0..TRIES {
+        nearby.within(place, radius, &mut near);
+        let best = near
+            .iter()
+            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+        if let Some(&(_, other)) = best {
+            return Some(other);
+        }
+        radius *= 2.0;
+    }
+    None
+}
+
 /// The nearest point that a place sees, or the nearest one.
 fn nearest<const D: usize>(
     plot: &Plot<'_, D>,
@@ -140,10 +161,12 @@ impl<const D: usize> Overlay<'_, D> {
         if let Some(same) = self.old.at(&site) {
             return before.is_plain(same).then(|| vec![(same as u32, 1.0)]);
         }
-        if site.level > 0
-            && let Some(whole) = self.old.at(&parent(&site))
-        {
-            return before.is_plain(whole).then(|| vec![(whole as u32, 1.0)]);
+        let mut whole = site;
+        while whole.level > 0 {
+            whole = parent(&whole);
+            if let Some(whole) = self.old.at(&whole) {
+                return before.is_plain(whole).then(|| vec![(whole as u32, 1.0)]);
+            }
         }
         let mut shares = Vec::new();
         for part in parts(&site) {
@@ -159,10 +182,12 @@ impl<const D: usize> Overlay<'_, D> {
         let place = &self.new.places[number];
         let (cell, _) = self.voronoi[1].cell(number);
         let reach = cell.reach_squared().sqrt();
+        // The new point lies in the old cell of the nearest old point, and cells beside that are at most twice as wide.
+        let home = nearest_of(&self.nearby, &place.position, place.spacing);
+        let old = home.map_or(place.spacing, |home| self.old.places[home as usize].spacing);
+        let radius = reach + 2.0 * (D as f64).sqrt() * old.max(place.spacing);
         let mut near = Vec::new();
-        // An old cell may be twice as wide.
-        self.nearby
-            .within(&place.position, reach + 2.0 * place.spacing, &mut near);
+        self.nearby.within(&place.position, radius, &mut near);
         near.sort_unstable_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
         let mut shares = Vec::new();
         for &(_, other) in &near {

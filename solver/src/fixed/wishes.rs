@@ -1,16 +1,22 @@
 //! Where the flow wants points added or taken away.
 
 use super::FixedSimulation;
+use super::gas::Gas;
 use super::refine::Wish;
+use super::state::dot;
 
 /// Change of the density across a face, over the smaller one, above which both cells are to be split.
 const STEEP: f64 = 0.05;
+
+/// What a change of the velocity counts, over the speed of sound: gas that comes to rest before a nose, and gas that slides past other
+/// gas, change their density little.
+const SPEED: f64 = 0.25;
 
 /// Change below which a cell may join those it was split from.
 const FLAT: f64 = 0.01;
 
 impl<const D: usize> FixedSimulation<D> {
-    /// Largest change of the density across a face of each cell, over the smaller one.
+    /// Largest change across a face of each cell: of the density over the smaller one, of the velocity as it counts.
     pub fn changes(&self) -> Vec<f64> {
         let mut steepest = vec![0.0_f64; self.points.len()];
         for (block, rest) in self.net.blocks.iter().zip(&self.quiet.blocks) {
@@ -19,8 +25,13 @@ impl<const D: usize> FixedSimulation<D> {
             }
             for face in &block.faces {
                 let cells = [face.i as usize, face.j as usize];
-                let [a, b] = cells.map(|i| self.states[i].density);
-                let change = (a - b).abs() / a.min(b);
+                let [a, b] = cells.map(|i| &self.states[i]);
+                let density = (a.density - b.density).abs() / a.density.min(b.density);
+                let sounds =
+                    [a, b].map(|state| self.gas.sound_square(state.density, state.pressure));
+                let apart = b.plus(-1.0, a).velocity;
+                let speed = (dot(&apart, &apart) / sounds[0].max(sounds[1])).sqrt();
+                let change = density.max(SPEED * speed);
                 for i in cells {
                     steepest[i] = steepest[i].max(change);
                 }
@@ -30,8 +41,8 @@ impl<const D: usize> FixedSimulation<D> {
     }
 }
 
-/// What is to be done about each cell: shocks and expansions are split where the density changes by more than a twentieth from cell
-/// to cell, and joined where it changes by less than a hundredth; by so much more where points are `dearer`.
+/// What is to be done about each cell: shocks and expansions are split where they change by more than a twentieth from cell
+/// to cell, and joined where it is by less than a hundredth; by so much more where points are `dearer`.
 pub fn wishes(changes: &[f64], dearer: f64) -> Vec<Wish> {
     let wish = |&change: &f64| {
         if change > STEEP * dearer {
