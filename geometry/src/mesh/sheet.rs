@@ -145,10 +145,6 @@ impl Shape<3> for Sheet {
         }
     }
 
-    fn facets(&self, _: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
-        self.surface().collect()
-    }
-
     fn mirror_planes(&self) -> Vec<(usize, f64)> {
         self.mirrors.clone()
     }
