@@ -60,7 +60,8 @@ pub(crate) fn cover<const D: usize>(
     let worst = (0..gaps.len()).max_by(|&a, &b| gaps[a].total_cmp(&gaps[b]).then(b.cmp(&a)))?;
     Some(Cover {
         area,
-        uncovered_percent: 100.0 * uncovered / area,
+        // The sum of no areas is a negative zero.
+        uncovered_percent: 100.0 * (uncovered + 0.0) / area,
         hole: gaps[worst] / plan.options.spacing,
         hole_at: places[worst].iter().copied().collect(),
     })

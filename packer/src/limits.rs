@@ -36,7 +36,7 @@ pub(crate) fn warnings(report: &PackReport) -> Vec<Warning> {
         found.push(Warning::new(
             About::Volume,
             format!(
-                "the packed solid has {:+.1} % of the body's volume too much: choose a smaller spacing than {spacing}",
+                "the volume of the packed solid is {:+.1} % off the body's: choose a smaller spacing than {spacing}",
                 report.volume_error_percent
             ),
         ));

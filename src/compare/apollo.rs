@@ -102,13 +102,19 @@ fn rows(flow: &Flow<'_, Part>) -> Result<Vec<Row>, CompareError> {
         Part::Rings => QUICK[1],
         Part::Front | Part::Whole => QUICK[0],
     };
-    let mut rows = vec![Row::relative(
-        "forebody drag coefficient",
-        VOLUMES,
-        front,
-        FOREBODY,
-        [quick * flow.spacing, ALLOWED * flow.spacing],
-    )];
+    let mut rows = vec![
+        Row::relative(
+            "forebody drag coefficient",
+            VOLUMES,
+            front,
+            FOREBODY,
+            [quick * flow.spacing, ALLOWED * flow.spacing],
+        )
+        .by_points(
+            flow.variant.scheme.is_of_points(),
+            [110.0 * flow.spacing, ALLOWED * flow.spacing],
+        ),
+    ];
     if flow.variant.own != Part::Front {
         let body = &outcome.summary.bodies["capsule"];
         let whole = body.cd_mean.unwrap_or(f64::NAN);

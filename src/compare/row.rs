@@ -119,6 +119,20 @@ impl Row {
         Self::new(quantity, source, [measured, 0.0], rule)
     }
 
+    /// The same with another allowance where the gas is carried by points that stay, `is_of_points`.
+    #[must_use]
+    pub fn by_points(mut self, is_of_points: bool, allowed: impl Into<Allowed>) -> Self {
+        if is_of_points {
+            match &mut self.rule {
+                Rule::Relative(now) | Rule::Absolute(now) | Rule::AtMost(now) => {
+                    *now = allowed.into();
+                }
+                Rule::Error | Rule::Informs | Rule::Unmeasured => {}
+            }
+        }
+        self
+    }
+
     /// The same, judged even where the scheme is shown for comparison alone: it says whether that is still the scheme that is
     /// shown.
     pub fn always(self) -> Self {

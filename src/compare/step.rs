@@ -77,7 +77,8 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
             stagnation_pressure(flow),
             pitot_pressure_ratio(MACH, GAMMA),
             [0.7, 2.0],
-        ),
+        )
+        .by_points(flow.variant.scheme.is_of_points(), [2.6, 2.0]),
         Row::informs(
             "p / rho^gamma on the step",
             "constant behind the normal shock",

@@ -39,10 +39,16 @@ impl Measured {
     pub fn new(outcome: &Outcome, spacing: f64) -> Result<Self, MetricError> {
         let gas = &outcome.gas;
         let behind = density_ratio();
+        // A shock is one or two cells thick where points stay: a wider tube has enough of them.
+        let widths = if outcome.summary.motion == "fixed" {
+            10.0
+        } else {
+            4.0
+        };
         let line = StagnationLine {
             nose: [-1.0, 0.0, 0.0],
             upstream: [-1.0, 0.0, 0.0],
-            radius: 4.0 * spacing,
+            radius: widths * spacing,
             spacing,
             ahead: 1.0,
             behind,
