@@ -6,7 +6,7 @@ use crate::lanes::Lane;
 use crate::neighbours::{Lists, Run};
 use crate::pairs::law::{Basis, Law, Neighbour};
 use crate::pairs::sum::Sum;
-use crate::records::{Number, Records};
+use crate::records::{Kept, Records};
 use crate::vectors::{Arch, Pass, Vectors};
 
 /// Something that passes over all pairs of a list.

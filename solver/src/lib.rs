@@ -57,6 +57,7 @@ pub mod panels;
 mod particles;
 mod passes;
 pub mod problem;
+mod record;
 mod records;
 mod rings;
 mod rounding;

@@ -6,7 +6,7 @@ use aero_geometry::Vector;
 use nalgebra::SVector;
 use rayon::prelude::*;
 
-use super::records::{Near, Number, Read, Records, State};
+use super::record::{Near, Number, Read, State};
 use crate::problem::Problem;
 
 /// A coordinate as a whole number of lengths and the rest, at most half of one: differences are as good as those of
@@ -71,9 +71,12 @@ impl Number for f32 {
     fn place(value: f64) -> Split {
         Split::new(value)
     }
+}
 
+impl<const D: usize> Rounded<D> {
+    /// The records as pair loops read them.
     #[inline(always)]
-    fn of<const D: usize>(records: &Records<D>) -> Read<'_, D, Self> {
+    pub fn read(&self) -> Read<'_, D, f32> {
         let Rounded {
             near,
             state,
@@ -81,7 +84,7 @@ impl Number for f32 {
             length,
             origin,
             ..
-        } = &records.rounded;
+        } = self;
         Read {
             near,
             state,
@@ -90,9 +93,7 @@ impl Number for f32 {
             origin: *origin,
         }
     }
-}
 
-impl<const D: usize> Rounded<D> {
     /// Records yet to be written, in lengths of about the spacing of `problem`.
     pub fn new(problem: &Problem<D>) -> Self {
         Self {

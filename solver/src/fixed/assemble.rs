@@ -3,8 +3,9 @@
 use aero_geometry::Vector;
 use rayon::prelude::*;
 
-use super::build::{Beside, Builder, CutCell, Findings};
+use super::build::{Beside, Builder, Findings};
 use super::cells::{Cells, Face, SideFace, WallFace, WallOwner};
+use super::cut_cell::CutCell;
 use super::folding::{folded_faces, folded_sides, folded_walls};
 use super::merge::{Nodes, Target, given};
 use super::voronoi::IN_BODY;

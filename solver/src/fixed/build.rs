@@ -4,12 +4,13 @@ use aero_geometry::Vector;
 use rayon::prelude::*;
 
 use super::cells::Cells;
-use super::cloud::{Cloud, NOBODY, Plot};
-use super::cut::Whole;
+use super::cloud::{Cloud, NOBODY};
+use super::cut_cell::CutCell;
 use super::merge::Nodes;
-use super::part::Part;
+use super::plot::Plot;
 use super::site::{Site, steps};
-use super::voronoi::{Link, Voronoi};
+use super::voronoi::Voronoi;
+use super::whole::Whole;
 use crate::problem::Side;
 
 /// What was found on the way.
@@ -23,19 +24,6 @@ pub struct Findings {
     pub lost: usize,
     /// Largest part of a cell's faces that did not close before its wall took it, in spacings to their power.
     pub open: f64,
-}
-
-/// A cell that was cut out.
-#[derive(Clone, Debug)]
-pub struct CutCell<const D: usize> {
-    /// Its number.
-    pub number: u32,
-    /// Its neighbours.
-    pub links: Vec<Link<D>>,
-    /// Its pieces, its own first.
-    pub parts: Vec<Part<D>>,
-    /// Points farther from its own than this have no say in it.
-    pub reach: f64,
 }
 
 /// Cells of a cloud, and what cells of the next one may take over.

@@ -7,14 +7,15 @@ use aero_geometry::Vector;
 use rayon::prelude::*;
 
 use super::build::Builder;
-use super::cloud::{Cloud, NOBODY, Place, Plot};
-use super::cut::Whole;
+use super::cloud::{Cloud, NOBODY, Place};
 use super::levels::{parent, parts};
 use super::nearby::Nearby;
+use super::plot::Plot;
 use super::polytope::Polytope;
 use super::solids::Line;
 use super::state::Conserved;
 use super::voronoi::{IN_BODY, Voronoi};
+use super::whole::Whole;
 
 /// Overlaps below this part of a cell are left out.
 const LEAST: f64 = 1e-12;

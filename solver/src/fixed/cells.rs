@@ -3,6 +3,12 @@
 use aero_geometry::Vector;
 use nalgebra::SMatrix;
 
+/// Axis in the meridian plane along which the radius is measured.
+pub const RADIAL: usize = 1;
+
+/// A square matrix.
+pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
+
 /// Cells derived from points, and the faces between them.
 #[derive(Clone, Debug, Default)]
 pub struct Cells<const D: usize> {

@@ -8,11 +8,8 @@ use aero_geometry::Vector;
 use foldhash::fast::FixedState;
 use rayon::prelude::*;
 
-use super::filler::{filled, off_the_walls};
-use super::levels::Levels;
+use super::plot::{Plot, off_the_walls};
 use super::site::{Site, steps};
-use super::solids::Solids;
-use crate::problem::Domain;
 
 /// No point.
 pub const NOBODY: u32 = u32::MAX;
@@ -51,45 +48,7 @@ pub struct Cloud<const D: usize> {
     loose: HashSet<[i32; D]>,
 }
 
-/// What a cloud is made for.
-#[derive(Clone, Copy, Debug)]
-pub struct Plot<'a, const D: usize> {
-    /// Box of the flow.
-    pub domain: &'a Domain<D>,
-    /// Bodies in it.
-    pub solids: &'a Solids<D>,
-    /// Spacing of the lattice.
-    pub spacing: f64,
-}
-
-impl<const D: usize> Plot<'_, D> {
-    /// Lattice cells along each axis.
-    pub fn counts(&self) -> [i32; D] {
-        let size = self.domain.bounds.size();
-        std::array::from_fn(|k| ((size[k] / self.spacing).round() as i32).max(1))
-    }
-}
-
 impl<const D: usize> Cloud<D> {
-    /// The lattice, its cells split as `levels` say, each point displaced at random by up to `disorder` of a spacing
-    /// along each axis.
-    pub fn lattice(plot: &Plot<'_, D>, levels: &Levels<D>, disorder: f64) -> Self {
-        Self::lattice_after(plot, levels, disorder, None)
-    }
-
-    /// The same; points that an `earlier` one of the same plot had are taken from there.
-    pub fn lattice_after(
-        plot: &Plot<'_, D>,
-        levels: &Levels<D>,
-        disorder: f64,
-        earlier: Option<&Self>,
-    ) -> Self {
-        let mut cloud = Self::empty(plot);
-        cloud.places = filled(plot, levels, disorder, earlier);
-        cloud.number();
-        cloud
-    }
-
     /// Points supplied by hand, each with the spacing around it; those in bodies or outside of the domain are left out.
     pub fn of_points(plot: &Plot<'_, D>, points: &[(Vector<D>, f64)]) -> Self {
         let mut cloud = Self::empty(plot);
@@ -119,7 +78,7 @@ impl<const D: usize> Cloud<D> {
         self
     }
 
-    fn empty(plot: &Plot<'_, D>) -> Self {
+    pub(super) fn empty(plot: &Plot<'_, D>) -> Self {
         Self {
             spacing: plot.spacing,
             counts: plot.counts(),
@@ -162,7 +121,7 @@ impl<const D: usize> Cloud<D> {
         Some(number)
     }
 
-    fn number(&mut self) {
+    pub(super) fn number(&mut self) {
         let total = self.counts.iter().map(|&n| n as usize).product();
         self.coarse = vec![NOBODY; total];
         self.fine.clear();

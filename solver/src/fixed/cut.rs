@@ -6,27 +6,14 @@ use aero_geometry::Vector;
 
 use super::edges::Edges;
 use super::part::{Part, PartFace, PartWall, own_first};
-use super::polytope::{Facet, Polytope, cross};
+use super::polytope::{Facet, cross};
+use super::rim::{closed, polygon};
 use super::section::{Along, Piece, Plane, Section, Stretch};
 use super::solids::{Line, Solids};
+use super::whole::Whole;
 
 /// How many of a piece's edges are looked at from the cell's point.
 const LOOKS: usize = 4;
-
-/// A convex cell before it is cut.
-#[derive(Clone, Copy, Debug)]
-pub struct Whole<'a, const D: usize> {
-    /// The cell, measured from its point.
-    pub cell: &'a Polytope<D>,
-    /// Where its point is.
-    pub point: &'a Vector<D>,
-    /// Spacing of the points here.
-    pub unit: f64,
-    /// True where areas and volumes are per radian about the axis, at zero of the last coordinate.
-    pub about_axis: bool,
-    /// True where the pieces are to be shown.
-    pub keeps_rings: bool,
-}
 
 impl<const D: usize> Whole<'_, D> {
     /// The gas in the cell, piece by piece.
@@ -40,81 +27,6 @@ impl<const D: usize> Whole<'_, D> {
             1 => vec![self.interval(solids)],
             2 => self.plane_parts(solids, &edges),
             _ => self.space_parts(solids, &edges),
-        }
-    }
-
-    /// The cell as it is.
-    pub fn uncut(&self) -> Part<D> {
-        let mut part = Part::new();
-        for (number, facet) in self.cell.facets.iter().enumerate() {
-            let face = match D {
-                1 => {
-                    let place = self.cell.vertices[facet.corners[0] as usize];
-                    let outwards = if number == 0 { -1.0 } else { 1.0 };
-                    part.volume += place[0] * outwards;
-                    PartFace {
-                        label: facet.label,
-                        area: Vector::repeat(outwards),
-                        centre: place,
-                    }
-                }
-                2 => {
-                    let [from, to] = [0, 1].map(|k| self.cell.vertices[facet.corners[k] as usize]);
-                    part.volume += self.fan(&from, &to);
-                    PartFace {
-                        label: facet.label,
-                        ..self.edge_face(&from, &to)
-                    }
-                }
-                _ => {
-                    let corners = facet.corners.iter();
-                    let points: Vec<_> = corners
-                        .map(|&corner| self.cell.vertices[corner as usize])
-                        .collect();
-                    let face = polygon(facet.label, closed(&points));
-                    part.volume += face.area.dot(&face.centre) / 3.0;
-                    if self.keeps_rings {
-                        part.rings.push(points);
-                    }
-                    face
-                }
-            };
-            part.add_face(face);
-        }
-        if self.keeps_rings && D == 2 {
-            let outline = self.cell.outline();
-            let corners = outline.iter().map(|&(corner, _)| corner as usize);
-            part.rings = vec![corners.map(|corner| self.cell.vertices[corner]).collect()];
-        }
-        part
-    }
-
-    /// Volume of the triangle between the point and an edge, per radian about an axis.
-    fn fan(&self, from: &Vector<D>, to: &Vector<D>) -> f64 {
-        let doubled = from[0] * to[1] - from[1] * to[0];
-        if self.about_axis {
-            doubled * (0.5 * self.point[1] + (from[1] + to[1]) / 6.0)
-        } else {
-            0.5 * doubled
-        }
-    }
-
-    /// The face over an edge with the gas to its left; the area per radian about an axis.
-    fn edge_face(&self, from: &Vector<D>, to: &Vector<D>) -> PartFace<D> {
-        let along = to - from;
-        let centre = (from + to) * 0.5;
-        let mut area = Vector::<D>::zeros();
-        let radius = if self.about_axis {
-            self.point[1] + centre[1]
-        } else {
-            1.0
-        };
-        area[0] = along[1] * radius;
-        area[1] = -along[0] * radius;
-        PartFace {
-            label: u32::MAX,
-            area,
-            centre,
         }
     }
 
@@ -297,48 +209,6 @@ impl<const D: usize> Whole<'_, D> {
         } else {
             foot(&mean)
         }
-    }
-}
-
-fn closed<const D: usize>(
-    points: &[Vector<D>],
-) -> impl Iterator<Item = (Vector<D>, Vector<D>)> + Clone {
-    (0..points.len()).map(|k| (points[k], points[(k + 1) % points.len()]))
-}
-
-/// Area and centroid of a plane loop in space.
-fn polygon<const D: usize>(
-    label: u32,
-    outline: impl Iterator<Item = (Vector<D>, Vector<D>)> + Clone,
-) -> PartFace<D> {
-    let Some((base, _)) = outline.clone().next() else {
-        return PartFace {
-            label,
-            area: Vector::zeros(),
-            centre: Vector::zeros(),
-        };
-    };
-    let doubled = |(from, to): (Vector<D>, Vector<D>)| cross(&(from - base), &(to - base));
-    let area = outline
-        .clone()
-        .fold(Vector::<D>::zeros(), |sum, edge| sum + doubled(edge) * 0.5);
-    let size = area.norm();
-    if size == 0.0 {
-        return PartFace {
-            label,
-            area,
-            centre: base,
-        };
-    }
-    let normal = area / size;
-    let moment = outline.fold(Vector::<D>::zeros(), |sum, edge| {
-        let third = (edge.0 - base + edge.1 - base) / 3.0;
-        sum + third * (0.5 * doubled(edge).dot(&normal))
-    });
-    PartFace {
-        label,
-        area,
-        centre: base + moment / size,
     }
 }
 

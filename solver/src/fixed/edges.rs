@@ -2,10 +2,10 @@
 
 use aero_geometry::Vector;
 
-use super::cut::Whole;
 use super::polytope::Polytope;
 use super::section::Edge;
 use super::solids::{Line, Solids};
+use super::whole::Whole;
 
 /// Where the edges of a cell cross the surface.
 pub struct Edges<const D: usize> {

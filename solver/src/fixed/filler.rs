@@ -3,13 +3,32 @@
 use aero_geometry::Vector;
 use rayon::prelude::*;
 
-use super::cloud::{Cloud, Place, Plot};
+use super::cloud::{Cloud, Place};
 use super::levels::Levels;
+use super::plot::{Plot, off_the_walls};
 use super::site::{Site, children};
 use crate::lattice::displacement;
 
-/// Least distance from walls in spacings: points nearer than that are moved there.
-pub const LEAST_DISTANCE: f64 = 0.3;
+impl<const D: usize> Cloud<D> {
+    /// The lattice, its cells split as `levels` say, each point displaced at random by up to `disorder` of a spacing
+    /// along each axis.
+    pub fn lattice(plot: &Plot<'_, D>, levels: &Levels<D>, disorder: f64) -> Self {
+        Self::lattice_after(plot, levels, disorder, None)
+    }
+
+    /// The same; points that an `earlier` one of the same plot had are taken from there.
+    pub fn lattice_after(
+        plot: &Plot<'_, D>,
+        levels: &Levels<D>,
+        disorder: f64,
+        earlier: Option<&Self>,
+    ) -> Self {
+        let mut cloud = Self::empty(plot);
+        cloud.places = filled(plot, levels, disorder, earlier);
+        cloud.number();
+        cloud
+    }
+}
 
 /// Lattice cells along the edge of a block that is filled at one go.
 const BLOCK: i32 = 16;
@@ -183,37 +202,4 @@ impl<const D: usize> Filler<'_, D> {
             is_moved,
         });
     }
-}
-
-/// A point moved to the least distance from the walls: where it is then, how far from them, and whether it was moved. None
-/// where it is in a body.
-pub fn off_the_walls<const D: usize>(
-    plot: &Plot<'_, D>,
-    mut position: Vector<D>,
-    spacing: f64,
-) -> Option<(Vector<D>, f64, bool)> {
-    const TRIES: usize = 4;
-    let Some((_, mut closest)) = plot.solids.closest(&position) else {
-        return Some((position, f64::INFINITY, false));
-    };
-    if closest.distance <= 1e-6 * spacing {
-        return None;
-    }
-    let least = LEAST_DISTANCE * spacing;
-    let mut is_moved = false;
-    for _ in 0..TRIES {
-        if closest.distance >= least * (1.0 - 1e-9) {
-            break;
-        }
-        let moved = position + closest.normal * (least - closest.distance);
-        // Between two walls, or next to a side, there may be no room.
-        let Some((_, there)) = plot.solids.closest(&moved) else {
-            break;
-        };
-        if there.distance <= closest.distance || !plot.domain.bounds.contains(&moved) {
-            break;
-        }
-        (position, closest, is_moved) = (moved, there, true);
-    }
-    Some((position, closest.distance, is_moved))
 }

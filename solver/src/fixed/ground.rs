@@ -1,9 +1,11 @@
 //! What cells are made from, where points come and go: bodies, lattice, what is split of it, and how far that may go.
 
-use super::build::{CutCell, built};
+use super::build::built;
 use super::cells::Cells;
-use super::cloud::{Cloud, Plot};
+use super::cloud::Cloud;
+use super::cut_cell::CutCell;
 use super::levels::Levels;
+use super::plot::Plot;
 use super::refine::{Adaption, BodyNeeds, Wish};
 use super::solids::Solids;
 use super::wishes::wishes;

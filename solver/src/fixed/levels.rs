@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use foldhash::fast::FixedState;
 
-use super::cloud::Plot;
+use super::plot::Plot;
 use super::site::{Site, children, steps};
 use crate::problem::Side;
 

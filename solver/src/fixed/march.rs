@@ -7,9 +7,10 @@ use rayon::prelude::*;
 
 use super::FixedSimulation;
 use super::fluxes::{Exchange, Flow, Gains};
-use super::gradients::{Slopes, slopes};
+use super::gradients::slopes;
 use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
+use super::slopes::Slopes;
 use super::state::{Conserved, Primitive};
 use crate::Failure;
 use crate::walls::rigid::pad;

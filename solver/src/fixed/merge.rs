@@ -3,7 +3,7 @@
 
 use aero_geometry::Vector;
 
-use super::build::CutCell;
+use super::cut_cell::CutCell;
 use super::part::PartFace;
 
 /// Rounds in which pieces behind pieces find an owner.

@@ -9,17 +9,13 @@ use std::ops::Range;
 
 use aero_geometry::Vector;
 use foldhash::fast::FixedState;
-use nalgebra::SMatrix;
 
-use super::cells::{Cells, WallOwner};
+use super::cells::{Cells, Matrix, RADIAL, WallOwner};
 use super::sides::{Beyond, Side};
 use super::walls::{Image, Wall};
 
 /// Cells of a block.
 pub const BLOCK: usize = 512;
-
-/// A square matrix.
-pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
 
 /// A face between two cells.
 #[derive(Clone, Copy, Debug)]
@@ -83,9 +79,6 @@ pub struct Net<const D: usize> {
     /// What faces look like.
     pub face_shapes: Vec<FaceShape<D>>,
 }
-
-/// Axis in the meridian plane along which the radius is measured.
-pub const RADIAL: usize = 1;
 
 impl<const D: usize> Block<D> {
     /// Faces whose first cell is in this block: each face once, over all blocks.

@@ -3,10 +3,11 @@
 use aero_geometry::Vector;
 
 use super::build::Builder;
-use super::cloud::{Cloud, Plot};
-use super::cut::Whole;
+use super::cloud::Cloud;
 use super::merge::given;
+use super::plot::Plot;
 use super::polytope::Polytope;
+use super::whole::Whole;
 
 /// What a cell looks like.
 #[derive(Clone, Debug, PartialEq)]

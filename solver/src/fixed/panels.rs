@@ -6,8 +6,8 @@ use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
 use super::FixedSimulation;
+use super::cells::Matrix;
 use super::gas::Gas;
-use super::net::Matrix;
 use super::state::dot;
 use crate::frame::{Load, PanelFrame};
 use crate::panels::{Panels, Pressed};

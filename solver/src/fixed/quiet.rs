@@ -4,9 +4,10 @@
 //! blocks within two faces sleeps: whatever flows into its cells flows out again, below the tolerance.
 
 use super::FixedSimulation;
-use super::gradients::Slopes;
-use super::net::{Block, Matrix, Net};
+use super::cells::Matrix;
+use super::net::{Block, Net};
 use super::sides::Beyond;
+use super::slopes::Slopes;
 use super::state::{Conserved, Primitive};
 use super::walls::Wall;
 use crate::problem::{Problem, Side};

@@ -3,9 +3,11 @@
 use aero_geometry::Vector;
 use rayon::prelude::*;
 
-use super::build::{Builder, Built, CutCell};
-use super::cloud::{Cloud, NOBODY, Place, Plot};
+use super::build::{Builder, Built};
+use super::cloud::{Cloud, NOBODY, Place};
+use super::cut_cell::CutCell;
 use super::nearby::Nearby;
+use super::plot::Plot;
 use super::voronoi::Voronoi;
 
 /// The same with the cells that were cut `before`, of another cloud, taken over where no point near them came or went.

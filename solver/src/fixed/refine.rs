@@ -6,8 +6,9 @@ use aero_geometry::Vector;
 use foldhash::fast::FixedState;
 use rayon::prelude::*;
 
-use super::cloud::{Cloud, Plot};
+use super::cloud::Cloud;
 use super::levels::{Levels, Sites, parent, parts};
+use super::plot::Plot;
 use super::site::{Site, children};
 use super::solids::Line;
 use crate::walls::curvature::shape_operator;

@@ -2,8 +2,8 @@
 
 use super::cells::SideFace;
 use super::gas::{Gas, IdealGas};
-use super::gradients::Slopes;
 use super::hll::Jump;
+use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Image;
 use crate::problem::{Problem, Side as SideKind};

@@ -9,6 +9,7 @@ use rayon::prelude::*;
 use super::FixedSimulation;
 use super::gas::Gas;
 use super::net::Net;
+use super::order::{Link, levels};
 use super::state::{Conserved, Primitive, dot, scaled};
 use crate::Failure;
 
@@ -24,17 +25,6 @@ const HALVINGS: u32 = 20;
 /// Cells of a level that one thread takes at a time.
 const CHUNK: usize = 64;
 
-/// A neighbour of a cell.
-#[derive(Clone, Copy, Debug)]
-struct Link {
-    cell: u32,
-    /// Its place in the order.
-    place: u32,
-    shape: u32,
-    /// The area points out of the cell, or into it.
-    sign: f64,
-}
-
 /// Cells in the order of the flow, with their neighbours.
 ///
 /// Cells stand in levels: no two cells of a level are neighbours, and a cell's level is above those of all its neighbours upstream. All
@@ -48,40 +38,6 @@ pub struct Sweeps {
     /// Where the links of the cell at each place start.
     starts: Vec<u32>,
     links: Vec<Link>,
-}
-
-/// The level of each cell: above those of its neighbours with a smaller key, and none that a neighbour with the same key has.
-fn levels(starts: &[u32], links: &[Link], keys: &[f64]) -> Vec<u32> {
-    const NONE: u32 = u32::MAX;
-    let mut order: Vec<u32> = (0..keys.len() as u32).collect();
-    order.sort_by(|&a, &b| {
-        keys[a as usize]
-            .total_cmp(&keys[b as usize])
-            .then(a.cmp(&b))
-    });
-    let mut levels = vec![NONE; keys.len()];
-    let mut taken: Vec<u32> = Vec::new();
-    for &cell in &order {
-        let i = cell as usize;
-        let mut level = 0;
-        taken.clear();
-        for link in &links[starts[i] as usize..starts[i + 1] as usize] {
-            let j = link.cell as usize;
-            if levels[j] == NONE || i == j {
-                continue;
-            }
-            if keys[j] < keys[i] {
-                level = level.max(levels[j] + 1);
-            } else {
-                taken.push(levels[j]);
-            }
-        }
-        while taken.contains(&level) {
-            level += 1;
-        }
-        levels[i] = level;
-    }
-    levels
 }
 
 impl Sweeps {

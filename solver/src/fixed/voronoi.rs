@@ -3,8 +3,9 @@
 
 use aero_geometry::Vector;
 
-use super::cloud::{Cloud, Plot};
+use super::cloud::Cloud;
 use super::nearby::Nearby;
+use super::plot::Plot;
 use super::polytope::Polytope;
 use crate::problem::Side;
 

@@ -2,10 +2,9 @@
 
 use aero_geometry::Vector;
 
-use super::cells::WallFace;
-use super::fluxes::steepness;
+use super::calmness::steepness;
+use super::cells::{Matrix, RADIAL, WallFace};
 use super::gas::Gas;
-use super::net::{Matrix, RADIAL};
 use super::reconstruction::{Neighbours, rise};
 use super::state::{Conserved, Primitive, dot};
 
@@ -168,7 +167,7 @@ mod tests {
     use super::super::gas::IdealGas;
     use super::super::sides::{Beyond, Side};
     use super::*;
-    use crate::fixed::gradients::Slopes;
+    use crate::fixed::slopes::Slopes;
 
     const AIR: IdealGas = IdealGas { gamma: 1.4 };
 

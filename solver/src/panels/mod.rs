@@ -12,8 +12,8 @@ use aero_geometry::{Bounds, Vector};
 
 use crate::layers::BUFFER;
 use crate::problem::{Domain, Problem, Side};
+use crate::walls::plane::wall_sides;
 use crate::walls::rigid::pad;
-use crate::walls::wall_sides;
 use cut::{clipped, halved};
 
 /// No panel is longer than this, in spacings of the flow.

@@ -1,6 +1,6 @@
 //! The processor's vectors, of `f64` or of `f32`: what the pair loops compute in.
 
-use super::records::Number;
+use super::records::{Kept, Number};
 
 /// Writes the operations that vectors of either precision have under names of their own.
 macro_rules! arithmetic {
@@ -30,7 +30,7 @@ pub const MAX_LANES: usize = 8;
 /// One instruction set at one precision.
 pub trait Vectors: Copy + 'static {
     /// What the records of neighbours are made of.
-    type Number: Number;
+    type Number: Kept;
     /// One number per lane.
     type Vector: Copy;
     /// One coordinate per lane.

@@ -3,7 +3,7 @@
 use pulp::Simd;
 
 use super::{MAX_LANES, Rough, Vectors};
-use crate::records::Split;
+use crate::rounding::Split;
 
 /// Vectors of `f32`.
 #[derive(Clone, Copy)]

@@ -8,7 +8,7 @@ mod ghost;
 mod joints;
 pub mod loads;
 mod mirror;
-mod plane;
+pub mod plane;
 mod rebound;
 mod ridges;
 pub mod rigid;

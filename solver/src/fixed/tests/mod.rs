@@ -6,8 +6,9 @@ use aero_geometry::{Bounds, Shape, Vector};
 
 use super::build::{Findings, cells};
 use super::cells::{Cells, WallOwner};
-use super::cloud::{Cloud, Plot};
+use super::cloud::Cloud;
 use super::levels::Levels;
+use super::plot::Plot;
 use super::solids::Solids;
 use crate::problem::{Domain, Side};
 
