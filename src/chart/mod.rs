@@ -15,7 +15,7 @@ use aero::output::{self, OutputError};
 use aero::run::{Keep, Outcome};
 
 use crate::compare::scenes::Source;
-use crate::compare::{CompareError, Context, Level, Scheme};
+use crate::compare::{CompareError, Context, Level, Motion, Scheme};
 use crate::nearest::nearest;
 
 /// One line of a chart.
@@ -27,18 +27,22 @@ struct Line {
     coarse_start: bool,
     /// Pairs in single precision.
     mixed: bool,
+    /// Halvings of the spacing where the flow asks for them, of points that stay.
+    refine: u8,
 }
 
 /// The lines, in their order.
-const LINES: [Line; 7] = {
+const LINES: [Line; 10] = {
     const fn plain(scheme: Scheme) -> Line {
         Line {
             scheme,
             shifted: false,
             coarse_start: false,
             mixed: false,
+            refine: 0,
         }
     }
+    let settled = plain(Scheme::USUAL.by_points(Motion::Settled));
     let usual = plain(Scheme::USUAL);
     [
         usual,
@@ -58,6 +62,12 @@ const LINES: [Line; 7] = {
         },
         plain(Scheme::USUAL.paper()),
         plain(Scheme::USUAL.paper().wm()),
+        plain(Scheme::USUAL.by_points(Motion::Marched)),
+        settled,
+        Line {
+            refine: 3,
+            ..settled
+        },
     ]
 };
 
@@ -170,7 +180,8 @@ impl Study {
     }
 
     fn has(&self, line: &Line) -> bool {
-        (self.shifted || !line.shifted) && (self.settles_in.is_some() || !line.coarse_start)
+        let is_for_steady = line.coarse_start || line.scheme.motion == Motion::Settled;
+        (self.shifted || !line.shifted) && (self.settles_in.is_some() || !is_for_steady)
     }
 
     /// All spacings of one line.
@@ -267,6 +278,10 @@ impl Line {
             ""
         };
         let mixed = if self.mixed { ", mixed" } else { "" };
+        if self.scheme.is_of_points() {
+            let refined = if self.refine > 0 { ", refined" } else { "" };
+            return format!("{}{refined}", self.scheme);
+        }
         let Scheme {
             equations,
             extrapolation,
@@ -278,6 +293,10 @@ impl Line {
     fn settings(&self) -> Vec<String> {
         let precision = if self.mixed { "mixed" } else { "double" };
         let mut settings = self.scheme.settings();
+        if self.scheme.is_of_points() {
+            settings.push(format!("scheme.refine={}", self.refine));
+            return settings;
+        }
         settings.push(format!("scheme.shifting={}", self.shifted));
         settings.push(format!("scheme.precision={precision}"));
         settings

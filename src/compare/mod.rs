@@ -30,7 +30,7 @@ use aero_validation::table::Check;
 
 use comparison::Compare;
 pub use context::{CompareError, Context, Level};
-pub use variant::Scheme;
+pub use variant::{Motion, Scheme};
 
 /// A case by the name that is typed, and what it compares.
 type Case = (&'static str, &'static [&'static dyn Compare]);
