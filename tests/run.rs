@@ -34,6 +34,7 @@ const SUMMARY_KEYS: [&str; 20] = [
     "conservation",
     "bodies",
     "leaked",
+    "returned",
     "mirror_fallbacks",
     "min_density",
     "min_energy",

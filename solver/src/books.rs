@@ -47,6 +47,8 @@ impl Books {
 pub struct Extremes {
     /// Particle updates so far.
     pub updates: u64,
+    /// How often gas was brought back that a step had carried into a wall.
+    pub returned: u64,
     /// Smallest density met.
     pub min_density: f64,
     /// Smallest specific internal energy met.
@@ -57,6 +59,7 @@ impl Default for Extremes {
     fn default() -> Self {
         Self {
             updates: 0,
+            returned: 0,
             min_density: f64::INFINITY,
             min_energy: f64::INFINITY,
         }
@@ -79,6 +82,7 @@ impl Extremes {
     pub fn merge(self, other: Self) -> Self {
         Self {
             updates: self.updates + other.updates,
+            returned: self.returned + other.returned,
             min_density: smaller(self.min_density, other.min_density),
             min_energy: self.min_energy.min(other.min_energy),
         }

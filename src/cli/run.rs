@@ -118,7 +118,7 @@ fn lines(summary: &Summary, out: &Path) -> String {
         text,
         "{}: {} steps to t = {:.6e}, {} fluid and {} ghost particles\n\
          {:.1} s on {} threads, {:.1} s of processor time, {:.0} particle updates per processor second\n\
-         {}{}leaked {}",
+         {}{}leaked {}{}",
         summary.case,
         summary.steps,
         summary.end_time,
@@ -131,6 +131,7 @@ fn lines(summary: &Summary, out: &Path) -> String {
         memory(summary),
         drift(summary),
         summary.leaked,
+        returned(summary),
     );
     if summary.points_per_level.len() > 1 {
         let counts: Vec<String> = summary
@@ -184,6 +185,15 @@ fn drift(summary: &Summary) -> String {
             drift.mass, drift.momentum, drift.energy
         )
     })
+}
+
+/// What walls sent back, where they did.
+fn returned(summary: &Summary) -> String {
+    match summary.returned {
+        0 => String::new(),
+        1 => ", brought back out of a wall once".to_owned(),
+        times => format!(", brought back out of walls {times} times"),
+    }
 }
 
 /// The line about memory, where that is known.

@@ -50,6 +50,8 @@ pub struct Summary {
     pub bodies: BTreeMap<String, BodySummary>,
     /// Fluid particles inside a body or behind a wall at the end.
     pub leaked: usize,
+    /// How often gas was brought back that a step had carried into a wall.
+    pub returned: u64,
     /// Ghosts whose mirror was short of neighbours at the end.
     pub mirror_fallbacks: usize,
     /// Smallest density met.

@@ -191,6 +191,7 @@ impl Tally {
                 .then(|| drift(&self.sums.start, &simulation.totals(), &simulation.inflow())),
             bodies: bodies.collect(),
             leaked: statistics.leaked,
+            returned: statistics.returned,
             mirror_fallbacks: statistics.mirror_fallbacks,
             min_density: statistics.min_density,
             min_energy: statistics.min_energy,

@@ -131,6 +131,7 @@ impl<const D: usize> FixedSimulation<D> {
             particle_updates: self.updates,
             neighbours_mean: 2.0 * faces as f64 / self.points.len() as f64,
             leaked: 0,
+            returned: 0,
             mirror_fallbacks: 0,
             min_density: self.min_density,
             min_energy: self.min_energy,

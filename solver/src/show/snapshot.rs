@@ -24,6 +24,8 @@ pub struct Statistics {
     pub neighbours_mean: f64,
     /// Fluid particles inside a body or behind a wall now.
     pub leaked: usize,
+    /// How often gas was brought back that a step had carried into a wall.
+    pub returned: u64,
     /// Ghosts whose mirror was short of neighbours, at the last evaluation.
     pub mirror_fallbacks: usize,
     /// Smallest density met.
@@ -177,6 +179,7 @@ impl<const D: usize> Simulation<D> {
                 .iter()
                 .filter(|p| self.has_leaked(&p.position))
                 .count(),
+            returned: self.books.extremes.returned,
             mirror_fallbacks: self.walls.mirror_fallbacks,
             min_density: self.books.extremes.min_density,
             min_energy: self.books.extremes.min_energy,

@@ -130,6 +130,7 @@ pub fn rebound<const D: usize>(
             received.momentum[k] += particle.mass * (back.velocity[k] - particle.velocity[k]);
         }
         *particle = back;
+        books.extremes.returned += 1;
     }
     books.receive(&received);
 }
