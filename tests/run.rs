@@ -16,7 +16,7 @@ const PARTICLE_ARRAYS: [&str; 9] = [
     "id",
 ];
 
-const SUMMARY_KEYS: [&str; 20] = [
+const SUMMARY_KEYS: [&str; 21] = [
     "case",
     "scheme",
     "extrapolation",
