@@ -104,7 +104,7 @@ fn moving_bodies_that_pass_through_one_another_are_refused() {
 fn a_check_tells_sides_bodies_and_cost_and_draws_a_picture() {
     let place = Workplace::new();
     let boxes = block("step", [0.0, 0.3], [-0.2, 0.3]);
-    place.write("scene.toml", &scene(ON_A_WALL, &boxes));
+    place.write("scene.toml", scene(ON_A_WALL, &boxes));
     let answer = place.aero(&["check", "scene.toml", "--seconds", "0.05"]);
     answer.succeeds();
     let said = answer.out;
@@ -124,7 +124,7 @@ fn a_check_tells_sides_bodies_and_cost_and_draws_a_picture() {
 fn warnings_are_the_same_in_the_check_the_run_and_the_summary() {
     let place = Workplace::new();
     let near = block("near", [-0.7, -0.2], [0.3, 0.7]);
-    place.write("scene.toml", &scene(ON_A_WALL, &near));
+    place.write("scene.toml", scene(ON_A_WALL, &near));
     let checked = place.aero(&["check", "scene.toml", "--seconds", "0.05"]);
     let ran = place.aero(&["run", "scene.toml"]);
     checked.succeeds();

@@ -10,10 +10,10 @@ fn scene(dimension: usize, spacing: f64, shape: &str, more: &str) -> String {
         let all = [x, others, others];
         format!("{:?}", &all[..dimension])
     };
-    let mut sides = String::from("x_min = \"inlet\"\nx_max = \"outlet\"\n");
-    for axis in &["y", "z"][..dimension - 1] {
-        sides += &format!("{axis}_min = \"free-stream\"\n{axis}_max = \"free-stream\"\n");
-    }
+    let open = |axis: &&str| format!("{axis}_min = \"free-stream\"\n{axis}_max = \"free-stream\"");
+    let mut sides = vec!["x_min = \"inlet\"\nx_max = \"outlet\"".to_owned()];
+    sides.extend(["y", "z"][..dimension - 1].iter().map(open));
+    let sides = sides.join("\n");
     format!(
         r#"
 dimension = {dimension}

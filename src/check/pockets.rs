@@ -21,7 +21,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
     let counts: [usize; D] =
         std::array::from_fn(|k| (bounds.size()[k] / spacing).round().max(1.0) as usize);
     let sites: f64 = counts.iter().map(|&count| count as f64).product();
-    let has_open = problem.domain.has(|side| side.is_open());
+    let has_open = problem.domain.has(aero_solver::problem::Side::is_open);
     if problem.bodies.len() < 2 || !still || !has_open || sites > MOST {
         return;
     }

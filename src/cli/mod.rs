@@ -57,7 +57,10 @@ impl Cli {
             Command::Sweep(args) => sweep::sweep(&args),
             Command::New(args) => new::new(&args),
             Command::Chart(args) => chart::chart(&args),
-            Command::Completions(args) => shell::completions(&args),
+            Command::Completions(args) => {
+                shell::completions(&args);
+                Ok(())
+            }
             Command::Man => shell::manual(),
         }
     }

@@ -15,9 +15,8 @@ pub struct CompletionsArgs {
 }
 
 /// Prints completions.
-pub fn completions(args: &CompletionsArgs) -> Result<(), CommandError> {
+pub fn completions(args: &CompletionsArgs) {
     clap_complete::generate(args.shell, &mut Cli::command(), "aero", &mut io::stdout());
-    Ok(())
 }
 
 /// Prints the manual page: the program, then each command.

@@ -144,7 +144,7 @@ fn gap<const D: usize>(
         for depth in [0.0, out] {
             let mut point = (bounds.min + bounds.max) * 0.5;
             for k in (0..D).filter(|&k| k != along && k != axis) {
-                let part = (place as f64 + 0.5) / places as f64;
+                let part = (f64::from(place) + 0.5) / f64::from(places);
                 point[k] = bounds.min[k] + part * bounds.size()[k];
             }
             point[along] = problem.domain.face(along, end) + depth;

@@ -157,14 +157,17 @@ fn quoted(name: &str) -> String {
     }
 }
 
+/// A number of each row.
+type Column = fn(&Row) -> Option<f64>;
+
 /// Drag, lift and moment against what is swept most finely, a line for each value of the others; none of a single point.
 fn picture(rows: &[Row]) -> Option<Curves> {
-    let keys: [(&str, fn(&Row) -> Option<f64>); 3] = [
+    let keys: [(&str, Column); 3] = [
         ("incidence, degrees", |row| row.incidence),
         ("Mach number", |row| row.mach),
         ("sideslip, degrees", |row| row.sideslip),
     ];
-    let count = |of: fn(&Row) -> Option<f64>| {
+    let count = |of: Column| {
         let mut found: Vec<f64> = rows.iter().filter_map(of).collect();
         found.sort_by(f64::total_cmp);
         found.dedup();
@@ -186,7 +189,7 @@ fn picture(rows: &[Row]) -> Option<Curves> {
         }
         words.join(", ")
     };
-    let values: [(&str, fn(&Row) -> Option<f64>); 4] = [
+    let values: [(&str, Column); 4] = [
         ("cd", |row| row.cd),
         ("cl", |row| row.cl),
         ("cm", |row| row.cm),
