@@ -212,8 +212,9 @@ fn what_cannot_be_packed_is_refused() {
 const FOILED: &str = r#"
 [[body]]
 name = "foiled"
-shape = { polygon = { points = [[0.3, 0.1], [0.5, 0.1], [0.5, 0.3], [0.401, 0.3], [0.401, 0.45], [0.399, 0.45], [0.399, 0.3], [0.3, 0.3]] } }
+shape = { polygon = { points = [[0.3, 0.1], [0.5, 0.1], [0.5, 0.3], [0.401, 0.3], [0.401, 0.85], [0.399, 0.85], [0.399, 0.3], [0.3, 0.3]] } }
 spacing = 0.02
+allow_loss = true
 "#;
 
 #[test]

@@ -30,7 +30,10 @@ pub fn join<const D: usize>(problem: &Problem<D>, ghosts: &mut [Ghost<D>]) {
     }
     let tolerance = TOUCHING * problem.spacing;
     let hidden: Vec<usize> = (0..ghosts.len())
-        .filter(|&g| solids.is_hidden(&ghosts[g].foot(), ghosts[g].body, tolerance))
+        .filter(|&g| {
+            let ghost = &ghosts[g];
+            solids.is_hidden(&ghost.foot(), &ghost.normal, ghost.body, tolerance)
+        })
         .collect();
     if hidden.is_empty() {
         return;
@@ -132,8 +135,9 @@ impl<'a, const D: usize> Solids<'a, D> {
         bodies.fold(walls, f64::min)
     }
 
-    /// True of a point on the surface of `owner` that lies on or in another solid, or beyond a plane that cuts it.
-    fn is_hidden(&self, foot: &Vector<D>, owner: u32, tolerance: f64) -> bool {
+    /// True of a point on the surface of `owner`, with `normal`, that lies in another solid or faces one that touches it, or that is
+    /// beyond a plane that cuts its own.
+    fn is_hidden(&self, foot: &Vector<D>, normal: &Vector<D>, owner: u32, tolerance: f64) -> bool {
         let own = self.bodies.iter().find(|(number, ..)| *number == owner);
         if own.is_none() && (owner as usize) < self.problem.bodies.len() {
             // It moves.
@@ -144,9 +148,14 @@ impl<'a, const D: usize> Solids<'a, D> {
         });
         is_cut
             || self.bodies.iter().any(|(number, body, extent)| {
-                *number != owner
-                    && extent.contains(foot)
-                    && body.shape.signed_distance(foot) < tolerance
+                if *number == owner || !extent.contains(foot) {
+                    return false;
+                }
+                let distance = body.shape.signed_distance(foot);
+                // Beside a surface that it is flush with, or at right angles to, gas is in front of it.
+                let faces = || body.shape.signed_distance(&(foot + normal * tolerance));
+                distance < -tolerance
+                    || distance < tolerance && faces() < distance - 0.5 * tolerance
             })
     }
 
@@ -189,7 +198,9 @@ impl<'a, const D: usize> Surface<'a, D> {
             .all()
             .iter()
             .zip(0..)
-            .filter(|(panel, _)| !solids.is_hidden(&panel.centre, panel.owner, tolerance))
+            .filter(|(panel, _)| {
+                !solids.is_hidden(&panel.centre, &panel.normal, panel.owner, tolerance)
+            })
             .map(|(_, number)| number)
             .collect();
         let places: Vec<_> = exposed
@@ -224,8 +235,11 @@ impl<'a, const D: usize> Surface<'a, D> {
         // Panels are chords: the foot lies on the surface itself, unless that goes on behind another solid there.
         let tolerance = TOUCHING * self.solids.problem.spacing;
         let body = self.solids.problem.bodies.get(owner as usize);
-        let foot = body.map(|body| body.shape.closest(&on).point);
-        let exact = foot.filter(|foot| !self.solids.is_hidden(foot, owner, tolerance));
-        Some((exact.unwrap_or(on), owner))
+        let seen = body.map(|body| body.shape.closest(&on));
+        let exact = seen.filter(|seen| {
+            let (foot, normal) = (&seen.point, &seen.normal);
+            !self.solids.is_hidden(foot, normal, owner, tolerance)
+        });
+        Some((exact.map_or(on, |seen| seen.point), owner))
     }
 }

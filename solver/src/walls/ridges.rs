@@ -75,7 +75,10 @@ fn feet<const D: usize>(
         if !(is_near && is_new) {
             break;
         }
-        feet.push((seen.point, seen.face));
+        // Seen from a little aside, the foot is a little aside too; the face is where it is.
+        let outwards = seen.normal;
+        let foot = place + outwards * (seen.point - place).dot(&outwards);
+        feet.push((foot, seen.face));
     }
     feet
 }
