@@ -71,7 +71,8 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
             found.stagnation,
             pitot,
             [0.5, 2.0],
-        ),
+        )
+        .by_points(flow.variant.scheme.is_of_points(), [5.2, 2.0]),
         Row::absolute(
             "shock shape, largest departure / R",
             VOLUMES,
@@ -92,7 +93,8 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
             found.enthalpy,
             0.0,
             [0.004, 0.01],
-        ),
+        )
+        .by_points(flow.variant.scheme.is_of_points(), [0.008, 0.01]),
         flow.no_leaks(),
     ])
 }

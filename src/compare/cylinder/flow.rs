@@ -39,24 +39,23 @@ impl Measured {
     pub fn new(outcome: &Outcome, spacing: f64) -> Result<Self, MetricError> {
         let gas = &outcome.gas;
         let behind = density_ratio();
-        // A shock is one or two cells thick where points stay: a wider tube has enough of them.
-        let widths = if outcome.summary.motion == "fixed" {
-            10.0
-        } else {
-            4.0
-        };
         let line = StagnationLine {
             nose: [-1.0, 0.0, 0.0],
             upstream: [-1.0, 0.0, 0.0],
-            radius: widths * spacing,
+            radius: 4.0 * spacing,
             spacing,
             ahead: 1.0,
             behind,
         };
-        let shock = stand_off(&gas.position, &gas.density, &line)?;
+        let is_of_points = outcome.summary.motion == "fixed";
+        let shock = if is_of_points {
+            on_the_axis(outcome, spacing, 0.5 * (1.0 + behind))?
+        } else {
+            stand_off(&gas.position, &gas.density, &line)?.distance
+        };
         let ahead = ahead_of_shock(outcome);
         Ok(Self {
-            stand_off: shock.distance,
+            stand_off: shock,
             stagnation: stagnation_pressure(outcome),
             shape: shape(outcome, &ahead, spacing, 0.5 * (1.0 + behind))?,
             wall: wall(outcome),
@@ -106,6 +105,30 @@ fn shape(outcome: &Outcome, ahead: &[f64], spacing: f64, level: f64) -> Result<f
         largest = largest.max(shock.coordinate.abs());
     }
     Ok(largest)
+}
+
+/// Stand-off where points stay: a shock of one or two cells is too thin to be fitted, and stands still in the row next to the axis.
+fn on_the_axis(outcome: &Outcome, spacing: f64, level: f64) -> Result<f64, MetricError> {
+    let gas = &outcome.gas;
+    let row = gas.position.iter().zip(&gas.density);
+    let mut row: Vec<[f64; 2]> = row
+        .filter(|(place, _)| place[0] < -1.0 && place[1].abs() < spacing)
+        .map(|(place, density)| [place[0], *density])
+        .collect();
+    row.sort_by(|a, b| a[0].total_cmp(&b[0]));
+    let crossing = row
+        .windows(2)
+        .find(|pair| pair[0][1] < level && level <= pair[1][1]);
+    let [[x, low], [next, high]] = *crossing.ok_or(MetricError::TooFew {
+        what: "rises of the density through half the jump on the axis",
+        found: 0,
+        needed: 1,
+        remedy: "run longer",
+    })?
+    else {
+        return Ok(f64::NAN);
+    };
+    Ok(-1.0 - (x + (level - low) / (high - low) * (next - x)))
 }
 
 /// Angle of a point of the wall from the stagnation point, degrees.
