@@ -262,7 +262,7 @@ fn normalised(mut shares: Vec<Share>) -> Vec<Share> {
 /// volume that they take of it.
 ///
 /// `volumes` are those of old and new cells. Walls are bent, and old and new cells divide the gas next to them a little differently; what an
-/// old cell's takers have more or less room for than it had is theirs, by up to [`ROOM`]. What is then left over is spread over
+/// old cell's takers have more or less room for than it had is theirs, by up to a fiftieth. What is then left over is spread over
 /// all cells that are new, by their masses.
 pub fn carried<const D: usize>(
     held: &[Conserved<D>],

@@ -1,5 +1,5 @@
 //! The surfaces as they are: segments in the plane, triangles in space, about as long as the spacing, each with the pressure that
-//! the gas presses it with. What makes the pressure is in [`press`] for particles and in [`crate::fixed`] for points that stay.
+//! the gas presses it with. What makes the pressure is in `press` for particles and in [`crate::fixed`] for points that stay.
 
 mod cut;
 mod press;
