@@ -28,6 +28,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
     let domain = &problem.domain;
     let spacing = problem.spacing;
     let speed = problem.free_stream.velocity.norm();
+    let reach = (BUFFER as f64 + 1.0) * spacing;
     for (number, body) in problem.bodies.iter().enumerate() {
         let own: Vec<&Panel<D>> = panels
             .all()
@@ -42,11 +43,12 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
             let depth = |point: &Vector<D>| [face - point[axis], point[axis] - face][end];
             let meets_gas = |panel: &Panel<D>| {
                 let others = domain.each_side().filter(|(k, ..)| *k != axis);
-                let mut beyond = others.filter(|(k, e, ..)| {
-                    let x = panel.centre[*k];
-                    [x < domain.face(*k, 0), x > domain.face(*k, 1)][*e]
+                // Beyond an open side there is gas as far as its buffer goes, beyond others none.
+                let mut beyond = others.map(|(k, e, side, face)| {
+                    let x = panel.centre[k];
+                    ([face - x, x - face][e], side)
                 });
-                beyond.all(|(_, _, side, _)| side.is_open())
+                beyond.all(|(depth, side)| depth <= 0.0 || side.is_open() && depth < reach)
             };
             let past = own
                 .iter()
@@ -63,11 +65,13 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
                 ));
                 continue;
             }
-            let ends = past
-                .iter()
-                .find(|panel| side.is_open() && [-1.0, 1.0][end] * panel.normal[axis] > OUTWARD);
+            let ends = past.iter().find(|panel| {
+                side.is_open()
+                    && [-1.0, 1.0][end] * panel.normal[axis] > OUTWARD
+                    && depth(&panel.centre) < reach
+            });
             if let Some(panel) = ends {
-                let clear = face + [-1.0, 1.0][end] * (BUFFER as f64 + 1.0) * spacing;
+                let clear = face + [-1.0, 1.0][end] * reach;
                 found.refusals.push(format!(
                     "body `{}`: ends inside the buffer of side `{name}`, near {}: gas would leak around its end; \
                      carry it on past {} = {clear:.4}, or let it end inside the domain",
