@@ -43,12 +43,12 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
             let depth = |point: &Vector<D>| [face - point[axis], point[axis] - face][end];
             let meets_gas = |panel: &Panel<D>| {
                 let others = domain.each_side().filter(|(k, ..)| *k != axis);
-                // Beyond an open side there is gas as far as its buffer goes, beyond others none.
+                // Beyond a side that gas comes in by there is some as far as its buffer goes; what is beyond an outlet has left.
                 let mut beyond = others.map(|(k, e, side, face)| {
                     let x = panel.centre[k];
                     ([face - x, x - face][e], side)
                 });
-                beyond.all(|(depth, side)| depth <= 0.0 || side.is_open() && depth < reach)
+                beyond.all(|(depth, side)| depth <= 0.0 || side.lets_in() && depth < reach)
             };
             let past = own
                 .iter()
