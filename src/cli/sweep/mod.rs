@@ -77,12 +77,11 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
         let mut rows: Vec<Row> = Vec::new();
         for (number, (point, scene)) in points.iter().zip(scenes).enumerate() {
             let folder = out.join(name(point));
-            let summary = match earlier(&folder, &scene)? {
-                Some(summary) => summary,
-                None => {
-                    eprintln!("point {} of {}: {}", number + 1, points.len(), name(point));
-                    fly(scene, &folder, nearest(point, &done), &interrupt)?
-                }
+            let summary = if let Some(summary) = earlier(&folder, &scene)? {
+                summary
+            } else {
+                eprintln!("point {} of {}: {}", number + 1, points.len(), name(point));
+                fly(scene, &folder, nearest(point, &done), &interrupt)?
             };
             rows.extend(polar::rows(*point, &summary));
             polar::write(&rows, &out)?;
