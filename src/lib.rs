@@ -5,6 +5,7 @@
 
 pub mod case;
 pub mod check;
+pub mod fly;
 pub mod output;
 pub mod pack;
 pub mod run;

@@ -10,17 +10,19 @@ use support::{Workplace, read_vtp};
 
 type Facets = Vec<[[f64; 3]; 3]>;
 
+/// Corners of a block's faces; bit `a` of a corner's number is set at the upper end of axis `a`.
+const QUADS: [[usize; 4]; 6] = [
+    [0, 4, 6, 2],
+    [1, 3, 7, 5],
+    [0, 1, 5, 4],
+    [2, 6, 7, 3],
+    [0, 2, 3, 1],
+    [4, 5, 7, 6],
+];
+
 fn block(low: [f64; 3], high: [f64; 3]) -> Facets {
     let corner = |k: usize| std::array::from_fn(|a| if k >> a & 1 == 1 { high[a] } else { low[a] });
-    let quads = [
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-    ];
-    quads
+    QUADS
         .iter()
         .flat_map(|&[a, b, c, d]| [[a, b, c], [a, c, d]])
         .map(|facet| facet.map(corner))
@@ -166,14 +168,6 @@ fn a_sheet_is_refused_with_the_flag_that_makes_it_thick() {
 
 #[test]
 fn files_of_other_formats_are_read_packed_or_not_or_refused_with_a_way_to_convert_them() {
-    let quads = [
-        [0, 4, 6, 2],
-        [1, 3, 7, 5],
-        [0, 1, 5, 4],
-        [2, 6, 7, 3],
-        [0, 2, 3, 1],
-        [4, 5, 7, 6],
-    ];
     let corner = |k: usize| {
         [0, 1, 2]
             .map(|a| if k >> a & 1 == 1 { "0.5" } else { "-0.5" })
@@ -190,7 +184,7 @@ fn files_of_other_formats_are_read_packed_or_not_or_refused_with_a_way_to_conver
         ply.push_str(corner);
         ply.push('\n');
     }
-    for [a, b, c, d] in quads {
+    for [a, b, c, d] in QUADS {
         let _ = writeln!(obj, "f {} {} {} {}", a + 1, b + 1, c + 1, d + 1);
         let face = format!("4 {a} {b} {c} {d}\n");
         ply.push_str(&face);

@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 15] = [
+const SMALL: [(&str, &[&str]); 18] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     (
@@ -19,13 +19,24 @@ const SMALL: [(&str, &[&str]); 15] = [
     ("cone", &["end_time=0.1", "spacing=0.05"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     ("double-mach", &["end_time=0.02", "spacing=0.05"]),
+    ("duct", &["end_time=0.1"]),
     (
         "nozzle",
         &["end_time=0.0002", "spacing=0.002701713333333333"],
     ),
     ("sod", &["end_time=0.005"]),
     ("sod-1d", &["end_time=0.01"]),
+    ("sound", &["end_time=0.02"]),
     ("sphere", &["end_time=0.2", "spacing=0.25"]),
+    (
+        "sphere-axisymmetric",
+        &[
+            "end_time=0.2",
+            "spacing=0.2",
+            "stop=end-time",
+            "scheme.refine=0",
+        ],
+    ),
     (
         "sphere-stl",
         &[

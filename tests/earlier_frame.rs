@@ -14,7 +14,7 @@ const FINER: [&str; 4] = [
 
 fn earlier(place: &Workplace, more: &[&str]) {
     place.write("scene.toml", BOX);
-    let run = ["run", "scene.toml", "--out", "earlier"];
+    let run = ["run", "scene.toml", "--out", "earlier", "--overwrite"];
     place.aero(&[&run, more].concat()).succeeds();
 }
 

@@ -51,7 +51,8 @@ fn difference(scene: &str, motion: &str) -> f64 {
     let settings = ["--set", motion];
     place.run(scene, &settings).succeeds();
     let surface = read_surface(&place.path("results/surface-000001.vtp"));
-    let (pressure, normal) = (&surface.arrays["pressure"], &surface.arrays["normal"]);
+    let array = |name: &str| &surface.arrays[name];
+    let (pressure, normal, friction) = (array("pressure"), array("normal"), array("friction"));
     let mut shown = [0.0; 3];
     for (n, corners) in surface.cells.iter().enumerate() {
         let area = match corners[..] {
@@ -65,7 +66,7 @@ fn difference(scene: &str, motion: &str) -> f64 {
         };
         assert!((area - surface.arrays["area"][n]).abs() < 1e-9 * area.max(1e-9));
         for k in 0..3 {
-            shown[k] -= pressure[n] * area * normal[3 * n + k];
+            shown[k] += (friction[3 * n + k] - pressure[n] * normal[3 * n + k]) * area;
         }
     }
     let force = &place.json("results/summary.json")["bodies"]["body"]["force"];

@@ -253,6 +253,7 @@ place = { translate = [0.5, 0.25] }
     let known = [
         "area",
         "body",
+        "friction",
         "mach",
         "normal",
         "pressure",

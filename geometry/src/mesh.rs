@@ -11,6 +11,7 @@ mod edges;
 mod exposed;
 mod facing;
 mod holes;
+mod neighbours;
 mod nest;
 mod openings;
 mod orient;

@@ -1,8 +1,8 @@
 //! Packs the bodies of the tests and prints what came of it as a table:
-//! `cargo run --release -p aero-packer --example figures [-- WORD...]`, where only the bodies whose names
+//! `cargo run --release -p aero-packer -F figures --example figures [-- WORD...]`, where only the bodies whose names
 //! hold one of the words are packed. Seconds are those of the processor, all threads together, for ghosts and three fluid layers.
 
-#[path = "../tests/bodies/mod.rs"]
+#[path = "../tests/packing/bodies.rs"]
 mod bodies;
 
 use std::error::Error;

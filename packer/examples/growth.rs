@@ -1,7 +1,7 @@
 //! Packs ghosts of the tessellated capsule, 50 thousand facets, at finer and finer spacings and prints time and memory against
-//! their number: `cargo run --release -p aero-packer --example growth [-- L1/DX...]`.
+//! their number: `cargo run --release -p aero-packer -F figures --example growth [-- L1/DX...]`.
 
-#[path = "../tests/bodies/mod.rs"]
+#[path = "../tests/packing/bodies.rs"]
 mod bodies;
 
 use std::error::Error;

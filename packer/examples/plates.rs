@@ -1,4 +1,4 @@
-//! Packs plates and what else is asked for and prints volume and cover: `cargo run --release -p aero-packer --example plates`
+//! Packs plates and what else is asked for and prints volume and cover: `cargo run --release -p aero-packer -F figures --example plates`
 //! packs plates of 0.3 to 3 spacings, alone at several angles; with a spacing and STL files, these.
 
 use std::error::Error;

@@ -6,11 +6,13 @@ use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Shape, Vector};
 
 use crate::cloud::{Cloud, Lock};
+use crate::flawless::Flawless;
 use crate::grid::Cell;
-use crate::lattice::{Flawless, lattice_grid, lattice_planes};
+use crate::lattice::{lattice_grid, lattice_planes};
 use crate::mirror::Mirrors;
-use crate::plan::{Plan, Side};
+use crate::plan::Plan;
 use crate::relax::{relax, relax_thin};
+use crate::room::Side;
 use crate::schedule::{THIN_STEPS, fluid_steps};
 use crate::seeds::seed;
 use crate::sources::Sources;

@@ -5,8 +5,9 @@ use rayon::prelude::*;
 
 use crate::PackError;
 use crate::options::MAX_PARTICLES;
-use crate::plan::Side;
-use crate::thin::{Room, room};
+use crate::room::{Probe, Room, Side};
+use crate::room_across::room_across;
+use crate::room_inside::room_inside;
 
 /// A distance that differs from the expected one by this part of the cell's edge tells of a ridge.
 const RIDGE: f64 = 0.05;
@@ -167,7 +168,17 @@ impl<const D: usize> Cell<D> {
 
     /// Looks at the room for layers in the cell and at ridges.
     pub fn survey(&mut self, shape: &dyn Shape<D>, spacing: f64, side: Side) {
-        (self.room, self.full) = room(shape, self, spacing, side);
+        let probe = Probe {
+            centre: self.centre,
+            step: self.step,
+            distance: self.distance,
+            normal: self.normal,
+        };
+        (self.room, self.full) = if D == 3 && side == Side::Ghosts {
+            room_inside(shape, &probe, spacing)
+        } else {
+            room_across(shape, &probe, spacing)
+        };
         self.on_ridge = self.room != Room::Clear && self.crosses_ridge(shape, spacing);
     }
 

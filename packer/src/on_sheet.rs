@@ -5,6 +5,18 @@ use aero_geometry::{Pencils, Vector};
 
 use crate::mirror::Mirrors;
 
+/// A seed on a sheet.
+pub(crate) struct Seed<const D: usize> {
+    /// Where it lies.
+    pub place: Vector<D>,
+    /// Normal of the sheet there, or near there.
+    pub normal: Vector<D>,
+    /// Block of space for which it counts.
+    pub block: [i64; D],
+    /// True where the lattice itself is the best packing.
+    pub fixed: bool,
+}
+
 /// Points of one sheet, whose density is per area.
 pub(crate) struct OnSheet<const D: usize> {
     points: Vec<Vector<D>>,

@@ -6,9 +6,8 @@ use rayon::prelude::*;
 
 use crate::grid::{Cell, Grid, volume_in};
 use crate::lattice::lattice_grid;
-use crate::midway::Bit;
 use crate::mirror::Mirrors;
-use crate::thin::Room;
+use crate::room::{Room, Side};
 use crate::{PackError, PackOptions};
 
 /// Spacings by which the packing reaches beyond the region, so that its cut ends do not show.
@@ -18,14 +17,8 @@ const BEYOND_REGION: f64 = 6.0;
 /// faces on them.
 const FINENESS: f64 = 5.0;
 
-/// Which side of the surface is packed.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Side {
-    /// Inside the body.
-    Ghosts,
-    /// Outside it.
-    Fluid,
-}
+/// A piece of a thin part: its centre and volume.
+pub(crate) type Bit<const D: usize> = (Vector<D>, f64);
 
 /// Frame of one packing.
 pub(crate) struct Plan<'a, const D: usize> {

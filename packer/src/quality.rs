@@ -12,7 +12,7 @@ use crate::nearest::Nearest;
 use crate::plan::Plan;
 use crate::sources::Sources;
 use crate::surface::Sample;
-use crate::thin::Thinnest;
+use crate::thinnest::Thinnest;
 use crate::{About, Ghosts, PackReport, Warning};
 
 /// Ghosts nearer than this, in spacings, to those of parts thinner than two spacings are beside a thin part.

@@ -7,9 +7,8 @@ use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
 use crate::mirror::Mirrors;
-use crate::on_sheet::OnSheet;
+use crate::on_sheet::{OnSheet, Seed};
 use crate::plan::Plan;
-use crate::sheets::Seed;
 use crate::sources::Sources;
 
 /// Longest displacement in one step, in spacings.

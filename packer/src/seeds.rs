@@ -4,9 +4,9 @@ use crate::cloud::{Cloud, Lock};
 use crate::contour::Corners;
 use crate::level::project;
 use crate::plan::Plan;
+use crate::room_across::fits;
 use crate::rows::RowPlan;
 use crate::sheets::{BlockVolumes, Sheets};
-use crate::thin::fits;
 
 /// Stage of the work, for those who watch.
 const LAYING: &str = "laying the layers";

@@ -10,10 +10,10 @@ use rayon::prelude::*;
 use crate::grid::Cell;
 use crate::lattice::around;
 use crate::level::project;
-use crate::on_sheet::OnSheet;
+use crate::on_sheet::{OnSheet, Seed};
 use crate::plan::Plan;
 use crate::relax::{Relaxation, spread_on_sheet};
-use crate::thin::Room;
+use crate::room::Room;
 
 /// Evens out what projection and repair leave; a short smoothing length acts on single gaps.
 const SPREADING: Relaxation = Relaxation {
@@ -250,18 +250,6 @@ impl<const D: usize> Sheets<'_, D> {
         }
         point
     }
-}
-
-/// A seed on a sheet.
-pub(crate) struct Seed<const D: usize> {
-    /// Where it lies.
-    pub place: Vector<D>,
-    /// Normal of the sheet there, or near there.
-    pub normal: Vector<D>,
-    /// Block of space for which it counts.
-    block: [i64; D],
-    /// True where the lattice itself is the best packing.
-    pub fixed: bool,
 }
 
 /// The block of a place.

@@ -13,8 +13,8 @@ use rayon::prelude::*;
 use crate::grid::Cell;
 use crate::level::project;
 use crate::plan::Plan;
+use crate::room::Room;
 use crate::sources::Sources;
-use crate::thin::Room;
 
 /// Cells farther than this from the middle of their layer (in spacings) stay where they are: they
 /// are in a tip that the middle does not reach.

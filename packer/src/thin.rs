@@ -7,27 +7,16 @@
 use std::collections::HashMap;
 
 use aero_geometry::kernel::{QuinticSpline, SUPPORT};
-use aero_geometry::{Pencils, Shape, Vector};
+use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
+use crate::PackError;
 use crate::cloud::{Cloud, Lock};
 use crate::grid::Cell;
-use crate::midway::room_inside;
-use crate::plan::{Plan, Side};
+use crate::plan::Plan;
+use crate::room_across::thickness;
 use crate::sources::Sources;
-use crate::{About, PackError, Warning};
-
-/// A layer fits where the body is at least this much of twice its depth thick.
-const FITS: f64 = 0.95;
-
-/// A distance that differs by this much, in spacings, from the one expected tells of a ridge.
-const RIDGE: f64 = 0.01;
-
-/// How far behind the last layer, in spacings, a ridge still counts.
-const BEYOND: f64 = 0.2;
-
-/// Steps of the ray that measures thickness; a ray along a wall takes many and has room.
-const RAY_STEPS: usize = 60;
+use crate::thinnest::{THINNEST, Thinnest};
 
 /// Smoothing length, in spacings, of the density whose lack decides where a particle goes.
 const SMOOTHING: f64 = 1.0;
@@ -47,111 +36,6 @@ const HALVINGS: usize = 24;
 
 /// Reach, in spacings, of the neighbourhood whose thickest place counts.
 const NEIGHBOURHOOD: f64 = 2.5;
-
-/// True where layer `layer` has room at `point`: its far face exists, or the way through the body
-/// to the opposite surface is long enough for the layers of both sides.
-pub(crate) fn fits<const D: usize>(
-    shape: &dyn Shape<D>,
-    (point, distance, normal): (&Vector<D>, f64, &Vector<D>),
-    layer: usize,
-    spacing: f64,
-) -> bool {
-    let depth = (layer as f64 + 1.0) * spacing;
-    let face = depth.copysign(distance);
-    let beyond = shape.signed_distance(&(point + (face - distance) * normal));
-    (beyond - face).abs() <= 0.1 * spacing
-        || thickness(shape, (point, distance, normal), 2.0 * FITS * depth) >= 2.0 * FITS * depth
-}
-
-/// Length of the straight way from the closest surface point through `point` to the opposite
-/// surface, or `enough` if it is no shorter.
-fn thickness<const D: usize>(
-    shape: &dyn Shape<D>,
-    (point, distance, normal): (&Vector<D>, f64, &Vector<D>),
-    enough: f64,
-) -> f64 {
-    let direction = normal * 1.0_f64.copysign(distance);
-    let mut travelled = distance.abs();
-    let mut step = travelled;
-    for _ in 0..RAY_STEPS {
-        if travelled >= enough {
-            return enough;
-        }
-        if step < 1e-3 * enough {
-            return travelled;
-        }
-        travelled += step;
-        let here = shape.signed_distance(&(point + (travelled - distance.abs()) * direction));
-        step = here * 1.0_f64.copysign(distance);
-    }
-    enough
-}
-
-/// How much room a layer has.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Room {
-    /// The layer lies below a smooth part of the surface.
-    Clear,
-    /// A ridge of the distance runs through it, as below a corner.
-    Ridge,
-    /// Too little.
-    Thin,
-}
-
-/// How much room the layers in a cell have, and how many of them do.
-pub(crate) fn room<const D: usize>(
-    shape: &dyn Shape<D>,
-    cell: &Cell<D>,
-    spacing: f64,
-    side: Side,
-) -> (Room, usize) {
-    if D == 3 && side == Side::Ghosts {
-        return room_inside(shape, cell, spacing);
-    }
-    let reach = 0.5 * cell.step * cell.normal.abs().sum();
-    let last = ((cell.distance.abs() + reach) / spacing).ceil() * spacing;
-    let end = (last + BEYOND * spacing).copysign(cell.distance);
-    let there = cell.centre + (end - cell.distance) * cell.normal;
-    if (shape.signed_distance(&there) - end).abs() < RIDGE * spacing {
-        return (Room::Clear, usize::MAX);
-    }
-    let layer = (cell.distance.abs() / spacing).floor() as usize;
-    let seen = (&cell.centre, cell.distance, &cell.normal);
-    if fits(shape, seen, layer, spacing) {
-        (Room::Ridge, usize::MAX)
-    } else {
-        (Room::Thin, 0)
-    }
-}
-
-/// Thickness, in spacings, below which a part cannot be represented.
-pub(crate) const THINNEST: f64 = 0.3;
-
-/// The least of the local thicknesses.
-#[derive(Clone, Debug, PartialEq)]
-pub(crate) struct Thinnest {
-    /// In spacings.
-    pub thickness: f64,
-    /// Where.
-    pub at: Vec<f64>,
-    /// The spacing packed at.
-    pub spacing: f64,
-}
-
-impl Thinnest {
-    /// What to tell the user.
-    pub fn warning(&self) -> Warning {
-        let text = format!(
-            "the body is only {:.2} spacings ({:.3e}) thick near {:.4?}: gas may pass through; a spacing of {:.2e} or less \
-             keeps this part",
-            self.thickness,
-            self.thickness * self.spacing,
-            self.at,
-            self.thickness * self.spacing / THINNEST
-        );
-        Warning::new(About::Thin, text)
-    }
-}
 
 /// Refuses bodies that are too thin everywhere, and returns the thinnest place if that is too thin.
 pub(crate) fn least_thickness<const D: usize>(

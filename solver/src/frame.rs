@@ -60,12 +60,14 @@ pub struct SurfaceFrame {
     pub pressure: Vec<f64>,
     /// `(p - p_inf) / (rho_inf u_inf^2 / 2)`.
     pub pressure_coefficient: Vec<f64>,
+    /// Areas that the pressures hold on, of points that stay: lengths in the plane, whole rings about an axis; empty of particles.
+    pub area: Vec<f64>,
     /// Number of the body, in scene order.
     pub body: Vec<u32>,
 }
 
 /// The surfaces themselves with the state on them: segments in the plane (of the meridian about an axis), triangles in space,
-/// points on a line. Forces are the sum of `-pressure area normal`.
+/// points on a line. Forces are the sum of `(friction - pressure normal) area`.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct PanelFrame {
     /// Time.
@@ -82,6 +84,8 @@ pub struct PanelFrame {
     pub pressure: Vec<f64>,
     /// `(p - p_inf) / (rho_inf u_inf^2 / 2)`.
     pub pressure_coefficient: Vec<f64>,
+    /// Force per area that no pressure makes.
+    pub friction: Vec<[f64; 3]>,
     /// Mach number of the gas in front.
     pub mach: Vec<f64>,
     /// Number of the body, in scene order; wall sides after.

@@ -21,12 +21,24 @@ impl Method {
 }
 
 /// How points that stay are placed and how they go through time.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FixedPoints {
     /// Whether the way to the end matters.
     pub time: Time,
     /// Where points are added.
     pub refine: Refine,
+    /// Courant number of a step where it does.
+    pub cfl: f64,
+}
+
+impl Default for FixedPoints {
+    fn default() -> Self {
+        Self {
+            time: Time::default(),
+            refine: Refine::default(),
+            cfl: 0.8,
+        }
+    }
 }
 
 /// Whether the flow on the way to the end matters.

@@ -54,9 +54,13 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
 fn does(side: Side) -> String {
     match side {
         Side::Inlet => "the free stream comes in".into(),
+        Side::SoftInlet => "the free stream comes in, and sound goes out".into(),
         Side::Outlet => "gas leaves as it is".into(),
+        Side::HeldOutlet { pressure, .. } => {
+            format!("gas leaves, at a pressure of {pressure} where it is slower than sound")
+        }
         Side::FreeStream => "the free stream goes along or across".into(),
-        Side::Reservoir => "gas comes in from rest at the stream's total state".into(),
+        Side::Reservoir { .. } => "gas comes in from rest at the stream's total state".into(),
         Side::Symmetry => "a mirror".into(),
         Side::Axis => "the axis that the flow is the same around".into(),
         Side::Periodic => "goes on at the opposite side".into(),

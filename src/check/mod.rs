@@ -6,6 +6,7 @@ mod describe;
 mod pockets;
 mod shock;
 mod sides;
+mod sound;
 
 use std::collections::BTreeSet;
 
@@ -62,6 +63,7 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
         warnings: warnings(&problem.bodies),
     };
     sides::look(problem, &panels, &mut found);
+    sound::look(problem, &mut found);
     contact::look(problem, &mut found);
     pockets::look(problem, &mut found);
     let shocks = shock::look(problem, &panels).into_iter();

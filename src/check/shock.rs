@@ -15,7 +15,7 @@ const ROOM: f64 = 1.3;
 /// Below this part of the widest front a blunt spot is a rounded edge.
 const SPOT: f64 = 1.5;
 
-/// A warning where the free stream is no faster than sound, or a detached shock may come to an inlet.
+/// A warning where a detached shock may come to an inlet.
 pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>) -> Vec<String> {
     let stream = &problem.free_stream;
     let speed = stream.velocity.norm();
@@ -28,10 +28,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>) -> 
         return Vec::new();
     }
     if mach <= 1.0 {
-        return vec![format!(
-            "the free stream, at Mach {mach:.3}, is no faster than sound: what comes back to an inlet is reflected there; \
-             keep it far from the bodies"
-        )];
+        return Vec::new();
     }
     let along = stream.velocity / speed;
     let steepest = largest_turn(mach).sin();

@@ -67,6 +67,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
             }
             let ends = past.iter().find(|panel| {
                 side.is_open()
+                    && problem.method.fixed().is_none()
                     && [-1.0, 1.0][end] * panel.normal[axis] > OUTWARD
                     && depth(&panel.centre) < reach
             });

@@ -5,25 +5,19 @@ use std::path::PathBuf;
 
 use aero::output;
 use aero::run::{Burst, burst};
-use aero::scene::Scene;
 use clap::Args;
 
+use super::scene::{SceneArgs, folder};
 use super::{CommandError, on_threads};
 
 /// What `aero check` takes.
 #[derive(Args, Debug)]
 pub struct CheckArgs {
-    /// Scene file (TOML)
-    scene: PathBuf,
+    #[command(flatten)]
+    scene: SceneArgs,
     /// Folder for the picture; `out/NAME` unless given
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Override a value of the scene; may be given many times
-    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
-    set: Vec<String>,
-    /// Number of threads; all processors unless given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    threads: Option<u16>,
     /// Time to run for, in seconds, to find out how fast it goes
     #[arg(long, value_name = "S", default_value_t = 2.0)]
     seconds: f64,
@@ -31,16 +25,10 @@ pub struct CheckArgs {
 
 /// Says what a scene is, what it costs and what is wrong with it; runs it for a moment only.
 pub fn check(args: &CheckArgs) -> Result<(), CommandError> {
-    let mut scene = Scene::load(&args.scene).map_err(CommandError::wrong)?;
-    for setting in &args.set {
-        scene.set(setting).map_err(CommandError::wrong)?;
-    }
+    let scene = args.scene.load()?;
     let name = scene.name().to_owned();
-    let folder = args
-        .out
-        .clone()
-        .unwrap_or_else(|| PathBuf::from("out").join(&name));
-    on_threads(args.threads, || {
+    let folder = folder(args.out.as_ref(), &name);
+    on_threads(args.scene.threads, || {
         let case = scene.build_any().map_err(CommandError::wrong)?;
         println!(
             "{name}: {} dimensions, spacing {}",

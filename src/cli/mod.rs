@@ -2,12 +2,15 @@
 
 mod chart;
 mod check;
+mod converge;
 mod error;
+mod fly;
 mod interrupt;
 mod new;
 mod pack;
 mod progress;
 mod run;
+mod scene;
 mod shell;
 mod sweep;
 mod validate;
@@ -36,6 +39,10 @@ enum Command {
     New(new::NewArgs),
     /// Run a scene at many Mach numbers and angles: a polar
     Sweep(sweep::SweepArgs),
+    /// Fly a body from its file: drag, lift and a report with error bands
+    Fly(Box<fly::FlyArgs>),
+    /// Run a scene at several spacings: observed order, extrapolated values, bands
+    Converge(converge::ConvergeArgs),
     /// Compare cases with theory
     Validate(validate::ValidateArgs),
     /// Chart speed against accuracy
@@ -55,6 +62,8 @@ impl Cli {
             Command::Run(args) => run::run(&args),
             Command::Validate(args) => validate::validate(&args),
             Command::Sweep(args) => sweep::sweep(&args),
+            Command::Fly(args) => fly::fly(&args),
+            Command::Converge(args) => converge::converge(&args),
             Command::New(args) => new::new(&args),
             Command::Chart(args) => chart::chart(&args),
             Command::Completions(args) => {

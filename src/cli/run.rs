@@ -4,44 +4,34 @@ use std::path::{Path, PathBuf};
 
 use aero::case::AnyCase;
 use aero::output::{BodySummary, CHECKPOINT, Summary};
-use aero::run::{Destination, RunError, Stopwatch, run_any};
-use aero::scene::Scene;
+use aero::run::{Destination, RunError, Stopwatch};
 use clap::Args;
 
 use super::interrupt::Interrupt;
-use super::progress::Display;
+use super::scene::{SceneArgs, checked, folder, run_watched, tell};
 use super::{CommandError, on_threads};
 
 /// What `aero run` takes.
 #[derive(Args, Debug)]
 pub struct RunArgs {
-    /// Scene file (TOML)
-    scene: PathBuf,
+    #[command(flatten)]
+    scene: SceneArgs,
     /// Folder for the results; `out/NAME` unless given
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Override a value of the scene; may be given many times
-    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
-    set: Vec<String>,
-    /// Number of threads; all processors unless given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    threads: Option<u16>,
     /// Go on from the last checkpoint in the folder, where there is one
     #[arg(long)]
     resume: bool,
+    /// Write over what a run of another scene has left in the folder
+    #[arg(long)]
+    overwrite: bool,
 }
 
 /// Runs a scene.
 pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     let stopwatch = Stopwatch::start();
-    let mut scene = Scene::load(&args.scene).map_err(CommandError::wrong)?;
-    for setting in &args.set {
-        scene.set(setting).map_err(CommandError::wrong)?;
-    }
-    let out = match &args.out {
-        Some(folder) => folder.clone(),
-        None => Path::new("out").join(scene.name()),
-    };
+    let scene = args.scene.load()?;
+    let out = folder(args.out.as_ref(), scene.name());
     if args.resume && !out.join(CHECKPOINT).exists() {
         if out.join("summary.json").exists() {
             println!(
@@ -60,11 +50,10 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
         folder: &out,
         scene: &scene_lines,
         resume: args.resume,
+        overwrite: args.overwrite,
     };
-    on_threads(args.threads, || {
-        let case = scene.build_any().map_err(CommandError::wrong)?;
-        let case = case.checked().map_err(CommandError::wrong)?;
-        run_case(case, destination, stopwatch)
+    on_threads(args.scene.threads, || {
+        run_case(checked(&scene)?, destination, stopwatch)
     })
 }
 
@@ -73,16 +62,9 @@ fn run_case(
     destination: Destination<'_>,
     stopwatch: Stopwatch,
 ) -> Result<(), CommandError> {
-    for line in case.remarks() {
-        eprintln!("{line}");
-    }
+    tell(&case);
     let interrupt = Interrupt::listen()?;
-    let mut display = Display::of_run();
-    let result = run_any(case, destination, stopwatch, &mut |progress| {
-        display.show(progress);
-        interrupt.wish()
-    });
-    display.finish();
+    let result = run_watched(case, destination, stopwatch, &interrupt, None);
     let folder = destination.folder.display();
     let go_on = if destination.folder.join(CHECKPOINT).exists() {
         "; the last checkpoint is kept: go on from it with `--resume`"
@@ -105,7 +87,9 @@ fn run_case(
             )))
         }
         Err(RunError::Output(error)) => Err(CommandError::failed(format!("{error}{go_on}"))),
-        Err(error @ (RunError::SetUp(_) | RunError::Resume(_))) => Err(CommandError::wrong(error)),
+        Err(error @ (RunError::SetUp(_) | RunError::Resume(_) | RunError::Occupied(_))) => {
+            Err(CommandError::wrong(error))
+        }
     }
 }
 

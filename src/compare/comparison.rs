@@ -171,6 +171,11 @@ impl<'a, P> Flow<'a, P> {
         self.outcome.summary.leaked as f64
     }
 
+    /// How often walls sent gas back that a step had carried into them.
+    pub fn returned(&self) -> f64 {
+        self.outcome.summary.returned as f64
+    }
+
     /// The end of another scene's run with the settings of this one.
     pub fn run_also(&self, scene: Source) -> Result<Outcome, CompareError> {
         scene.run(self.settings, Keep::End, self.context)

@@ -10,12 +10,15 @@ pub mod cone;
 mod context;
 pub mod cylinder;
 mod double_mach;
+mod duct;
+mod expansion;
 mod nozzle;
 mod profiles;
 mod report;
 mod row;
 pub mod scenes;
 pub mod sod;
+mod sound;
 mod sphere;
 mod square;
 mod stability;
@@ -36,17 +39,20 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 11] = [
+static CASES: [Case; 14] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
     ("nozzle", &[&nozzle::NOZZLE]),
+    ("duct", &[&duct::DUCT]),
+    ("sound", &[&sound::SOUND]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
-    ("sphere", &[&sphere::SPHERE]),
+    ("expansion", &[&expansion::EXPANSION]),
+    ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),
 ];
 

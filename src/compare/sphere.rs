@@ -1,6 +1,8 @@
 //! The sphere at Mach 3 in three dimensions against Billig's bow shock, and its tessellation against
 //! itself.
 
+mod rings;
+
 use aero::run::{Keep, Outcome};
 use aero_validation::exact::billig::{BowShock, Nose};
 use aero_validation::exact::normal::{normal_shock, pitot_pressure_ratio};
@@ -11,6 +13,7 @@ use super::context::CompareError;
 use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant::Variant;
+pub use rings::RINGS;
 
 const TESSELLATED: Source = scene!("sphere-stl");
 const MACH: f64 = 3.0;

@@ -136,8 +136,11 @@ fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
     let corner = &flow.variant.own;
     if !corner.is_tight {
         let source = "leaks (Villodi & Ramachandran 2024, fig. 2a)";
-        let row = Row::informs("particles in the wall", source, flow.leaked(), 0.0);
-        return Ok(vec![row]);
+        let quantity = "times that the wall sent gas back";
+        return Ok(vec![
+            Row::informs("particles in the wall", source, flow.leaked(), 0.0),
+            Row::informs(quantity, source, flow.returned(), 0.0),
+        ]);
     }
     let shock = corner.shock()?;
     let found = Measured::new(flow, &shock)?;

@@ -6,12 +6,13 @@ use super::error::OutputError;
 use super::vtp::Cloud;
 use aero_solver::frame::PanelFrame;
 
-/// Writes the surfaces; the force on each body is the sum of `-pressure area normal` over its cells.
+/// Writes the surfaces; the force on each body is the sum of `(friction - pressure normal) area` over its cells.
 pub fn write_surface(path: &Path, surface: &PanelFrame) -> Result<(), OutputError> {
     Cloud::of_cells(surface.corners, &surface.points)
         .vectors("normal", &surface.normal)
         .scalars("pressure", &surface.pressure[..])
         .scalars("pressure_coefficient", &surface.pressure_coefficient[..])
+        .vectors("friction", &surface.friction)
         .scalars("mach", &surface.mach[..])
         .scalars("area", &surface.area[..])
         .scalars("body", &surface.body[..])

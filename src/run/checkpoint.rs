@@ -6,6 +6,7 @@ use std::path::Path;
 use serde::{Deserialize, Serialize};
 
 use super::steady::Monitor;
+use super::swing::Swing;
 use super::tally::Sums;
 use crate::output::{self, CheckpointError};
 use aero_solver::FlowMemory;
@@ -17,6 +18,7 @@ pub(super) struct Checkpoint<'a, const D: usize> {
     pub(super) sums: Sums,
     pub(super) pace: Pace,
     pub(super) monitor: Option<Monitor>,
+    pub(super) swing: Swing,
 }
 
 /// What has been written up to a checkpoint.

@@ -16,6 +16,9 @@ pub enum RunError {
         /// The run up to there.
         summary: Box<Summary>,
     },
+    /// The folder is taken.
+    #[error("{0}")]
+    Occupied(String),
     /// A file cannot be written.
     #[error(transparent)]
     Output(#[from] OutputError),

@@ -3,7 +3,9 @@
 
 mod burst;
 mod checkpoint;
+mod claim;
 mod coefficients;
+mod destination;
 mod error;
 mod outcome;
 mod progress;
@@ -11,13 +13,15 @@ mod recorder;
 mod settle;
 mod steady;
 mod stopwatch;
+mod swing;
 mod tally;
 mod to_folder;
 mod under_way;
 
 pub use burst::{Burst, burst};
+pub use destination::Destination;
 pub use error::RunError;
 pub use outcome::{History, Keep, Outcome, run_in_memory};
 pub use progress::Progress;
 pub use stopwatch::Stopwatch;
-pub use to_folder::{Destination, run_any};
+pub use to_folder::run_any;

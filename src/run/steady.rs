@@ -174,7 +174,8 @@ impl Window {
         window
     }
 
-    fn new(from: f64, bodies: usize) -> Self {
+    /// An empty one.
+    pub(super) fn new(from: f64, bodies: usize) -> Self {
         Self {
             from,
             impulse: vec![[0.0; 3]; bodies],
@@ -184,7 +185,8 @@ impl Window {
         }
     }
 
-    fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
+    /// Adds what there is now, weighted by `dt`.
+    pub(super) fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
         self.duration += dt;
         let sums = self.impulse.iter_mut().zip(&mut self.square);
         let sums = sums.zip(&mut self.turn);

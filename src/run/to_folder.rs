@@ -1,9 +1,10 @@
 //! A run that writes frames, history, checkpoints and summary into a folder.
 
 use std::ops::ControlFlow;
-use std::path::Path;
 
 use super::checkpoint;
+use super::claim::Claim;
+use super::destination::Destination;
 use super::error::RunError;
 use super::progress::Progress;
 use super::recorder::FileRecorder;
@@ -11,17 +12,6 @@ use super::stopwatch::Stopwatch;
 use super::under_way::UnderWay;
 use crate::case::{AnyCase, Case};
 use crate::output::{self, CheckpointError, Summary};
-
-/// Where a run writes, and whether it goes on from what is there.
-#[derive(Clone, Copy, Debug)]
-pub struct Destination<'a> {
-    /// Folder for frames, history, summary and checkpoint.
-    pub folder: &'a Path,
-    /// All values that the run depends on, one per line.
-    pub scene: &'a str,
-    /// Go on from the checkpoint, where there is one.
-    pub resume: bool,
-}
 
 /// Runs a case of any dimension to its end on the current thread pool, with frames, history,
 /// checkpoints and summary in a folder.
@@ -53,6 +43,7 @@ fn run<const D: usize>(
 ) -> Result<Summary, RunError> {
     let Destination { folder, scene, .. } = destination;
     output::make_folder(folder)?;
+    let _claim = Claim::new(&destination)?;
     let earlier = if destination.resume {
         checkpoint::read(folder, scene)?
     } else {
@@ -65,6 +56,7 @@ fn run<const D: usize>(
         under_way.finish(&mut recorder)
     } else {
         let mut recorder = FileRecorder::create(folder, &case, scene, watch)?;
+        Claim::note(&destination)?;
         UnderWay::start(case, &mut recorder, stopwatch)?.finish(&mut recorder)
     };
     let summary = match &result {

@@ -5,6 +5,7 @@ use super::error::RunError;
 use super::recorder::Recorder;
 use super::steady::Monitor;
 use super::stopwatch::Stopwatch;
+use super::swing::Swing;
 use super::tally::Tally;
 use crate::case::{Case, RunPlan, Stop};
 use crate::output::Summary;
@@ -39,6 +40,8 @@ pub(super) struct UnderWay<const D: usize> {
     pace: Pace,
     /// Only where the run may end early.
     monitor: Option<Monitor>,
+    /// Of a flow that settles.
+    pub(super) swing: Swing,
 }
 
 impl<const D: usize> UnderWay<D> {
@@ -55,6 +58,7 @@ impl<const D: usize> UnderWay<D> {
         recorder.frame(&simulation)?;
         let this = Self {
             tally: Tally::start(&plan, &simulation, stopwatch),
+            swing: Swing::new(simulation.problem().bodies.len()),
             plan,
             simulation,
             pace: Pace {
@@ -82,6 +86,7 @@ impl<const D: usize> UnderWay<D> {
             simulation,
             pace: checkpoint.pace,
             monitor: checkpoint.monitor,
+            swing: checkpoint.swing,
         })
     }
 
@@ -91,6 +96,7 @@ impl<const D: usize> UnderWay<D> {
             sums: self.tally.sums(),
             pace: self.pace,
             monitor: self.monitor.clone(),
+            swing: self.swing.clone(),
         }
     }
 

@@ -3,8 +3,9 @@
 use aero_geometry::{Bounds, Vector};
 
 use super::error::SceneError;
-use super::file::{MotionWord, SceneFile, SidesEntry};
+use super::file::{SceneFile, SidesEntry};
 use super::vector::{AXES, vector};
+use super::words::MotionWord;
 use aero_solver::layers;
 use aero_solver::problem::{Domain, Side};
 

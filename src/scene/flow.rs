@@ -7,6 +7,7 @@ use super::file::{SceneFile, StateEntry};
 use super::number::Gamma;
 use super::vector::{AXES, vector_or_zero};
 use super::{earlier, field, stream};
+use crate::case::Stop;
 use aero_solver::problem::{Domain, Initial, Side, State};
 
 /// Ratio of specific heats of a diatomic gas.
@@ -41,6 +42,36 @@ pub(super) fn free_stream<const D: usize>(
     }
 }
 
+/// When the run ends: as the scene says, or, of one that stops by itself, when the stream has crossed the box many times.
+pub(super) fn end_time<const D: usize>(
+    file: &SceneFile,
+    stop: Stop,
+    domain: &Domain<D>,
+    free_stream: &State<D>,
+) -> Result<f64, SceneError> {
+    /// A flow that is not steady by then will not be.
+    const CROSSINGS: f64 = 20.0;
+    match (file.end_time, stop) {
+        (Some(end), _) => Ok(end.get()),
+        (None, Stop::EndTime) => Err(SceneError::value(
+            "end_time",
+            "missing; say when the run ends, or add stop = \"steady\"",
+        )),
+        (None, Stop::Steady) => {
+            let size = domain.bounds.size();
+            let velocity = &free_stream.velocity;
+            let sound = (gamma(file) * free_stream.pressure / free_stream.density).sqrt();
+            let crossing = size.dot(&velocity.abs()) / velocity.norm_squared();
+            let crossing = if crossing.is_finite() {
+                crossing
+            } else {
+                size.max() / sound
+            };
+            Ok(CROSSINGS * crossing)
+        }
+    }
+}
+
 /// Refuses an inlet that the free stream does not flow in through.
 pub(super) fn check_inlets<const D: usize>(
     domain: &Domain<D>,
@@ -49,7 +80,7 @@ pub(super) fn check_inlets<const D: usize>(
     for k in 0..D {
         for (end, inward) in [(0, 1.0), (1, -1.0)] {
             let speed = inward * free_stream.velocity[k];
-            if domain.sides[k][end] == Side::Inlet && speed <= 0.0 {
+            if domain.sides[k][end].is_inlet() && speed <= 0.0 {
                 let word = ["min", "max"][end];
                 return Err(SceneError::value(
                     format!("domain.sides.{}_{word}", AXES[k]),
@@ -74,7 +105,7 @@ pub(super) fn check_reservoir<const D: usize>(
     let entrances = entrances.count();
     for k in 0..D {
         for (end, inward) in [(0, 1.0), (1, -1.0)] {
-            if domain.sides[k][end] != Side::Reservoir {
+            if !matches!(domain.sides[k][end], Side::Reservoir { .. }) {
                 continue;
             }
             let place = format!("domain.sides.{}_{}", AXES[k], ["min", "max"][end]);

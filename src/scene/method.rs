@@ -1,9 +1,10 @@
 //! What carries the gas, from `[scheme]`.
 
 use super::SceneError;
-use super::file::{MotionWord, SchemeEntry};
+use super::file::SchemeEntry;
+use super::words::MotionWord;
 use crate::case::Stop;
-use aero_solver::method::{FixedPoints, Method, Refine, Time};
+use aero_solver::method::{FixedPoints, Method, Time};
 
 /// The method that `entry` means in a run that ends by `stop`.
 pub(super) fn method(entry: &SchemeEntry, stop: Stop) -> Result<Method, SceneError> {
@@ -13,9 +14,22 @@ pub(super) fn method(entry: &SchemeEntry, stop: Stop) -> Result<Method, SceneErr
             Stop::EndTime => Time::Accurate,
             Stop::Steady => Time::Settle,
         };
+        let time = entry.time.map_or(usual, Into::into);
+        let usual = FixedPoints::default();
+        let cfl = match (entry.cfl, time) {
+            (None, _) => usual.cfl,
+            (Some(cfl), Time::Accurate) => cfl.get(),
+            (Some(_), Time::Settle) => {
+                return Err(SceneError::value(
+                    "scheme.cfl",
+                    "is of steps in time, and this flow settles without; leave it out, or set `scheme.time = \"accurate\"`",
+                ));
+            }
+        };
         return Ok(Method::Fixed(FixedPoints {
-            time: entry.time.map_or(usual, Into::into),
-            refine: entry.refine.map_or(Refine::default(), |refine| refine.0),
+            time,
+            refine: entry.refine.map_or(usual.refine, |refine| refine.0),
+            cfl,
         }));
     }
     let of_points = [
@@ -49,6 +63,7 @@ fn check_particle_keys(entry: &SchemeEntry) -> Result<(), SceneError> {
             entry.limited_conduction.is_some(),
         ),
         ("scheme.surface_tags", entry.surface_tags.is_some()),
+        ("scheme.skip_undisturbed", entry.skip_undisturbed.is_some()),
         ("scheme.precision", entry.precision.is_some()),
     ];
     refuse(

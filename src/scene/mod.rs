@@ -62,6 +62,7 @@ pub mod side;
 pub mod spin;
 mod stream;
 mod vector;
+mod words;
 
 pub use bodies::{BodyPlan, PackWishes};
 pub use error::SceneError;
@@ -72,8 +73,9 @@ use crate::case::{AnyCase, Case, RunPlan, Stop};
 use aero_solver::gas::Gas;
 use aero_solver::problem::Problem;
 use aero_solver::scheme::Scheme;
-use file::{SceneFile, SchemeEntry, SchemeName};
+use file::{SceneFile, SchemeEntry};
 use number::Disorder;
+use words::SchemeName;
 
 /// A scene: read, with all single values in range, and open to overrides.
 #[derive(Clone, Debug)]
@@ -178,8 +180,9 @@ impl Scene {
         flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
         axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
-        let output = output::plan(&file.output, file.end_time.get())?;
         let stop = file.stop.map_or(Stop::EndTime, Into::into);
+        let end_time = flow::end_time(file, stop, &domain, &free_stream)?;
+        let output = output::plan(&file.output, end_time)?;
         let method = method::method(&file.scheme, stop)?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
         let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;
@@ -203,7 +206,7 @@ impl Scene {
             problem,
             plan: RunPlan {
                 name: self.name.clone(),
-                end_time: file.end_time.get(),
+                end_time,
                 stop,
                 incidence: incidence(file),
                 warnings: None,

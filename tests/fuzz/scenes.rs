@@ -75,6 +75,7 @@ pub fn try_scene(text: &str, setting: Option<&str>, folder: &Path) -> Result<Fat
         folder,
         scene: "",
         resume: false,
+        overwrite: true,
     };
     let mut stop = |_| ControlFlow::Break(());
     Ok(match run_any(case, place, Stopwatch::start(), &mut stop) {

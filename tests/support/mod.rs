@@ -51,10 +51,14 @@ impl Workplace {
         }
     }
 
-    /// Runs a scene given as text.
+    /// Runs a scene given as text, over what an earlier one has left.
     pub fn run(&self, scene: &str, more: &[&str]) -> Answer {
         self.write("scene.toml", scene);
-        let arguments = [&["run", "scene.toml", "--out", "results"], more].concat();
+        let arguments = [
+            &["run", "scene.toml", "--out", "results", "--overwrite"],
+            more,
+        ]
+        .concat();
         self.aero(&arguments)
     }
 

@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use super::edges::{half_edges, neighbours};
+use super::edges::half_edges;
+use super::neighbours::neighbours;
 use super::pinches::Pinches;
 use super::slivers::is_sliver;
 use super::smooth::{Smooth, vertex_normals};

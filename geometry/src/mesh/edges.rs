@@ -2,9 +2,6 @@
 
 use rayon::prelude::*;
 
-use super::wedges::wedges;
-use super::weld::Indexed;
-
 /// No triangle on the other side.
 pub(super) const NONE: u32 = u32::MAX;
 
@@ -66,19 +63,8 @@ pub(super) fn in_pairs(facets: &[[u32; 3]], half_edges: &[HalfEdge]) -> Vec<[u32
     across
 }
 
-/// The triangle across each edge of each triangle of an oriented surface. Where more than two meet,
-/// those that bound one wedge of the solid are neighbours.
-pub(super) fn neighbours(mesh: &Indexed, half_edges: &[HalfEdge]) -> Vec<[u32; 3]> {
-    let mut across = in_pairs(&mesh.facets, half_edges);
-    for group in by_edge(half_edges).filter(|group| group.len() > 2) {
-        for [a, b] in wedges(mesh, group) {
-            join(&mut across, &a, &b);
-        }
-    }
-    across
-}
-
-fn join(across: &mut [[u32; 3]], a: &HalfEdge, b: &HalfEdge) {
+/// Makes two half-edges' triangles neighbours.
+pub(super) fn join(across: &mut [[u32; 3]], a: &HalfEdge, b: &HalfEdge) {
     across[a.facet as usize][a.edge as usize] = b.facet;
     across[b.facet as usize][b.edge as usize] = a.facet;
 }

@@ -1,6 +1,7 @@
 //! One orientation for the whole surface: outwards, and inwards around cavities.
 
-use super::edges::{HalfEdge, NONE, by_edge, half_edges, in_pairs, neighbours};
+use super::edges::{HalfEdge, NONE, by_edge, half_edges, in_pairs};
+use super::neighbours::neighbours;
 use super::openings::Caps;
 use super::weld::Indexed;
 use super::{facing, holes, patches};

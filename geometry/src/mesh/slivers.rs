@@ -3,7 +3,8 @@
 
 use std::collections::HashSet;
 
-use super::edges::{NONE, half_edges, neighbours};
+use super::edges::{NONE, half_edges};
+use super::neighbours::neighbours;
 use super::weld::Indexed;
 
 /// Rounds of flipping; a needle may need several where many lie side by side.

@@ -6,7 +6,6 @@
 //! of what is nearest to it: `V = t dx^2` on a plate of thickness `t`. So a fin is covered however thin it is.
 
 mod ball;
-mod room;
 mod seats;
 mod sites;
 mod spread;
@@ -15,14 +14,13 @@ use aero_geometry::Vector;
 use rayon::prelude::*;
 
 pub(crate) use ball::chord;
-pub(crate) use room::room_inside;
 
 use crate::PackError;
 use crate::cloud::{Cloud, Lock};
 use crate::nearest::Nearest;
 use crate::plan::Plan;
 use crate::surface::Sample;
-use crate::thin::{THINNEST, Thinnest};
+use crate::thinnest::{THINNEST, Thinnest};
 use sites::{Site, sites};
 use spread::spread;
 
@@ -131,6 +129,3 @@ const EDGE: f64 = 2.5;
 
 /// Least volume of a ghost, of a full one's.
 const LEAST_VOLUME: f64 = 1e-3;
-
-/// A piece of a thin part: its centre and volume.
-pub(crate) type Bit<const D: usize> = (Vector<D>, f64);

@@ -3,11 +3,10 @@
 use aero_geometry::Vector;
 use rayon::prelude::*;
 
-use super::Bit;
 use super::ball::{chord, climbed};
-use super::room::layers_with_room;
 use crate::nearest::Nearest;
-use crate::plan::Plan;
+use crate::plan::{Bit, Plan};
+use crate::room_inside::layers_with_room;
 use crate::surface::Sample;
 
 /// Thickness, in spacings, from which two rows fit better than one.

@@ -12,6 +12,10 @@ const TOLERANCE: f64 = 1e-3;
 /// Steps of a ray; one along a wall takes many and finds no exit.
 const RAY_STEPS: usize = 60;
 
+/// A foot is found to this many spacings: what is seen from it decides by where it lies, and is to be its own mirror image where
+/// the body is.
+const FOOT_TOLERANCE: f64 = 1e-9;
+
 /// Steps of the search for a foot; on a flat face one is enough.
 const FOOT_STEPS: usize = 20;
 
@@ -137,6 +141,7 @@ pub fn foot_on<const D: usize>(
     let lift = LIFT * spacing;
     let mut direction = guess.normal;
     let mut depth = guess.depth(point);
+    let mut found = None;
     for _ in 0..FOOT_STEPS {
         let seen = shape.closest(&(point + direction * (depth + lift)));
         if seen.distance <= 0.0 || seen.normal.dot(&guess.normal) < -APART {
@@ -145,11 +150,16 @@ pub fn foot_on<const D: usize>(
         let arm = seen.point - point;
         direction = seen.normal;
         depth = arm.dot(&direction);
-        if (arm - direction * depth).norm() < TOLERANCE * spacing {
-            return (!is_edge(shape, &seen, spacing)).then(|| Foot::of(&seen));
+        let off = (arm - direction * depth).norm();
+        if off < TOLERANCE * spacing {
+            found = Some(seen);
+        }
+        if off < FOOT_TOLERANCE * spacing {
+            break;
         }
     }
-    None
+    let seen = found?;
+    (!is_edge(shape, &seen, spacing)).then(|| Foot::of(&seen))
 }
 
 /// True where the closest point lies on an edge: the solid below it is shallower than below a smooth surface.
@@ -160,7 +170,8 @@ pub fn is_edge<const D: usize>(shape: &dyn Shape<D>, seen: &Closest<D>, spacing:
 }
 
 impl<const D: usize> Foot<D> {
-    fn of(seen: &Closest<D>) -> Self {
+    /// Where a point was seen to be closest.
+    pub fn of(seen: &Closest<D>) -> Self {
         Self {
             point: seen.point,
             normal: seen.normal,

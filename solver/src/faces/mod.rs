@@ -18,9 +18,9 @@ use aero_geometry::{Bounds, Shape, Vector};
 use serde::{Deserialize, Serialize};
 
 use super::walls::rigid::Pose;
-use across::is_edge;
 use numbers::Numbers;
 
+pub use across::{Foot, foot_on, is_edge};
 pub use sights::part_thin_sides;
 pub use views::{ThinParts, View, thin_parts};
 

@@ -1,6 +1,6 @@
 //! Numbers of the faces of thin parts: one bit each.
 
-use aero_geometry::Vector;
+use aero_geometry::{Shape, Vector};
 
 use super::across::Across;
 use super::{FaceSet, NOWHERE};
@@ -29,11 +29,15 @@ pub struct Numbers<const D: usize> {
 const FLAT: f64 = 0.75;
 
 impl<const D: usize> Numbers<D> {
-    /// Finds the pairs of opposite faces among `crossings` and numbers them from `first` on; returns the
+    /// Finds the pairs of opposite faces among `crossings` of `shape` and numbers them from `first` on; returns the
     /// pairs too. Past the last bit faces stay without a number.
-    pub fn new(crossings: &[Across<D>], first: usize) -> (Self, Vec<[u32; 2]>) {
+    pub fn new(
+        shape: &dyn Shape<D>,
+        crossings: &[Across<D>],
+        first: usize,
+    ) -> (Self, Vec<[u32; 2]>) {
         let mut numbers = Self {
-            frames: frames(crossings),
+            frames: frames(shape, crossings),
             bits: Vec::new(),
         };
         let mut pairs: Vec<([Key; 2], [usize; 2])> = Vec::new();
@@ -93,8 +97,11 @@ impl<const D: usize> Numbers<D> {
     }
 }
 
-/// A frame for each face that is its own opposite.
-fn frames<const D: usize>(crossings: &[Across<D>]) -> Vec<(u32, Matrix<D>)> {
+/// A mirror plane whose normal has more than this along the way across a part is across that way itself.
+const ACROSS: f64 = 0.7;
+
+/// A frame for each face that is its own opposite, its own mirror image where the body is.
+fn frames<const D: usize>(shape: &dyn Shape<D>, crossings: &[Across<D>]) -> Vec<(u32, Matrix<D>)> {
     let mut thinnest: Vec<(u32, f64, Vector<D>)> = Vec::new();
     for crossing in crossings {
         let (near, far) = (&crossing.near, &crossing.far);
@@ -102,20 +109,52 @@ fn frames<const D: usize>(crossings: &[Across<D>]) -> Vec<(u32, Matrix<D>)> {
             continue;
         }
         let thickness = (near.point - far.point).norm();
+        // Both faces may lean towards a tip: the way across is between their normals.
+        let across = near.normal - far.normal;
         match thinnest.iter_mut().find(|(face, ..)| *face == near.face) {
-            Some((_, least, normal)) if thickness < *least => {
-                (*least, *normal) = (thickness, near.normal);
+            Some((_, least, way)) if thickness < *least => {
+                (*least, *way) = (thickness, across);
             }
             Some(_) => {}
-            None => thinnest.push((near.face, thickness, near.normal)),
+            None => thinnest.push((near.face, thickness, across)),
         }
     }
+    let planes = shape.mirror_planes();
     thinnest
         .into_iter()
-        .map(|(face, _, normal)| {
-            let mut rows = vec![normal];
-            rows.extend(tangents(&normal));
-            (face, Matrix::from_fn(|a, b| rows[a][b]))
+        .filter_map(|(face, _, across)| {
+            let way = mirrored(across.try_normalize(f64::EPSILON)?, &planes)?;
+            let mut rows = vec![way];
+            rows.extend(tangents(&way));
+            Some((face, Matrix::from_fn(|a, b| rows[a][b])))
         })
         .collect()
+}
+
+/// A direction near `way` that each of the planes mirrors onto itself or its opposite.
+fn mirrored<const D: usize>(mut way: Vector<D>, planes: &[(usize, f64)]) -> Option<Vector<D>> {
+    for &(axis, _) in planes {
+        if way[axis].abs() > ACROSS {
+            return Some(Vector::from_fn(|k, _| if k == axis { 1.0 } else { 0.0 }));
+        }
+        way[axis] = 0.0;
+        way = way.try_normalize(f64::EPSILON)?;
+    }
+    Some(way)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_direction_is_along_or_across_each_mirror_plane() {
+        let way = Vector::<3>::new(-0.3, 0.6, 0.8).normalize();
+        let none = mirrored(way, &[]).expect("a direction");
+        assert_eq!(none, way);
+        let round = mirrored(way, &[(1, 0.0), (2, 0.0)]).expect("a direction");
+        assert_eq!(round, Vector::<3>::z());
+        let half = mirrored(Vector::<3>::new(0.8, 0.0, 0.6), &[(2, 0.0)]);
+        assert_eq!(half, Some(Vector::<3>::x()));
+    }
 }

@@ -58,7 +58,8 @@ pub fn thin_parts<const D: usize>(problem: &Problem<D>) -> Option<ThinParts<D>> 
     for (number, body) in problem.bodies.iter().enumerate() {
         parts.hidden.push(vec![0; body.ghosts.position.len()]);
         let crossings = crossings(body, problem.spacing);
-        let (numbers, pairs) = Numbers::new(&crossings, parts.faces.opposite.len());
+        let (numbers, pairs) =
+            Numbers::new(body.shape.as_ref(), &crossings, parts.faces.opposite.len());
         if pairs.is_empty() {
             continue;
         }

@@ -5,6 +5,7 @@ use super::build::{Built, built};
 use super::carry;
 use super::cells::Cells;
 use super::cloud::{Cloud, Place};
+use super::columns::Columns;
 use super::ground::{Ground, plot};
 use super::quiet::Quiet;
 use super::rebuild::rebuilt;
@@ -54,7 +55,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Adds and takes away points of an unsteady flow when it is time to.
     pub(super) fn adapt_marching(&mut self) -> Result<(), Failure> {
-        let is_due = self.steps > 0 && self.steps.is_multiple_of(EVERY);
+        let is_due = self.tally.steps > 0 && self.tally.steps.is_multiple_of(EVERY);
         if is_due && self.ground.is_some() {
             self.adapt(Carry::Wholly)
                 .map_err(|reason| self.no_cells(reason))?;
@@ -67,7 +68,7 @@ impl<const D: usize> FixedSimulation<D> {
         if !ground.is_served(changes, LEAST_AROUND) {
             return false;
         }
-        if !self.steps.is_multiple_of(SELDOM) {
+        if !self.tally.steps.is_multiple_of(SELDOM) {
             return true;
         }
         let fewer = ground.heard(changes).len();
@@ -113,11 +114,15 @@ impl<const D: usize> FixedSimulation<D> {
             Carry::Roughly => {
                 let volumes: Vec<f64> = self.volumes();
                 let origins = carry::origins(&plot, [&ground.cloud, &cloud]);
-                mixed(&self.held, &volumes, &origins)
+                mixed(&self.columns.held, &volumes, &origins)
             }
             Carry::Wholly => {
                 let shares = carry::shares(&plot, &ground.cloud, &cloud, &same);
-                carry::carried(&self.held, [&self.volumes(), &cells.volumes], &shares)
+                carry::carried(
+                    &self.columns.held,
+                    [&self.volumes(), &cells.volumes],
+                    &shares,
+                )
             }
         };
         let is_new = |place: &&Place<D>| {
@@ -139,12 +144,8 @@ impl<const D: usize> FixedSimulation<D> {
     fn replace_cells(&mut self, cells: Cells<D>, held: Vec<Conserved<D>>) -> Result<(), String> {
         let net = Self::net(&cells, &self.problem)?;
         self.quiet = Quiet::of(&net, &self.problem);
-        self.states = held.iter().map(|held| held.primitive(&self.gas)).collect();
-        self.before.clone_from(&held);
-        self.held = held;
-        self.slopes = vec![super::Slopes::LEVEL; self.states.len()];
-        self.careful.clear();
-        self.pressures = super::pressures(&net, self.problem.free_stream.pressure);
+        let states = held.iter().map(|held| held.primitive(&self.gas)).collect();
+        self.columns = Columns::new(held, states, &net, self.problem.free_stream.pressure);
         self.points = cells.points;
         self.net = net;
         self.sweeps = None;
@@ -157,8 +158,8 @@ impl<const D: usize> FixedSimulation<D> {
             reason,
             particle: 0,
             position: [0.0; 3],
-            step: self.steps,
-            time: self.time,
+            step: self.tally.steps,
+            time: self.tally.time,
         }
     }
 

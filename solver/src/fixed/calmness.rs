@@ -1,4 +1,4 @@
-//! What a ratio of pressures says of the flux and the slopes at a face.
+//! What a ratio of pressures says of the flux and the slopes at a face, and of a wall.
 
 use super::real::Real;
 
@@ -14,6 +14,15 @@ const STRONGEST: f64 = 0.2;
 
 /// Ratio above which slopes are those of central differences.
 const NOT_STRONGEST: f64 = 0.4;
+
+/// Ratio of pressures between neighbours below which cells are too coarse for what happens in them.
+const COARSE: f64 = 0.9;
+
+/// From zero where waves go by within a cell or two to one where cells resolve them.
+#[inline(always)]
+pub fn resolution<R: Real>(calmness: R) -> R {
+    share(calmness, COARSE, WEAK)
+}
 
 /// From zero in strong shocks to one elsewhere: how much of the flux is HLLC's.
 #[inline(always)]

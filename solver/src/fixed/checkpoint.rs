@@ -10,6 +10,7 @@ use super::cells::Cells;
 use super::ground::Ground;
 use super::settle::Settling;
 use super::state::Conserved;
+use super::tally::Tally;
 use crate::problem::Problem;
 
 /// A flow between two steps; borrowed from it where it is only to be written.
@@ -34,17 +35,17 @@ impl<const D: usize> FixedSimulation<D> {
     /// What [`Self::resume_on`] needs to go on from here.
     pub fn memory(&self) -> FixedMemory<'_, D> {
         FixedMemory {
-            time: self.time,
-            steps: self.steps,
+            time: self.tally.time,
+            steps: self.tally.steps,
             points: Cow::Borrowed(&self.points),
             split: self.ground.as_ref().map(|ground| ground.levels.numbers()),
-            held: self.held.iter().flat_map(numbers).collect(),
-            received: numbers(&self.received).collect(),
-            pressures: Cow::Borrowed(&self.pressures),
+            held: self.columns.held.iter().flat_map(numbers).collect(),
+            received: numbers(&self.tally.received).collect(),
+            pressures: Cow::Borrowed(&self.columns.pressures),
             settling: Cow::Borrowed(&self.settling),
-            updates: self.updates,
-            min_density: self.min_density,
-            min_energy: self.min_energy,
+            updates: self.tally.updates,
+            min_density: self.tally.min_density,
+            min_energy: self.tally.min_energy,
         }
     }
 
@@ -86,15 +87,17 @@ impl<const D: usize> FixedSimulation<D> {
         let received = conserved(&memory.received);
         let states = held.iter().map(|held| held.primitive(&gas)).collect();
         let mut simulation = Self::from_states(cells, problem, states)?;
-        simulation.held = held;
-        simulation.time = memory.time;
-        simulation.steps = memory.steps;
-        simulation.received = received;
-        simulation.pressures = memory.pressures.into_owned();
+        simulation.columns.held = held;
+        simulation.columns.pressures = memory.pressures.into_owned();
         simulation.settling = memory.settling.into_owned();
-        simulation.updates = memory.updates;
-        simulation.min_density = memory.min_density;
-        simulation.min_energy = memory.min_energy;
+        simulation.tally = Tally {
+            time: memory.time,
+            steps: memory.steps,
+            updates: memory.updates,
+            received,
+            min_density: memory.min_density,
+            min_energy: memory.min_energy,
+        };
         Ok(simulation)
     }
 }

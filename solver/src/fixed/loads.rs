@@ -55,12 +55,12 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// What the gas received since the start: inflow minus outflow through open sides, and the impulse of walls.
     pub fn inflow(&self) -> Totals {
-        self.totals_of(&self.received)
+        self.totals_of(&self.tally.received)
     }
 
     /// All walls with the pressure on them.
     pub(super) fn walls(&self) -> impl Iterator<Item = (&Wall<D>, f64)> {
-        let blocks = self.net.blocks.iter().zip(&self.pressures);
+        let blocks = self.net.blocks.iter().zip(&self.columns.pressures);
         blocks.flat_map(|(block, pressures)| block.walls.iter().zip(pressures.iter().copied()))
     }
 }

@@ -6,6 +6,7 @@
 use rayon::prelude::*;
 
 use super::FixedSimulation;
+use super::columns::Columns;
 use super::fluxes::{Exchange, Flow, Gains};
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};
@@ -58,11 +59,12 @@ impl<const D: usize> FixedSimulation<D> {
     pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
         self.adapt_marching()?;
         self.wake();
-        self.careful.clear();
+        self.columns.careful.clear();
         let least = self.find_slopes();
-        let free = 2.0 * self.cfl * least;
-        let mut step = if self.time + free * (1.0 + 1e-9) >= limit {
-            limit - self.time
+        let points = self.problem.method.fixed().copied().unwrap_or_default();
+        let free = 2.0 * points.cfl * least;
+        let mut step = if self.tally.time + free * (1.0 + 1e-9) >= limit {
+            limit - self.tally.time
         } else {
             free
         };
@@ -70,12 +72,12 @@ impl<const D: usize> FixedSimulation<D> {
         let (mut halvings, mut retries) = (0, 0);
         while let Err(bad) = self.try_step(step) {
             self.restore();
-            let known = self.careful.len();
-            self.careful.extend(&bad);
-            self.careful.sort_unstable();
-            self.careful.dedup();
+            let known = self.columns.careful.len();
+            self.columns.careful.extend(&bad);
+            self.columns.careful.sort_unstable();
+            self.columns.careful.dedup();
             retries += 1;
-            if retries > RETRIES || self.careful.len() == known {
+            if retries > RETRIES || self.columns.careful.len() == known {
                 if halvings == HALVINGS {
                     return Err(self.failure(bad[0]));
                 }
@@ -85,13 +87,13 @@ impl<const D: usize> FixedSimulation<D> {
             }
             self.find_slopes();
         }
-        self.time = if limit - self.time == step {
+        self.tally.time = if limit - self.tally.time == step {
             limit
         } else {
-            self.time + step
+            self.tally.time + step
         };
-        self.steps += 1;
-        self.updates += self.awake_cells();
+        self.tally.steps += 1;
+        self.tally.updates += self.awake_cells();
         Ok(step)
     }
 
@@ -103,7 +105,7 @@ impl<const D: usize> FixedSimulation<D> {
         let second = self.stage(Stage { new: 0.5, step });
         self.find_states()?;
         let half = 0.5 * step;
-        self.received = self.received.plus(half, &first).plus(half, &second);
+        self.tally.received = self.tally.received.plus(half, &first).plus(half, &second);
         Ok(())
     }
 
@@ -119,12 +121,16 @@ impl<const D: usize> FixedSimulation<D> {
         let Self {
             gas,
             net,
-            states,
-            slopes: results,
             quiet,
-            careful,
+            columns,
             ..
         } = self;
+        let Columns {
+            states,
+            slopes: results,
+            careful,
+            ..
+        } = columns;
         let least: Vec<f64> = net
             .blocks
             .par_iter()
@@ -167,14 +173,18 @@ impl<const D: usize> FixedSimulation<D> {
             arch,
             gas,
             net,
+            quiet,
+            columns,
+            ..
+        } = self;
+        let Columns {
             states,
             slopes,
-            quiet,
             held,
             before,
             pressures,
             ..
-        } = self;
+        } = columns;
         let flow = Flow { states, slopes };
         net.blocks
             .par_iter()
@@ -226,12 +236,8 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Keeps the state for a step that fails, and for the second stage.
     fn keep(&mut self) {
-        let Self {
-            quiet,
-            held,
-            before,
-            ..
-        } = self;
+        let Self { quiet, columns, .. } = self;
+        let Columns { held, before, .. } = columns;
         before
             .par_chunks_mut(BLOCK)
             .zip(held.par_chunks(BLOCK))
@@ -247,11 +253,15 @@ impl<const D: usize> FixedSimulation<D> {
         let Self {
             gas,
             quiet,
+            columns,
+            ..
+        } = self;
+        let Columns {
             held,
             before,
             states,
             ..
-        } = self;
+        } = columns;
         for (block, quiet) in quiet.blocks.iter().enumerate() {
             if quiet.is_awake {
                 let cells = block * BLOCK..((block + 1) * BLOCK).min(held.len());
@@ -268,10 +278,10 @@ impl<const D: usize> FixedSimulation<D> {
         let Self {
             gas,
             quiet,
-            held,
-            states,
+            columns,
             ..
         } = self;
+        let Columns { held, states, .. } = columns;
         let Quiet { stream, blocks } = quiet;
         let found: Vec<Found> = states
             .par_chunks_mut(BLOCK)
@@ -305,9 +315,9 @@ impl<const D: usize> FixedSimulation<D> {
             return Err(bad);
         }
         for found in found {
-            self.min_density = self.min_density.min(found.min_density);
+            self.tally.min_density = self.tally.min_density.min(found.min_density);
             let energy = found.min_energy / self.gas.heat();
-            self.min_energy = self.min_energy.min(energy);
+            self.tally.min_energy = self.tally.min_energy.min(energy);
         }
         Ok(())
     }
@@ -316,7 +326,7 @@ impl<const D: usize> FixedSimulation<D> {
         let i = cell as usize;
         let Primitive {
             density, pressure, ..
-        } = self.states[i];
+        } = self.columns.states[i];
         Failure {
             reason: format!(
                 "a cell loses all of its density or pressure within the shortest step; it had a density of {density:.3e} and a \
@@ -324,8 +334,8 @@ impl<const D: usize> FixedSimulation<D> {
             ),
             particle: u64::from(cell),
             position: pad(&self.points[i]).into(),
-            step: self.steps,
-            time: self.time,
+            step: self.tally.steps,
+            time: self.tally.time,
         }
     }
 }

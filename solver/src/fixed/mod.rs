@@ -10,6 +10,7 @@ pub mod carry;
 pub mod cells;
 mod checkpoint;
 pub mod cloud;
+mod columns;
 mod cut;
 mod cut_cell;
 mod edges;
@@ -51,6 +52,7 @@ pub mod solids;
 mod stages;
 mod state;
 mod sweeps;
+mod tally;
 #[cfg(test)]
 pub(crate) mod tests;
 mod voronoi;
@@ -72,17 +74,15 @@ use crate::problem::Problem;
 use crate::scheme::Precision;
 use crate::vectors::Arch;
 use crate::walls::wall_sides;
+use columns::Columns;
 use gas::IdealGas;
 use ground::Ground;
 use net::Net;
 use quiet::Quiet;
 use sides::Beyond;
-use slopes::Slopes;
-use state::{Conserved, Primitive};
+use state::Primitive;
 use sweeps::Sweeps;
-
-/// Courant number of a marching step.
-const CFL: f64 = 0.8;
+use tally::Tally;
 
 /// A flow about points that stay where they are.
 #[derive(Debug)]
@@ -90,32 +90,16 @@ pub struct FixedSimulation<const D: usize> {
     problem: Problem<D>,
     gas: IdealGas,
     arch: pulp::Arch,
-    cfl: f64,
-    time: f64,
-    steps: u64,
     points: Vec<Vector<D>>,
     /// What the points came from, where more may come.
     ground: Option<Box<Ground<D>>>,
     net: Net<D>,
     quiet: Quiet<D>,
-    /// What cells hold per volume.
-    held: Vec<Conserved<D>>,
-    /// What they held at the start of the step.
-    before: Vec<Conserved<D>>,
-    states: Vec<Primitive<D>>,
-    slopes: Vec<Slopes<D>>,
-    /// Cells that this step takes in first order.
-    careful: Vec<u32>,
-    /// Pressure on each wall of each block at the last evaluation.
-    pressures: Vec<Vec<f64>>,
-    /// What came in through walls and sides so far.
-    received: Conserved<D>,
+    columns: Columns<D>,
+    tally: Tally<D>,
     settling: Settling,
     /// Links of the cells in the order of the flow, once it is to settle.
     sweeps: Option<Sweeps>,
-    updates: u64,
-    min_density: f64,
-    min_energy: f64,
     /// Made when somebody asks for them.
     panels: OnceLock<Panels<D>>,
 }
@@ -168,29 +152,18 @@ impl<const D: usize> FixedSimulation<D> {
         }
         let net = Self::net(&cells, &problem)?;
         let gas = IdealGas::of(&problem.gas);
-        let held: Vec<_> = states.iter().map(|state| state.conserved(&gas)).collect();
+        let held = states.iter().map(|state| state.conserved(&gas)).collect();
         let mut simulation = Self {
             arch: Arch::of_processor(Precision::Double)?.instructions,
-            gas,
-            cfl: CFL,
-            time: 0.0,
-            steps: 0,
             quiet: Quiet::of(&net, &problem),
-            before: held.clone(),
-            slopes: vec![Slopes::LEVEL; states.len()],
-            careful: Vec::new(),
-            pressures: pressures(&net, problem.free_stream.pressure),
+            columns: Columns::new(held, states, &net, problem.free_stream.pressure),
+            gas,
             points: cells.points,
             ground: None,
             net,
-            held,
-            states,
-            received: Conserved::ZERO,
+            tally: Tally::default(),
             settling: Settling::default(),
             sweeps: None,
-            updates: 0,
-            min_density: f64::INFINITY,
-            min_energy: f64::INFINITY,
             panels: OnceLock::new(),
             problem,
         };
@@ -236,12 +209,12 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Time reached.
     pub fn time(&self) -> f64 {
-        self.time
+        self.tally.time
     }
 
     /// Steps taken.
     pub fn steps(&self) -> u64 {
-        self.steps
+        self.tally.steps
     }
 
     /// What a value per radian counts all around an axis; one without.
@@ -260,12 +233,4 @@ impl<const D: usize> FixedSimulation<D> {
             .map(|(block, _)| block.cells.len() as u64)
             .sum()
     }
-}
-
-/// The same pressure on each wall of each block.
-fn pressures<const D: usize>(net: &Net<D>, pressure: f64) -> Vec<Vec<f64>> {
-    let blocks = net.blocks.iter();
-    blocks
-        .map(|block| vec![pressure; block.walls.len()])
-        .collect()
 }

@@ -107,7 +107,7 @@ impl<const D: usize> Stream<D> {
             || block
                 .sides
                 .iter()
-                .any(|s| matches!(s.beyond, Beyond::Reservoir(..)))
+                .any(|s| matches!(s.beyond, Beyond::Reservoir(_) | Beyond::Held(_)))
             || walls
                 .map(|wall| &wall.image)
                 .chain(mirrors.map(|side| &side.image))
@@ -121,20 +121,20 @@ impl<const D: usize> FixedSimulation<D> {
         let Some(stream) = self.quiet.stream else {
             return;
         };
-        let everywhere = vec![stream.state; self.states.len()];
-        let states = std::mem::replace(&mut self.states, everywhere);
+        let everywhere = vec![stream.state; self.columns.states.len()];
+        let states = std::mem::replace(&mut self.columns.states, everywhere);
         for rest in &mut self.quiet.blocks {
             rest.is_awake = true;
         }
         let reaches = self.find_reaches();
-        self.slopes.fill(Slopes::LEVEL);
+        self.columns.slopes.fill(Slopes::LEVEL);
         let boundaries = self.boundaries();
-        self.states = states;
+        self.columns.states = states;
         let blocks = self.quiet.blocks.iter_mut().zip(&self.net.blocks);
         for ((rest, block), (reach, boundary)) in blocks.zip(reaches.into_iter().zip(boundaries)) {
             rest.reach = reach;
             rest.boundary = boundary;
-            rest.is_quiet = stream.is_in(&self.states[block.cells.clone()]);
+            rest.is_quiet = stream.is_in(&self.columns.states[block.cells.clone()]);
         }
     }
 
@@ -149,7 +149,7 @@ impl<const D: usize> FixedSimulation<D> {
         for (rest, block) in self.quiet.blocks.iter_mut().zip(&self.net.blocks) {
             let is_awake = block.nearby.iter().any(|&near| disturbs[near as usize]);
             if rest.is_awake && !is_awake {
-                self.slopes[block.cells.clone()].fill(Slopes::LEVEL);
+                self.columns.slopes[block.cells.clone()].fill(Slopes::LEVEL);
             }
             rest.is_awake = is_awake;
         }

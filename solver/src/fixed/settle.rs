@@ -1,7 +1,7 @@
 //! Goes to the steady state, and tells when it is there.
 //!
 //! Forces, the mass of the gas and its centre are watched: the flow has settled once none of them has changed by more than a tolerance
-//! over a number of iterations. The residual is told, and not asked: a limiter may keep it cycling long after nothing changes.
+//! over a number of iterations, nor creeps on by more than that. The residual is told, and not asked: a limiter may keep it cycling long after nothing changes.
 
 use serde::{Deserialize, Serialize};
 
@@ -16,6 +16,12 @@ const FASTEST: f64 = 20.0;
 
 /// Iterations over which nothing may change.
 const WINDOW: usize = 20;
+
+/// Part of its range that a value that creeps goes on by in a window.
+const STRAIGHT: f64 = 0.9;
+
+/// Largest part of a window's way that the next is taken to go, so that what only seems to creep is not waited for for ever.
+const SLOWEST: f64 = 0.98;
 
 /// Largest change over a window, of a force relative to the largest one, of the mass, and of its centre relative to the domain.
 pub const TOLERANCE: f64 = 1e-4;
@@ -57,8 +63,8 @@ impl<const D: usize> FixedSimulation<D> {
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
         let courant = (1.0 + RAMP * self.settling.since as f64).min(FASTEST);
         let residual = self.sweep(courant)?;
-        self.steps += 1;
-        self.updates += self.awake_cells();
+        self.tally.steps += 1;
+        self.tally.updates += self.awake_cells();
         let watched = self.watched();
         let settling = &mut self.settling;
         settling.iterations += 1;
@@ -66,7 +72,7 @@ impl<const D: usize> FixedSimulation<D> {
         if settling.first == 0.0 {
             settling.first = residual;
         }
-        if settling.watched.len() > WINDOW {
+        if settling.watched.len() > 2 * WINDOW {
             settling.watched.remove(0);
         }
         settling.watched.push(watched);
@@ -119,18 +125,59 @@ impl<const D: usize> FixedSimulation<D> {
 }
 
 impl Settling {
-    /// Largest range of what was watched over a full window; infinite before.
+    /// Largest change of what was watched, see [`change`]; infinite before two windows are full.
     fn change(&self) -> f64 {
-        if self.watched.len() <= WINDOW {
+        if self.watched.len() <= 2 * WINDOW {
             return f64::INFINITY;
         }
-        let range = |k: usize| {
-            let each = self.watched.iter().map(|watched| watched[k]);
-            let (least, most) = each.fold((f64::INFINITY, f64::NEG_INFINITY), |(a, b), x| {
-                (a.min(x), b.max(x))
-            });
-            most - least
-        };
-        (0..self.watched[0].len()).map(range).fold(0.0, f64::max)
+        let count = self.watched[0].len();
+        let changes = (0..count).map(|k| {
+            let values: Vec<f64> = self.watched.iter().map(|watched| watched[k]).collect();
+            change(&values)
+        });
+        changes.fold(0.0, f64::max)
+    }
+}
+
+/// Range of the second half of `values`; more of one that creeps, all through both halves and one way: what is left of its way if
+/// each window goes on to take the same part of the one before.
+fn change(values: &[f64]) -> f64 {
+    let (first, second) = (&values[..=WINDOW], &values[WINDOW..]);
+    let range = |values: &[f64]| {
+        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+        most - least
+    };
+    let way = |values: &[f64]| values[values.len() - 1] - values[0];
+    let creeps = |values: &[f64]| way(values).abs() > STRAIGHT * range(values);
+    let (before, now) = (way(first), way(second));
+    if creeps(first) && creeps(second) && before * now > 0.0 {
+        let part = (now / before).min(SLOWEST);
+        range(second).max(now.abs() / (1.0 - part))
+    } else {
+        range(second)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn watched(value: impl Fn(f64) -> f64) -> Vec<f64> {
+        (0..=2 * WINDOW).map(|k| value(k as f64)).collect()
+    }
+
+    #[test]
+    fn what_creeps_is_far_from_where_it_goes() {
+        // Half a per cent of the way in each iteration: the rest of the way is what it is at the start of the second window.
+        let change = change(&watched(|k| (-0.005 * k).exp()));
+        let rest = (-0.005 * WINDOW as f64).exp();
+        assert!((change / rest - 1.0).abs() < 1e-9, "{change} {rest}");
+    }
+
+    #[test]
+    fn what_swings_changes_by_its_range() {
+        let change = change(&watched(|k| (1.3 * k).sin()));
+        assert!((1.9..=2.0).contains(&change), "{change}");
     }
 }

@@ -1,13 +1,13 @@
 //! Faces on the sides of the domain: what is beyond them, and what flows through.
 
 use super::cells::SideFace;
-use super::gas::{Gas, IdealGas};
+use super::gas::Gas;
 use super::hll::Jump;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Image;
 use crate::problem::{Problem, Side as SideKind};
-use crate::sides::{Place, Reservoir};
+use crate::sides::{Along, Held, Place, Reservoir};
 use aero_geometry::Vector;
 
 /// What is beyond a side.
@@ -19,8 +19,10 @@ pub enum Beyond<const D: usize> {
     Same,
     /// The mirror image.
     Mirror,
-    /// A reservoir, for a gas of this ratio of specific heats.
-    Reservoir(Reservoir, f64),
+    /// A reservoir.
+    Reservoir(Reservoir),
+    /// Gas that is held at a pressure.
+    Held(Held),
 }
 
 impl<const D: usize> Beyond<D> {
@@ -30,15 +32,25 @@ impl<const D: usize> Beyond<D> {
     /// Of a side that has no open faces.
     pub fn of(problem: &Problem<D>, axis: usize, end: usize) -> Result<Self, String> {
         let stream = Primitive::of(&problem.free_stream);
+        let face = problem.domain.face(axis, end);
+        let place = Place { axis, end, face };
         match problem.domain.sides[axis][end] {
-            SideKind::Inlet | SideKind::FreeStream => Ok(Self::Stream(stream)),
+            // The Riemann problem with the free stream lets sound out.
+            SideKind::Inlet | SideKind::SoftInlet | SideKind::FreeStream => {
+                Ok(Self::Stream(stream))
+            }
             SideKind::Outlet => Ok(Self::Same),
             SideKind::Symmetry | SideKind::Axis => Ok(Self::Mirror),
-            SideKind::Reservoir => {
-                let face = problem.domain.face(axis, end);
-                let reservoir = Reservoir::new(problem, Place { axis, end, face });
-                let gamma = IdealGas::of(&problem.gas).gamma;
-                Ok(Self::Reservoir(reservoir, gamma))
+            SideKind::Reservoir { relaxation } => {
+                let reservoir = Reservoir::new(problem, place, relaxation);
+                Ok(Self::Reservoir(reservoir))
+            }
+            SideKind::HeldOutlet {
+                pressure,
+                relaxation,
+            } => {
+                let held = Held::new(problem, place, pressure, relaxation);
+                Ok(Self::Held(held))
             }
             side @ (SideKind::Periodic | SideKind::Wall { .. } | SideKind::Body) => Err(format!(
                 "side {end} of axis {axis} is {side:?} and should have no open faces"
@@ -79,7 +91,7 @@ impl<const D: usize> Side<D> {
         match self.beyond {
             Beyond::Stream(state) => Some(state),
             Beyond::Mirror => Some(cell.mirrored(&self.image.normal)),
-            Beyond::Same | Beyond::Reservoir(..) => None,
+            Beyond::Same | Beyond::Reservoir(_) | Beyond::Held(_) => None,
         }
     }
 
@@ -100,17 +112,38 @@ impl<const D: usize> Side<D> {
                     energy: 0.0,
                 };
             }
-            Beyond::Reservoir(reservoir, gamma) => {
-                let sound = gas.sound_square(cell.density, cell.pressure).sqrt();
-                let wave = -dot(&cell.velocity, &normal) - 2.0 * sound / (gamma - 1.0);
-                let (speed, density, pressure) = reservoir.entering(wave, *gamma);
+            Beyond::Reservoir(reservoir) => {
+                let inside = along(cell, &normal.map(|n| -n));
+                let gas = reservoir.beyond(&inside, 2.0 * self.image.distance);
                 Primitive {
-                    density,
-                    velocity: normal.map(|n| -speed * n),
-                    pressure,
+                    density: gas.density,
+                    velocity: normal.map(|n| -gas.speed * n),
+                    pressure: gas.pressure,
+                }
+            }
+            Beyond::Held(held) => {
+                let inside = along(cell, &normal);
+                let outside = held.beyond(&inside, 2.0 * self.image.distance);
+                let mut velocity = cell.velocity;
+                for (u, n) in velocity.iter_mut().zip(&normal) {
+                    *u += (outside.speed - inside.speed) * n;
+                }
+                Primitive {
+                    density: outside.density,
+                    velocity,
+                    pressure: outside.pressure,
                 }
             }
         };
         Jump::new(gas, *cell, other, normal).hllc()
+    }
+}
+
+/// What of `state` moves along `normal`.
+fn along<const D: usize>(state: &Primitive<D>, normal: &[f64; D]) -> Along {
+    Along {
+        density: state.density,
+        speed: dot(&state.velocity, normal),
+        pressure: state.pressure,
     }
 }

@@ -26,11 +26,11 @@ impl<const D: usize> FixedSimulation<D> {
 
     fn frame_of(&self, is_shown: impl Fn(&Vector<D>) -> bool) -> Frame {
         let mut frame = Frame {
-            time: self.time,
-            step: self.steps,
+            time: self.tally.time,
+            step: self.tally.steps,
             ..Frame::default()
         };
-        for (i, (point, state)) in self.points.iter().zip(&self.states).enumerate() {
+        for (i, (point, state)) in self.points.iter().zip(&self.columns.states).enumerate() {
             if !is_shown(point) {
                 continue;
             }
@@ -65,7 +65,7 @@ impl<const D: usize> FixedSimulation<D> {
         let stream = &self.problem.free_stream;
         let dynamic_pressure = 0.5 * stream.density * stream.velocity.norm_squared();
         let mut surface = SurfaceFrame {
-            time: self.time,
+            time: self.tally.time,
             ..SurfaceFrame::default()
         };
         for (wall, pressure) in self.walls() {
@@ -73,6 +73,7 @@ impl<const D: usize> FixedSimulation<D> {
             let normal = -Vector::from(wall.image.normal);
             surface.normal.push(pad(&normal).into());
             surface.pressure.push(pressure);
+            surface.area.push(self.around() * wall.image.size);
             let over = pressure - stream.pressure;
             surface
                 .pressure_coefficient
@@ -89,7 +90,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// Conserved totals of the gas now.
     pub fn totals(&self) -> Totals {
         let mut sum = Conserved::ZERO;
-        for (i, held) in self.held.iter().enumerate() {
+        for (i, held) in self.columns.held.iter().enumerate() {
             sum = sum.plus(self.net.cell(i).volume, held);
         }
         self.totals_of(&sum)
@@ -114,7 +115,7 @@ impl<const D: usize> FixedSimulation<D> {
     pub fn mass_and_centre(&self) -> (f64, [f64; 3]) {
         let mut mass = 0.0;
         let mut moment = Vector::<D>::zeros();
-        for (i, (point, held)) in self.points.iter().zip(&self.held).enumerate() {
+        for (i, (point, held)) in self.points.iter().zip(&self.columns.held).enumerate() {
             let share = held.mass * self.net.cell(i).volume;
             mass += share;
             moment += point * share;
@@ -128,13 +129,13 @@ impl<const D: usize> FixedSimulation<D> {
         Statistics {
             fluid: self.points.len(),
             ghost: self.net.blocks.iter().map(|block| block.walls.len()).sum(),
-            particle_updates: self.updates,
+            particle_updates: self.tally.updates,
             neighbours_mean: 2.0 * faces as f64 / self.points.len() as f64,
             leaked: 0,
             returned: 0,
             mirror_fallbacks: 0,
-            min_density: self.min_density,
-            min_energy: self.min_energy,
+            min_density: self.tally.min_density,
+            min_energy: self.tally.min_energy,
         }
     }
 }

@@ -160,7 +160,7 @@ impl<const D: usize> FixedSimulation<D> {
                     let links = sweeps.links(place).iter();
                     let known =
                         links.filter_map(|link| Some((link, before.get(link.place as usize)?)));
-                    let gain = self.before[i].plus(-0.5, &self.neighbours(known));
+                    let gain = self.columns.before[i].plus(-0.5, &self.neighbours(known));
                     *change = Conserved::ZERO.plus(1.0 / (share * reaches[place]), &gain);
                 }
             });
@@ -182,7 +182,7 @@ impl<const D: usize> FixedSimulation<D> {
         for (change, &i) in changes.iter().zip(&sweeps.order) {
             let i = i as usize;
             if self.is_awake(i) {
-                self.held[i] = self.changed(i, change);
+                self.columns.held[i] = self.changed(i, change);
             }
         }
         self.sweeps = Some(sweeps);
@@ -198,7 +198,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Sum of wave speed times area over all faces of each cell that is awake, place by place.
     fn reaches(&self, sweeps: &Sweeps) -> Vec<f64> {
-        let mut ends = vec![0.0; self.held.len()];
+        let mut ends = vec![0.0; self.columns.held.len()];
         for (block, rest) in self.net.blocks.iter().zip(&self.quiet.blocks) {
             if !rest.is_awake {
                 continue;
@@ -206,7 +206,7 @@ impl<const D: usize> FixedSimulation<D> {
             let walls = block.walls.iter().map(|wall| (wall.i, &wall.image));
             let sides = block.sides.iter().map(|side| (side.i, &side.image));
             for (i, image) in walls.chain(sides) {
-                let state = &self.states[i as usize];
+                let state = &self.columns.states[i as usize];
                 let speed = dot(&state.velocity, &image.normal).abs() + self.sound(state);
                 ends[i as usize] += speed * image.size;
             }
@@ -217,7 +217,7 @@ impl<const D: usize> FixedSimulation<D> {
             if !self.is_awake(i) {
                 return 1.0;
             }
-            let state = &self.states[i];
+            let state = &self.columns.states[i];
             let sound = self.sound(state);
             let mut sum = ends[i];
             for link in sweeps.links(place) {
@@ -239,7 +239,7 @@ impl<const D: usize> FixedSimulation<D> {
         for (&i, reach) in sweeps.order.iter().zip(reaches) {
             let i = i as usize;
             if self.is_awake(i) {
-                let part = self.before[i].mass / (self.held[i].mass * reach);
+                let part = self.columns.before[i].mass / (self.columns.held[i].mass * reach);
                 sum += part * part;
                 count += 1.0;
             }
@@ -261,11 +261,11 @@ impl<const D: usize> FixedSimulation<D> {
             let j = link.cell as usize;
             let shape = &self.net.face_shapes[link.shape as usize];
             let area = scaled(&shape.area, link.sign);
-            let state = &self.states[j];
-            let held = self.held[j].plus(1.0, change);
+            let state = &self.columns.states[j];
+            let held = self.columns.held[j].plus(1.0, change);
             let changed = held.primitive(&self.gas);
             let speed = dot(&state.velocity, &area);
-            let before = state.flux(self.held[j].energy, speed, &area);
+            let before = state.flux(self.columns.held[j].energy, speed, &area);
             let after = changed.flux(held.energy, dot(&changed.velocity, &area), &area);
             let wave = speed.abs() + self.sound(state) * shape.size;
             sum = sum
@@ -278,9 +278,9 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// What cell `i` holds after its `change`, which is cut where it would take or give too much.
     fn changed(&self, i: usize, change: &Conserved<D>) -> Conserved<D> {
-        let held = &self.held[i];
+        let held = &self.columns.held[i];
         let mut part = (MOST * held.mass / change.mass.abs()).min(1.0);
-        let least = LEAST * self.states[i].pressure;
+        let least = LEAST * self.columns.states[i].pressure;
         for _ in 0..HALVINGS {
             let changed = held.plus(part, change);
             if changed.primitive(&self.gas).pressure > least {

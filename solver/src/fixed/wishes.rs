@@ -25,7 +25,7 @@ impl<const D: usize> FixedSimulation<D> {
             }
             for face in &block.faces {
                 let cells = [face.i as usize, face.j as usize];
-                let [a, b] = cells.map(|i| &self.states[i]);
+                let [a, b] = cells.map(|i| &self.columns.states[i]);
                 let density = (a.density - b.density).abs() / a.density.min(b.density);
                 let sounds =
                     [a, b].map(|state| self.gas.sound_square(state.density, state.pressure));

@@ -2,6 +2,7 @@
 //! the gas presses it with. What makes the pressure is in `press` for particles and in [`crate::fixed`] for points that stay.
 
 mod cut;
+pub(crate) mod fit;
 mod press;
 mod show;
 mod uniform;

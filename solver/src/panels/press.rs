@@ -2,9 +2,13 @@
 //!
 //! The force of a wall on a particle is the integral of the kernel's gradient over the solid, and so one of the kernel over its
 //! surface, `F = 2 p V sum_panels W n A` for a pressure `p` on both sides [Ferrand et al. 2013]: each panel's share is known, at
-//! edges, in corners and between bodies too. What the pair sums say otherwise, because pressure falls or rises towards the wall,
-//! gas is squeezed or shocked, is shared out among the same panels so that the force is the pair sums'. Panels thus show what the
-//! gas is held off with, smoothed over the kernel.
+//! edges and between bodies too. What the pair sums say otherwise, because pressure falls or rises towards the wall or gas is
+//! squeezed or shocked there, goes to the same panels: they show what the gas is held off with, pressure and viscous stress,
+//! smoothed over the kernel. What no pressure on them can make, because it is along them, is friction: that of the viscosity that
+//! shocks need, and what gas ahead of a tip holds it back with.
+//!
+//! Where another wall stands in front of a panel, as in a corner, less gas is there than in front of a plane wall; its share is
+//! scaled up by the part of the kernel that is solid, so that gas at rest shows its own pressure there too.
 
 use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::{Pencils, Vector};
@@ -21,14 +25,16 @@ use crate::sides::closed::Map;
 /// hardly bends it is not made one.
 const FLAT: f64 = 0.02;
 
-/// The same for a whole body: a slender one shows its drag by little else.
-const SLENDER: f64 = 1e-4;
+/// Most of a panel's front, of a kernel's half, that other walls may fill: what is left of a corner of 10 degrees.
+const MOST_FILLED: f64 = 0.95;
 
-/// Pressure and Mach number on a panel.
-#[derive(Clone, Copy, Debug, Default)]
-pub struct Pressed {
+/// What a panel is pressed with.
+#[derive(Clone, Copy, Debug)]
+pub struct Pressed<const D: usize> {
     /// Pressure.
     pub pressure: f64,
+    /// Force per area that no pressure makes.
+    pub friction: Vector<D>,
     /// Mach number of the gas in front.
     pub mach: f64,
 }
@@ -39,6 +45,8 @@ struct Seen<const D: usize> {
     centre: Vector<D>,
     normal: Vector<D>,
     size: f64,
+    /// Axes that the image turns, -1 there.
+    sign: Vector<D>,
     number: u32,
 }
 
@@ -55,49 +63,93 @@ struct Presser<const D: usize> {
     force: Option<Vector<D>>,
 }
 
-/// Pressure on each panel at the last evaluation.
-pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<Pressed> {
+/// What each panel is pressed with at the last evaluation.
+pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<Pressed<D>> {
     let pressers = pressers(flow);
-    let reach = pressers.iter().fold(0.0, |most: f64, p| most.max(p.reach));
+    let ghosts = flow.walls.own();
+    let of_ghosts = ghosts.iter().map(|g| SUPPORT * g.smoothing_length);
+    let reach = pressers.iter().map(|p| p.reach).chain(of_ghosts);
+    let reach = reach.fold(0.0, f64::max);
     let seen = seen(flow, panels, reach);
     let places: Vec<Vector<D>> = seen.iter().map(|seen| seen.centre).collect();
     let grid = Pencils::new(&places, reach.max(flow.problem.spacing));
-    let all: Vec<(Vec<Share>, Vector<D>)> = pressers
+    let met_by = |at: &Vector<D>, reach: f64| {
+        let mut met: Vec<Met<D>> = Vec::new();
+        grid.for_each_run_near(at, at, reach, |run| {
+            let run = grid.order()[run].iter().map(|&n| &seen[n as usize]);
+            met.extend(run.filter_map(|seen| seen.met(at, reach)));
+        });
+        met
+    };
+    let all: Vec<Vec<Share<D>>> = pressers
         .par_iter()
         .map(|presser| {
-            let mut met = Vec::new();
-            let at = &presser.position;
-            grid.for_each_run_near(at, at, presser.reach, |run| {
-                let run = grid.order()[run].iter().map(|&n| &seen[n as usize]);
-                met.extend(run.filter_map(|seen| seen.met(presser)));
-            });
+            let mut met = met_by(&presser.position, presser.reach);
             // Gas that has come into the wall presses what is near.
-            if met.iter().any(|met: &Met<D>| met.faces) {
+            if met.iter().any(|met| met.faces) {
                 met.retain(|met| met.faces);
             }
             shares(presser, &met)
         })
         .collect();
-    let mut sums = vec![[0.0; 4]; panels.all().len()];
-    for (presser, (shares, lost)) in pressers.iter().zip(&all) {
+    let solid: Vec<Vec<(u32, f64)>> = ghosts
+        .par_iter()
+        .map(|ghost| {
+            let met = met_by(&ghost.position, SUPPORT * ghost.smoothing_length);
+            let in_front = met.iter().filter(|met| met.faces);
+            let part = |met: &Met<D>| (met.number, met.kernel * ghost.volume);
+            in_front.map(part).collect()
+        })
+        .collect();
+    let none = Sum {
+        force: 0.0,
+        weight: 0.0,
+        mach: 0.0,
+        friction: Vector::zeros(),
+        solid: 0.0,
+    };
+    let mut sums = vec![none; panels.all().len()];
+    for (presser, shares) in pressers.iter().zip(&all) {
         for share in shares {
             let sum = &mut sums[share.number as usize];
-            sum[0] += share.force;
-            sum[1] += share.weight;
-            sum[2] += share.weight * presser.mach;
-            sum[3] += share.weight * lost.norm();
+            sum.force += share.force;
+            sum.weight += share.weight;
+            sum.mach += share.weight * presser.mach;
+            sum.friction += share.friction;
         }
     }
-    let lacking = lacking(flow, panels, &pressers, &all);
-    let regained = regained(flow, panels, &sums, &lacking);
-    let pressures = sums.iter().zip(panels.all());
-    pressures
-        .map(|(&[force, weight, mach, lost], panel)| Pressed {
-            pressure: force / panel.size
-                + regained[panel.owner as usize].dot(&panel.normal) * (lost / panel.size),
-            mach: if weight > 0.0 { mach / weight } else { 0.0 },
-        })
-        .collect()
+    for &(number, part) in solid.iter().flatten() {
+        sums[number as usize].solid += part;
+    }
+    let both = sums.iter().zip(panels.all());
+    both.map(|(sum, panel)| sum.pressed(panel.size)).collect()
+}
+
+/// What comes together on a panel.
+#[derive(Clone, Copy, Debug)]
+struct Sum<const D: usize> {
+    force: f64,
+    weight: f64,
+    /// Weighted.
+    mach: f64,
+    friction: Vector<D>,
+    /// Part of the kernel that is solid in front of it.
+    solid: f64,
+}
+
+impl<const D: usize> Sum<D> {
+    fn pressed(&self, size: f64) -> Pressed<D> {
+        let open = 1.0 - (2.0 * self.solid).min(MOST_FILLED);
+        Pressed {
+            pressure: self.force / size / open,
+            friction: self.friction / size,
+            mach: if self.weight > 0.0 {
+                self.mach / self.weight
+            } else {
+                0.0
+            },
+        }
+    }
 }
 
 /// A panel within reach of a particle.
@@ -105,6 +157,8 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
 struct Met<const D: usize> {
     number: u32,
     normal: Vector<D>,
+    sign: Vector<D>,
+    kernel: f64,
     /// Area times kernel.
     weight: f64,
     /// The particle is in front of it.
@@ -113,105 +167,58 @@ struct Met<const D: usize> {
 
 /// What a particle presses a panel with.
 #[derive(Clone, Copy, Debug)]
-struct Share {
+struct Share<const D: usize> {
     number: u32,
     force: f64,
     weight: f64,
+    /// As the panel itself sees it, no image.
+    friction: Vector<D>,
 }
 
 impl<const D: usize> Seen<D> {
     /// None out of the kernel's reach.
-    fn met(&self, presser: &Presser<D>) -> Option<Met<D>> {
-        let arm = presser.position - self.centre;
-        let kernel = QuinticSpline::<D>::value(arm.norm(), presser.reach / SUPPORT);
+    fn met(&self, place: &Vector<D>, reach: f64) -> Option<Met<D>> {
+        let arm = place - self.centre;
+        let kernel = QuinticSpline::<D>::value(arm.norm(), reach / SUPPORT);
         (kernel > 0.0).then_some(Met {
             number: self.number,
             normal: self.normal,
+            sign: self.sign,
+            kernel,
             weight: self.size * kernel,
             faces: arm.dot(&self.normal) > 0.0,
         })
     }
 }
 
-/// What a particle presses the panels near it with, and what of its force they cannot show. Of the force of the pair sums, what an
-/// even pressure explains goes by the panels' own shares, the rest by least squares.
-fn shares<const D: usize>(presser: &Presser<D>, met: &[Met<D>]) -> (Vec<Share>, Vector<D>) {
+/// What a particle presses the panels near it with. Of the force of the pair sums, what an even pressure explains goes by the
+/// panels' own shares, the rest by least squares, and what they cannot show is friction.
+fn shares<const D: usize>(presser: &Presser<D>, met: &[Met<D>]) -> Vec<Share<D>> {
     let even = 2.0 * presser.volume * presser.pressure;
     let mut moment = Matrix::<D>::zeros();
+    let mut weights = 0.0;
     let mut lacking = presser.force.unwrap_or_else(Vector::zeros);
     for met in met {
         lacking -= met.normal * (even * met.weight);
         moment += met.normal * met.normal.transpose() * met.weight;
+        weights += met.weight;
     }
     let stiffened = moment + Matrix::identity() * (FLAT * moment.trace());
     let inverse = presser.force.and_then(|_| stiffened.try_inverse());
     // On a flat wall nothing of what is normal to it is lost.
     let correction = inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking * (1.0 + FLAT));
-    let lost = match presser.force {
-        Some(_) if !met.is_empty() => lacking - moment * correction,
-        _ => Vector::zeros(),
+    // The force on the wall is the other way round.
+    let friction = match presser.force {
+        Some(_) => (moment * correction - lacking) / weights,
+        None => Vector::zeros(),
     };
     let share = |met: &Met<D>| Share {
         number: met.number,
         force: met.weight * (even + met.normal.dot(&correction)),
         weight: met.weight,
+        friction: friction.component_mul(&met.sign) * met.weight,
     };
-    (met.iter().map(share).collect(), lost)
-}
-
-/// Sum of what the panels of each owner do not show, all around an axis if there is one.
-fn lacking<const D: usize>(
-    flow: &Simulation<D>,
-    panels: &Panels<D>,
-    pressers: &[Presser<D>],
-    all: &[(Vec<Share>, Vector<D>)],
-) -> Vec<Vector<D>> {
-    let rings = Rings::new(&flow.problem);
-    let mut sums = vec![Vector::zeros(); flow.walls.body_count()];
-    for (presser, (shares, lost)) in pressers.iter().zip(all) {
-        let nearest = shares.iter().max_by(|a, b| a.weight.total_cmp(&b.weight));
-        if let Some(share) = nearest {
-            let owner = panels.all()[share.number as usize].owner as usize;
-            sums[owner] += lost * rings.circumference(&presser.position);
-        }
-    }
-    sums
-}
-
-/// By what each owner's panels, where something is lost and as much as is, are pressed more for each unit of their normals, for the
-/// force on it to be the pair sums': at tips and edges, where gas ahead of a panel holds the body back.
-fn regained<const D: usize>(
-    flow: &Simulation<D>,
-    panels: &Panels<D>,
-    sums: &[[f64; 4]],
-    lacking: &[Vector<D>],
-) -> Vec<Vector<D>> {
-    let rings = Rings::new(&flow.problem);
-    let mut moments = vec![Matrix::<D>::zeros(); lacking.len()];
-    for (panel, sum) in panels.all().iter().zip(sums) {
-        let weight = sum[3] * rings.circumference(&panel.centre);
-        moments[panel.owner as usize] += panel.normal * panel.normal.transpose() * weight;
-    }
-    let domain = &flow.problem.domain;
-    // A wall that comes in through an inlet has no tip: what it lacks is friction.
-    let has_tip = |owner: usize| {
-        let body = flow.problem.bodies.get(owner);
-        body.is_some_and(|body| {
-            let extent = body.shape.bounds();
-            let mut entrances = domain.each_side().filter(|(_, _, side, _)| side.lets_in());
-            !entrances
-                .any(|(axis, end, _, face)| [extent.min[axis] < face, extent.max[axis] > face][end])
-        })
-    };
-    let solve = |(owner, (moment, lacking)): (usize, (&Matrix<D>, &Vector<D>))| {
-        if !has_tip(owner) {
-            return Vector::zeros();
-        }
-        let stiffened = moment + Matrix::identity() * (SLENDER * moment.trace());
-        let inverse = stiffened.try_inverse();
-        inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking)
-    };
-    moments.iter().zip(lacking).enumerate().map(solve).collect()
+    met.iter().map(share).collect()
 }
 
 /// All gas within reach of which panels may be, buffers too.
@@ -259,6 +266,7 @@ fn seen<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>, reach: f64) ->
                 centre: pose.position(&panel.centre),
                 normal: pose.direction(&panel.normal),
                 size: panel.size,
+                sign: Vector::repeat(1.0),
                 number: number as u32,
             }
         })
@@ -274,6 +282,7 @@ fn seen<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>, reach: f64) ->
                     let mut image = *own;
                     image.centre[axis] = map.place(own.centre[axis]);
                     image.normal[axis] *= map.sign;
+                    image.sign[axis] *= map.sign;
                     image
                 })
                 .filter(|image| (image.centre[axis] - plane).abs() < reach)

@@ -34,7 +34,7 @@ impl<const D: usize> Panels<D> {
         &self,
         problem: &Problem<D>,
         time: f64,
-        pressed: &[Pressed],
+        pressed: &[Pressed<D>],
         pose: impl Fn(usize) -> Pose<D>,
     ) -> PanelFrame {
         let stream = &problem.free_stream;
@@ -70,6 +70,7 @@ impl<const D: usize> Panels<D> {
             } else {
                 0.0
             });
+            frame.friction.push(pad(&pressed.friction).into());
             frame.mach.push(pressed.mach);
             frame.body.push(panel.owner);
         }

@@ -7,13 +7,26 @@ use super::body::WallKind;
 pub enum Side {
     /// Buffer of free-stream particles that turn into fluid when they enter.
     Inlet,
+    /// Inlet at less than the speed of sound that lets sound out: only the entropy, the velocity along the side and the wave that
+    /// comes in are the free stream's.
+    SoftInlet,
     /// Particles that cross freeze their state, drift on and are removed.
     Outlet,
+    /// Outlet that holds a pressure where gas leaves slower than sound, and lets sound out.
+    HeldOutlet {
+        /// The pressure.
+        pressure: f64,
+        /// How fast it is gone back to, against the time that sound takes through the domain: `sigma` of Poinsot & Lele 1992.
+        relaxation: f64,
+    },
     /// Buffer of free-stream particles along a side that the flow does not disturb.
     FreeStream,
     /// Inlet at less than the speed of sound, from a reservoir at the free stream's stagnation state:
     /// the flow inside decides how fast the gas enters.
-    Reservoir,
+    Reservoir {
+        /// How fast it goes back to that state after sound has left through it, as of an outlet; none where it holds it.
+        relaxation: Option<f64>,
+    },
     /// Mirror plane.
     Symmetry,
     /// The axis that an axisymmetric flow is the same all around.
@@ -46,12 +59,22 @@ impl Side {
 
     /// True of one that lets gas in or out.
     pub fn is_open(self) -> bool {
-        self.lets_in() || self == Self::Outlet
+        self.lets_in() || self.lets_out()
+    }
+
+    /// True of one that gas only leaves through.
+    pub fn lets_out(self) -> bool {
+        matches!(self, Self::Outlet | Self::HeldOutlet { .. })
     }
 
     /// True of one that gas enters through, in a state that is prescribed or follows from a reservoir.
     pub fn lets_in(self) -> bool {
-        matches!(self, Self::Inlet | Self::FreeStream | Self::Reservoir)
+        self.is_inlet() || matches!(self, Self::FreeStream | Self::Reservoir { .. })
+    }
+
+    /// True of one that the free stream comes in by.
+    pub fn is_inlet(self) -> bool {
+        matches!(self, Self::Inlet | Self::SoftInlet)
     }
 
     /// True of one that keeps the free stream up, whatever the flow inside does.

@@ -9,7 +9,7 @@ use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::particle::OpenParticle;
-use super::zone::{OpenSides, Zone};
+use super::zone::{OpenSide, OpenSides, Zone};
 use crate::books::Books;
 use crate::lattice;
 use crate::particles::{Particle, Particles};
@@ -117,7 +117,7 @@ impl<const D: usize> Buffers<D> {
         if self.sides.is_empty() {
             return;
         }
-        self.drift_on(problem, now - before);
+        self.drift_on(now - before);
         let earlier: Vec<_> = self.contents.streams.iter().map(|s| s.drift).collect();
         for (number, stream) in self.contents.streams.iter_mut().enumerate() {
             let mut feeds = self.sides.iter().filter(|s| s.stream == Some(number));
@@ -133,21 +133,37 @@ impl<const D: usize> Buffers<D> {
             books.cross(&particle, 1.0);
             fluid.add(particle);
         }
+        self.go_on(problem, fluid, now - before);
         for number in 0..self.contents.streams.len() {
-            self.listen(problem, fluid, number, now);
+            self.listen(problem, fluid, number, [before, now]);
             self.refill(problem, number, &earlier[number], now);
         }
     }
 
     /// Lets what has left the domain drift on.
-    fn drift_on(&mut self, problem: &Problem<D>, step: f64) {
+    fn drift_on(&mut self, step: f64) {
         for open in &mut self.contents.particles {
             if open.lattice.is_none() {
                 open.particle.position += open.particle.velocity * step;
-                self.sides
-                    .side(usize::from(open.side))
-                    .model
-                    .hold(problem, open);
+            }
+        }
+    }
+
+    /// Lets the models of sides that gas leaves by say what becomes of what has left.
+    fn go_on(&mut self, problem: &Problem<D>, fluid: &[Particle<D>], step: f64) {
+        let particles = &mut self.contents.particles;
+        for (number, side) in self.sides.iter().enumerate() {
+            if !side.model.goes_on() {
+                continue;
+            }
+            let is_own =
+                |open: &OpenParticle<D>| usize::from(open.side) == number && open.lattice.is_none();
+            let own = particles.iter().filter(|open| is_own(open)).copied();
+            let mut gone: Vec<_> = own.collect();
+            side.model.go_on(problem, fluid, &mut gone, step);
+            let places = particles.iter_mut().filter(|open| is_own(open));
+            for (place, open) in places.zip(gone) {
+                *place = open;
             }
         }
     }
@@ -215,9 +231,20 @@ impl<const D: usize> Buffers<D> {
     }
 
     /// Gives a stream, and all that it has in buffers, the state that the flow inside asks for, if any.
-    fn listen(&mut self, problem: &Problem<D>, fluid: &[Particle<D>], number: usize, now: f64) {
+    fn listen(
+        &mut self,
+        problem: &Problem<D>,
+        fluid: &[Particle<D>],
+        number: usize,
+        [before, now]: [f64; 2],
+    ) {
         let mut own = self.sides.iter().filter(|s| s.stream == Some(number));
-        let Some(state) = own.find_map(|side| side.model.answer(problem, fluid)) else {
+        let current = self.contents.streams[number].state;
+        let answer = |side: &OpenSide<D>| {
+            let model = &side.model;
+            model.answer(problem, fluid, &current, now - before)
+        };
+        let Some(state) = own.find_map(answer) else {
             return;
         };
         let Contents {

@@ -6,17 +6,23 @@
 
 mod buffers;
 pub mod closed;
+mod held;
 mod inlet;
 mod model;
 mod outlet;
 mod particle;
+mod plenum;
 mod reservoir;
 mod rows;
+mod upstream;
+mod waves;
 mod zone;
 
 pub use buffers::{Buffers, Contents};
+pub use held::Held;
 pub use model::Place;
 pub use particle::OpenParticle;
 pub use reservoir::Reservoir;
 pub use rows::Rows;
+pub use waves::Along;
 pub use zone::Zone;

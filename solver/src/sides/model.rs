@@ -51,9 +51,15 @@ pub trait OpenModel<const D: usize>: Debug + Send + Sync {
     /// State of the gas that enters at first; none through a side that gas only leaves by.
     fn inflow(&self, problem: &Problem<D>) -> Option<State<D>>;
 
-    /// State in which gas enters from now on, after a step that left the flow inside as `fluid`; none where it stays as it
-    /// was, and for a model that never answers.
-    fn answer(&self, _problem: &Problem<D>, _fluid: &[Particle<D>]) -> Option<State<D>> {
+    /// State in which gas enters from now on, after a `step` that left the flow inside as `fluid`, and in which it entered in
+    /// state `before`; none where it stays as it was, and for a model that never answers.
+    fn answer(
+        &self,
+        _problem: &Problem<D>,
+        _fluid: &[Particle<D>],
+        _before: &State<D>,
+        _step: f64,
+    ) -> Option<State<D>> {
         None
     }
 
@@ -68,6 +74,19 @@ pub trait OpenModel<const D: usize>: Debug + Send + Sync {
         *stream
     }
 
-    /// What becomes, in a step, of a particle of the buffer that has left the domain here; it has drifted on already.
-    fn hold(&self, _problem: &Problem<D>, _gone: &mut OpenParticle<D>) {}
+    /// What becomes, in a `step`, of the particles of the buffer that have left the domain here, `gone`, in the order in which
+    /// the buffer keeps them; they have drifted on already. `fluid` is the flow inside.
+    fn go_on(
+        &self,
+        _problem: &Problem<D>,
+        _fluid: &[Particle<D>],
+        _gone: &mut [OpenParticle<D>],
+        _step: f64,
+    ) {
+    }
+
+    /// True where [`Self::go_on`] may do anything.
+    fn goes_on(&self) -> bool {
+        false
+    }
 }

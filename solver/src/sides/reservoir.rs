@@ -1,71 +1,62 @@
-//! Gas that enters from a reservoir at less than the speed of sound. Of the three values that fix its
-//! state two come from the reservoir and one, an acoustic wave on its way out, from the flow inside.
-//! Not for the particles of the buffer: those are in [`super::buffers`].
-
-use aero_geometry::Vector;
+//! Gas that enters from a reservoir at less than the speed of sound, see [`super::plenum`]. Not for the particles of the buffer: those are in [`super::buffers`].
+//!
+//! A reservoir that holds its total state sends `(1 - M) / (1 + M)` of a sound wave back in. One that relaxes to it lets
+//! sound out: the wave that comes in goes to the one held at the rate `sigma c / L`, as at an outlet ([`super::held`]).
 
 use super::model::{OpenModel, Place};
-use crate::gas::{Gas, IdealGas};
+use super::plenum::Plenum;
+use super::waves::{Along, Waves, inwards, outgoing};
 use crate::particles::Particle;
 use crate::problem::{Problem, State};
-
-/// Depth, in spacings, of the layer of gas in which the outgoing wave is read.
-const LAYER: f64 = 2.0;
 
 /// A side that gas enters through from a reservoir.
 #[derive(Clone, Copy, Debug)]
 pub struct Reservoir {
     place: Place,
-    /// Pressure and square of the speed of sound of the gas at rest.
-    pressure: f64,
-    sound_square: f64,
+    plenum: Plenum,
+    /// `sigma / L` where it relaxes to that.
+    strength: Option<f64>,
 }
 
 impl Reservoir {
-    /// The reservoir beyond `place`, at the stagnation state of the free stream of `problem`.
-    pub fn new<const D: usize>(problem: &Problem<D>, place: Place) -> Self {
-        let gas = &problem.free_stream;
-        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
-        let heat = gamma - 1.0;
-        let sound_square = gamma * gas.pressure / gas.density;
-        // NACA Report 1135 (1953), eqs 43 and 44.
-        let rise = 1.0 + 0.5 * heat * gas.velocity.norm_squared() / sound_square;
+    /// The reservoir beyond `place`, at the stagnation state of the free stream of `problem`; `relaxation` is `sigma`, none of
+    /// one that holds it.
+    pub fn new<const D: usize>(
+        problem: &Problem<D>,
+        place: Place,
+        relaxation: Option<f64>,
+    ) -> Self {
         Self {
             place,
-            pressure: gas.pressure * rise.powf(gamma / heat),
-            sound_square: sound_square * rise,
+            plenum: Plenum::of_stream(problem),
+            strength: relaxation.map(|sigma| sigma / problem.domain.bounds.size()[place.axis]),
         }
     }
 
-    /// Speed, density and pressure at which gas enters against the outgoing invariant `wave`, see [`entering`].
-    pub fn entering(&self, wave: f64, gamma: f64) -> (f64, f64, f64) {
-        let (speed, sound) = entering(wave, self.sound_square, gamma);
-        let share = sound * sound / self.sound_square;
-        let pressure = self.pressure * share.powf(gamma / (gamma - 1.0));
-        (speed, gamma * pressure / (sound * sound), pressure)
+    /// State in which gas enters against the invariant `back`, where it entered in state `before` a `time` ago.
+    fn entering(&self, back: f64, before: &Along, time: f64) -> Along {
+        let held = self.plenum.entering(back);
+        let gamma = self.plenum.gamma();
+        let Some(strength) = self.strength else {
+            return held;
+        };
+        let share = (time * strength * before.sound(gamma)).min(1.0);
+        let [held_waves, waves] = [held, *before].map(|gas| gas.waves(gamma));
+        let relaxed = Waves {
+            ahead: waves.ahead + share * (held_waves.ahead - waves.ahead),
+            back,
+            entropy: held_waves.entropy,
+        };
+        let relaxed = relaxed.state(gamma);
+        relaxed.filter(|gas| gas.speed >= 0.0).unwrap_or(held)
     }
 
-    /// Mean over the mass of gas next to the side of the invariant `u - 2 c / (gamma - 1)` that sound carries
-    /// out against the flow, with `u` into the domain.
-    fn outgoing_wave<const D: usize>(
-        &self,
-        problem: &Problem<D>,
-        fluid: &[Particle<D>],
-    ) -> Option<f64> {
-        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
-        let heat = gamma - 1.0;
-        let (axis, face, inward) = (self.place.axis, self.place.face, self.place.inward());
-        let (mut sum, mut mass) = (0.0, 0.0);
-        for particle in fluid {
-            let depth = inward * (particle.position[axis] - face);
-            if depth < LAYER * problem.spacing {
-                let sound = (gamma * heat * particle.energy).sqrt();
-                let wave = inward * particle.velocity[axis] - 2.0 * sound / heat;
-                sum += particle.mass * wave;
-                mass += particle.mass;
-            }
-        }
-        (mass > 0.0).then(|| sum / mass)
+    /// The state beyond a face whose cell is in state `gas`, its speed into the domain, and has its mean half of `apart` behind
+    /// it: the wave that comes in crosses that at `u + c`.
+    pub fn beyond(&self, gas: &Along, apart: f64) -> Along {
+        let gamma = self.plenum.gamma();
+        let time = apart / (gas.speed.max(0.0) + gas.sound(gamma));
+        self.entering(gas.waves(gamma).back, gas, time)
     }
 }
 
@@ -76,66 +67,28 @@ impl<const D: usize> OpenModel<D> for Reservoir {
 
     /// State in which gas enters a flow whose particles are `fluid`, straight into the domain; none where no gas is near the
     /// side.
-    fn answer(&self, problem: &Problem<D>, fluid: &[Particle<D>]) -> Option<State<D>> {
-        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
-        let wave = self.outgoing_wave(problem, fluid)?;
-        let (speed, density, pressure) = self.entering(wave, gamma);
-        let mut velocity = Vector::zeros();
-        velocity[self.place.axis] = self.place.inward() * speed;
+    fn answer(
+        &self,
+        problem: &Problem<D>,
+        fluid: &[Particle<D>],
+        before: &State<D>,
+        step: f64,
+    ) -> Option<State<D>> {
+        let back = outgoing(&self.place, problem.spacing, self.plenum.gamma(), fluid)?;
+        let before = Along {
+            density: before.density,
+            speed: self.place.inward() * before.velocity[self.place.axis],
+            pressure: before.pressure,
+        };
+        let gas = self.entering(back, &before, step);
         Some(State {
-            density,
-            velocity,
-            pressure,
+            density: gas.density,
+            velocity: inwards(&self.place, gas.speed),
+            pressure: gas.pressure,
         })
     }
 
     fn answers(&self) -> bool {
         true
-    }
-}
-
-/// Speed, and speed of sound, at which gas of the stagnation speed of sound `sqrt(sound_square)` meets
-/// the outgoing invariant `wave = u - 2 c / (gamma - 1)`.
-///
-/// The constant total enthalpy, `c^2 + (gamma - 1) u^2 / 2 = c_0^2`, makes it a quadratic equation
-/// [e.g. Hirsch, Numerical Computation of Internal and External Flows, vol. 2, 1990, section 19.1.2].
-/// The speed stays between zero and that of sound: gas neither flows back into the reservoir nor
-/// outruns the wave.
-fn entering(wave: f64, sound_square: f64, gamma: f64) -> (f64, f64) {
-    let heat = gamma - 1.0;
-    let critical = (2.0 * sound_square / (gamma + 1.0)).sqrt();
-    // u^2 (gamma + 1) / 4 - wave (gamma - 1) u / 2 + (gamma - 1) wave^2 / 4 - c_0^2 / (gamma - 1) = 0, over
-    // (gamma - 1), with c = (gamma - 1) (u - wave) / 2.
-    let a = 0.25 * (gamma + 1.0);
-    let b = -0.5 * heat * wave;
-    let c = 0.25 * heat * wave * wave - sound_square / heat;
-    let root = (b * b - 4.0 * a * c).max(0.0).sqrt();
-    let speed = ((root - b) / (2.0 * a)).clamp(0.0, critical);
-    let sound = (sound_square - 0.5 * heat * speed * speed).sqrt();
-    (speed, sound)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    const GAMMA: f64 = 1.4;
-
-    #[test]
-    fn a_flow_that_already_fits_the_reservoir_is_left_alone() {
-        for mach in [0.0, 0.3, 0.9] {
-            let sound_square = 1.0 + 0.2 * mach * mach;
-            let (speed, sound) = entering(mach - 5.0, sound_square, GAMMA);
-            assert!((speed - mach).abs() < 1e-12, "{mach}: {speed}");
-            assert!((sound - 1.0).abs() < 1e-12, "{mach}: {sound}");
-        }
-    }
-
-    #[test]
-    fn higher_pressure_inside_slows_the_inflow_down_to_rest_at_most() {
-        let wave = |sound: f64| 0.3 - 5.0 * sound;
-        let speed = |sound: f64| entering(wave(sound), 1.018, GAMMA).0;
-        assert!(speed(1.01) < speed(1.0) && speed(1.0) < speed(0.99));
-        assert_eq!(speed(1.2), 0.0);
     }
 }

@@ -2,7 +2,8 @@
 
 use aero_geometry::Vector;
 
-use super::inlet::Inlet;
+use super::held::Held;
+use super::inlet::{Inlet, SoftInlet};
 use super::model::{OpenModel, Place};
 use super::outlet::Outlet;
 use super::reservoir::Reservoir;
@@ -174,8 +175,15 @@ fn model<const D: usize>(
 ) -> Option<Box<dyn OpenModel<D>>> {
     match side {
         Side::Inlet | Side::FreeStream => Some(Box::new(Inlet)),
-        Side::Reservoir => Some(Box::new(Reservoir::new(problem, place))),
+        Side::SoftInlet => Some(Box::new(SoftInlet::new(problem, place))),
+        Side::Reservoir { relaxation } => {
+            Some(Box::new(Reservoir::new(problem, place, relaxation)))
+        }
         Side::Outlet => Some(Box::new(Outlet)),
+        Side::HeldOutlet {
+            pressure,
+            relaxation,
+        } => Some(Box::new(Held::new(problem, place, pressure, relaxation))),
         Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } | Side::Body => None,
     }
 }

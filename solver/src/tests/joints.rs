@@ -93,6 +93,23 @@ fn what_two_boxes_fill_counts_once() {
 }
 
 #[test]
+fn a_ghost_in_the_middle_of_a_diamond_shows_all_four_faces() {
+    let mut problem = cube::<2>(31, WALL);
+    let at = |x: f64, y: f64| Vector::<2>::new(1.55 + x, 1.55 + y);
+    let corners = [at(-1.0, 0.0), at(0.0, -0.35), at(1.0, 0.0), at(0.0, 0.35)];
+    let diamond = bodies::polygon(&corners).expect("a diamond");
+    let body = body_on_the_lattice(&problem, Arc::new(diamond));
+    problem.bodies.push(body);
+    crate::walls::part_ridges(&mut problem);
+    let ghosts = &problem.bodies[0].ghosts;
+    let middle =
+        (0..ghosts.position.len()).filter(|&g| (ghosts.position[g] - at(0.0, 0.0)).norm() < 1e-9);
+    let normals: Vec<Vector<2>> = middle.map(|g| ghosts.normal[g]).collect();
+    let sum: Vector<2> = normals.iter().sum();
+    assert!(normals.len() == 4 && sum.norm() < 1e-9, "{normals:?}");
+}
+
+#[test]
 fn a_ghost_on_a_ridge_is_parted_and_keeps_its_volume() {
     let mut problem = with_boxes(&[([1.5, 2.5], [1.5, 2.5])]);
     let count = problem.bodies[0].ghosts.position.len();

@@ -14,12 +14,13 @@ fn boxed(shape: impl Shape<2> + 'static, at: [f64; 2]) -> Problem<2> {
     problem
 }
 
-/// Sum of `-pressure area normal` over a body.
+/// Sum of `(friction - pressure normal) area` over a body.
 fn integral(simulation: &Simulation<2>, body: u32) -> Vector3<f64> {
     let shown = simulation.panels();
     let mut force = Vector3::zeros();
     for n in (0..shown.body.len()).filter(|&n| shown.body[n] == body) {
-        force -= Vector3::from(shown.normal[n]) * (shown.pressure[n] * shown.area[n]);
+        let pressed = Vector3::from(shown.normal[n]) * shown.pressure[n];
+        force += (Vector3::from(shown.friction[n]) - pressed) * shown.area[n];
     }
     force
 }
@@ -31,11 +32,9 @@ fn gas_at_rest_presses_every_panel_with_its_pressure() {
     assert!(shown.body.len() > 4 * 30 + 4 * 8);
     for (n, pressure) in shown.pressure.iter().enumerate() {
         let place = shown.points[2 * n];
-        // Next to where two walls of the box meet, panels share the gas of the corner unevenly.
-        let is_in_a_corner = (0..2).all(|k| place[k] < 0.3 || place[k] > 2.7);
         assert!(
-            is_in_a_corner || (pressure - 1.0).abs() < 0.02,
-            "{pressure} at {place:?}"
+            (pressure - 1.0).abs() < 0.01,
+            "{pressure} at {place:?}, in corners too"
         );
     }
     let length: f64 = shown
@@ -46,6 +45,24 @@ fn gas_at_rest_presses_every_panel_with_its_pressure() {
         .map(|(a, _)| a)
         .sum();
     assert!((length - 3.2).abs() < 1e-12, "{length}");
+}
+
+#[test]
+#[ignore = "not right yet: the wall two spacings from the post's foot shows 0.94"]
+fn gas_at_rest_shows_its_pressure_on_a_body_that_stands_on_a_wall() {
+    let post = bodies::rectangle(0.8, 1.2, 0.0).expect("a post");
+    let shown = start(boxed(post, [1.5, 0.6])).panels();
+    let mut count = 0;
+    for (pressure, ends) in shown.pressure.iter().zip(shown.points.chunks(2)) {
+        let centre = 0.5 * (ends[0][0] + ends[1][0]);
+        // Nothing presses what is buried between post and wall.
+        if ends[0][1] + ends[1][1] == 0.0 && (1.1..=1.9).contains(&centre) {
+            continue;
+        }
+        count += 1;
+        assert!((pressure - 1.0).abs() < 0.02, "{pressure} at {ends:?}");
+    }
+    assert!(count > 4 * 30);
 }
 
 #[test]

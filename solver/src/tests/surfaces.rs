@@ -85,7 +85,7 @@ fn a_body_cut_by_a_plane_has_the_force_and_the_moment_of_the_whole() {
 fn gas_from_a_reservoir_enters_as_the_stream_that_it_feeds() {
     for speed in [0.2, 0.6] {
         let mut problem = cube::<2>(12, Side::Symmetry);
-        problem.domain.sides[0] = [Side::Reservoir, Side::Outlet];
+        problem.domain.sides[0] = [Side::Reservoir { relaxation: None }, Side::Outlet];
         problem.free_stream.velocity[0] = speed;
         let mut solver = Solver::new(DEFAULT.of(problem), instructions()[0]);
         for _ in 0..3 {

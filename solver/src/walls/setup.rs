@@ -4,13 +4,16 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use rayon::prelude::*;
 
-use super::super::faces::{Faces, Sight, ThinParts, View, thin_parts};
+use super::super::faces::{Faces, Sight, ThinParts, View, is_edge, thin_parts};
 use super::super::records::Matrix;
 use super::Ghost;
 use super::curvature::shape_operator;
 use super::joints::join;
 use super::plane::SideWall;
 use crate::problem::Problem;
+
+/// So high over its foot, in spacings, a ghost's own face is the nearest.
+const ABOVE: f64 = 0.1;
 
 /// All ghosts of `problem` and its wall `sides`, views at the end; and the faces of thin parts.
 pub fn ghosts<const D: usize>(
@@ -33,10 +36,20 @@ pub fn ghosts<const D: usize>(
         }
         if follows_the_bend {
             let first = ghosts.len() - body.ghosts.position.len();
-            ghosts[first..].par_iter_mut().for_each(|ghost| {
-                ghost.origin_curvature =
-                    shape_operator(&body.shape, &ghost.position, problem.spacing);
-            });
+            ghosts[first..]
+                .par_iter_mut()
+                .zip(&body.ghosts.face)
+                .for_each(|(ghost, &face)| {
+                    // On a ridge another face is as near.
+                    let is_own = body.shape.closest(&ghost.position).face == face;
+                    let lift = ghost.normal * (ABOVE * problem.spacing);
+                    let place = if is_own {
+                        ghost.position
+                    } else {
+                        ghost.foot() + lift
+                    };
+                    ghost.origin_curvature = shape_operator(&body.shape, &place, problem.spacing);
+                });
         }
     }
     let inside_a_body = |position: &Vector<D>| {
@@ -146,7 +159,11 @@ fn seen_by_face<const D: usize>(
     seen.has_mirror = (reached - view.depth).abs() < 0.1 * view.depth;
     if problem.scheme.wall.follows_the_bend {
         let above = seen.foot() + view.normal * (0.1 * problem.spacing);
-        seen.origin_curvature = shape_operator(&body.shape, &above, problem.spacing);
+        // The plane of a face goes on beyond the body's tip, where nothing bends.
+        let shape = body.shape.as_ref();
+        if !is_edge(shape, &shape.closest(&above), problem.spacing) {
+            seen.origin_curvature = shape_operator(shape, &above, problem.spacing);
+        }
     }
     seen
 }

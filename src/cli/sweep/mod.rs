@@ -7,13 +7,13 @@ use std::path::{Path, PathBuf};
 
 use aero::case::AnyCase;
 use aero::output::Summary;
-use aero::run::{Destination, RunError, Stopwatch, run_any};
+use aero::run::{Destination, RunError, Stopwatch};
 use aero::scene::Scene;
 use clap::Args;
 use serde_json::Value;
 
 use super::interrupt::Interrupt;
-use super::progress::Display;
+use super::scene::{SceneArgs, checked, folder, run_watched, tell};
 use super::{CommandError, on_threads};
 use polar::{Point, Row};
 use values::Values;
@@ -21,8 +21,8 @@ use values::Values;
 /// What `aero sweep` takes.
 #[derive(Args, Debug)]
 pub struct SweepArgs {
-    /// Scene file (TOML)
-    scene: PathBuf,
+    #[command(flatten)]
+    scene: SceneArgs,
     /// Mach numbers: 1.5,2,3 or 1.5..3:0.5
     #[arg(long, value_name = "LIST")]
     mach: Option<Values>,
@@ -35,12 +35,6 @@ pub struct SweepArgs {
     /// Folder for the results, in which points that are done are kept; `out/NAME-sweep` unless given
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Override a value of the scene; may be given many times
-    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
-    set: Vec<String>,
-    /// Number of threads; all processors unless given
-    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
-    threads: Option<u16>,
 }
 
 /// What is swept, in the order of a [`Point`], and how far apart two values of it are worth one.
@@ -57,14 +51,8 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
             "nothing to sweep; give --mach, --incidence or --sideslip, as in --incidence -4..8:2",
         ));
     }
-    let mut scene = Scene::load(&args.scene).map_err(CommandError::wrong)?;
-    for setting in &args.set {
-        scene.set(setting).map_err(CommandError::wrong)?;
-    }
-    let out = args
-        .out
-        .clone()
-        .unwrap_or_else(|| Path::new("out").join(format!("{}-sweep", scene.name())));
+    let scene = args.scene.load()?;
+    let out = folder(args.out.as_ref(), &format!("{}-sweep", scene.name()));
     let points = points(&lists);
     // All scenes are read before the first runs: a typing error shows at once.
     let scenes = points
@@ -72,7 +60,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
         .map(|point| at(&scene, point))
         .collect::<Result<Vec<_>, CommandError>>()?;
     let interrupt = Interrupt::listen()?;
-    on_threads(args.threads, || {
+    on_threads(args.scene.threads, || {
         let mut done: Vec<(Point, PathBuf)> = Vec::new();
         let mut rows: Vec<Row> = Vec::new();
         for (number, (point, scene)) in points.iter().zip(scenes).enumerate() {
@@ -192,9 +180,13 @@ fn fly(
         let setting = format!("initial.frame={:?}", frame.display().to_string());
         scene.set(&setting).map_err(CommandError::wrong)?;
     }
-    let case = scene.build_any().map_err(CommandError::wrong)?;
-    let case = case.checked().map_err(CommandError::wrong)?;
-    let (summary, came_to_its_end) = run(case, folder, &scene.lines(), stopwatch, interrupt)?;
+    let (summary, came_to_its_end) = run(
+        checked(&scene)?,
+        folder,
+        &scene.lines(),
+        stopwatch,
+        interrupt,
+    )?;
     if came_to_its_end {
         std::fs::write(folder.join(SETTINGS), settings).map_err(CommandError::failed)?;
     }
@@ -209,21 +201,14 @@ fn run(
     stopwatch: Stopwatch,
     interrupt: &Interrupt,
 ) -> Result<(Summary, bool), CommandError> {
-    for line in case.remarks() {
-        eprintln!("{line}");
-    }
+    tell(&case);
     let destination = Destination {
         folder,
         scene: lines,
         resume: false,
+        overwrite: true,
     };
-    let mut display = Display::of_run();
-    let result = run_any(case, destination, stopwatch, &mut |progress| {
-        display.show(progress);
-        interrupt.wish()
-    });
-    display.finish();
-    match result {
+    match run_watched(case, destination, stopwatch, interrupt, None) {
         Ok(summary) => Ok((summary, true)),
         Err(RunError::Stopped { .. }) if interrupt.came() => Err(CommandError::failed(
             "interrupted; the same command goes on with the points that are left",
@@ -233,7 +218,9 @@ fn run(
             Ok((*summary, false))
         }
         Err(RunError::Output(error)) => Err(CommandError::failed(error)),
-        Err(error @ (RunError::SetUp(_) | RunError::Resume(_))) => Err(CommandError::wrong(error)),
+        Err(error @ (RunError::SetUp(_) | RunError::Resume(_) | RunError::Occupied(_))) => {
+            Err(CommandError::wrong(error))
+        }
     }
 }
 

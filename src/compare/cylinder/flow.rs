@@ -3,6 +3,7 @@
 use aero_validation::metrics::MetricError;
 use aero_validation::metrics::crossing::level_crossings;
 use aero_validation::metrics::invariants::total_enthalpy;
+use aero_validation::metrics::stagnation::stagnation_pressure;
 use aero_validation::metrics::stand_off::{StagnationLine, stand_off};
 use aero_validation::reference::{Table, cylinder_shock, cylinder_wall};
 
@@ -56,7 +57,7 @@ impl Measured {
         let ahead = ahead_of_shock(outcome);
         Ok(Self {
             stand_off: shock,
-            stagnation: stagnation_pressure(outcome),
+            stagnation: stagnation(outcome)?,
             shape: shape(outcome, &ahead, spacing, 0.5 * (1.0 + behind))?,
             wall: wall(outcome),
             enthalpy: enthalpy(outcome, &ahead, spacing)?,
@@ -136,23 +137,14 @@ pub fn angle(foot: &[f64; 3]) -> f64 {
     foot[1].atan2(-foot[0]).to_degrees()
 }
 
-/// Wall pressure over the free stream's, at the stagnation point: the straight line in `sin^2` of
-/// the angle, the law of modified Newtonian theory, that fits the points around it best.
-fn stagnation_pressure(outcome: &Outcome) -> f64 {
+/// Wall pressure over the free stream's, at the stagnation point.
+fn stagnation(outcome: &Outcome) -> Result<f64, MetricError> {
     let wall = &outcome.surface;
-    let (mut n, mut s, mut ss, mut p, mut sp) = (0.0, 0.0, 0.0, 0.0, 0.0);
-    for (foot, pressure) in wall.position.iter().zip(&wall.pressure) {
-        let angle = angle(foot);
-        if angle.abs() < CAP {
-            let square = angle.to_radians().sin().powi(2);
-            n += 1.0;
-            s += square;
-            ss += square * square;
-            p += pressure * GAMMA;
-            sp += square * pressure * GAMMA;
-        }
-    }
-    (ss * p - s * sp) / (n * ss - s * s)
+    let walls = wall.position.iter().zip(&wall.pressure);
+    stagnation_pressure(
+        walls.map(|(foot, pressure)| (angle(foot), pressure * GAMMA)),
+        CAP,
+    )
 }
 
 /// Mean size of the departure of the wall pressure from the reference, over the stagnation

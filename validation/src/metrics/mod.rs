@@ -18,6 +18,7 @@ pub mod order;
 pub mod plateau;
 pub mod profile;
 pub mod shock_line;
+pub mod stagnation;
 pub mod stand_off;
 #[cfg(test)]
 mod testing;

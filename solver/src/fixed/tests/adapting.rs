@@ -42,7 +42,11 @@ fn body<const D: usize>(shape: Arc<dyn Shape<D>>) -> Body<D> {
 }
 
 fn refined<const D: usize>(mut problem: Problem<D>, time: Time, refine: Refine) -> Problem<D> {
-    problem.method = Method::Fixed(FixedPoints { time, refine });
+    problem.method = Method::Fixed(FixedPoints {
+        time,
+        refine,
+        ..FixedPoints::default()
+    });
     problem
 }
 

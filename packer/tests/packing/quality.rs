@@ -2,11 +2,9 @@
 //! on their offset, no gaps, no holes, mirror symmetry to the last bit. `--example figures` prints the
 //! figures themselves.
 
-mod bodies;
-
+use crate::bodies::{self, Aim};
 use aero_geometry::Shape;
 use aero_packer::{Ghosts, PackOptions, Packing, pack};
-use bodies::Aim;
 
 /// Largest distance from the wall layer's middle level to the nearest ghost, in spacings.
 const HOLE: f64 = 1.25;

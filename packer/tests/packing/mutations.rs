@@ -1,17 +1,15 @@
 //! Thousands of defective STL files: each is refused, or read as the body that it stands for and packed. None may
 //! stop the program, or give a body whose inside is not that of the sound surface.
 //!
-//! `cargo test --release -p aero-packer --test mutations -- --ignored` tries all of them.
-
-mod defects;
+//! `cargo test --release -p aero-packer --test packing mutations -- --ignored` tries all of them.
 
 use std::f64::consts::PI;
 use std::ops::Range;
 
+use crate::defects::{Defective, Dice, defective};
 use aero_geometry::stl::{Facet, parse};
 use aero_geometry::{Mesh, Shape, Vector};
 use aero_packer::{PackOptions, pack};
-use defects::{Defective, Dice, defective};
 use rayon::prelude::*;
 
 /// Points at which inside and outside are asked for, per body.

@@ -2,8 +2,7 @@
 
 use aero_geometry::{Shape, Vector};
 
-use crate::grid::Cell;
-use crate::thin::Room;
+use crate::room::{Probe, Room};
 
 /// A layer fits where a ball of this part of its depth does.
 const FITS: f64 = 0.95;
@@ -27,7 +26,7 @@ const RIDGE: f64 = 0.01;
 const BEYOND: f64 = 0.2;
 
 /// True where layer `layer` has room at `point`, in the body or on its surface.
-pub(super) fn has_room<const D: usize>(
+pub(crate) fn has_room<const D: usize>(
     shape: &dyn Shape<D>,
     point: &Vector<D>,
     layer: usize,
@@ -56,10 +55,10 @@ pub(super) fn has_room<const D: usize>(
 /// How much room the layer of ghosts at the centre of a cell has, and how many layers have room there.
 pub(crate) fn room_inside<const D: usize>(
     shape: &dyn Shape<D>,
-    cell: &Cell<D>,
+    cell: &Probe<D>,
     spacing: f64,
 ) -> (Room, usize) {
-    let reach = 0.5 * cell.step * cell.normal.abs().sum();
+    let reach = cell.reach();
     let depth = -cell.distance;
     let end = ((depth + reach) / spacing).ceil();
     if end <= 0.0 {
@@ -85,7 +84,7 @@ pub(crate) fn room_inside<const D: usize>(
 }
 
 /// Number of layers, `most` at most, that have room below a place of the surface.
-pub(super) fn layers_with_room<const D: usize>(
+pub(crate) fn layers_with_room<const D: usize>(
     shape: &dyn Shape<D>,
     (point, normal): (&Vector<D>, &Vector<D>),
     most: usize,

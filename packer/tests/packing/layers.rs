@@ -1,10 +1,8 @@
 //! Layers of ghosts around simple shapes.
 
-mod shapes;
-
+use crate::shapes::{Ball, Polygon};
 use aero_geometry::{Bounds, Vector};
 use aero_packer::{PackOptions, pack};
-use shapes::{Ball, Polygon};
 
 #[test]
 fn ghosts_of_a_flat_wall_continue_the_lattice() {

@@ -1,0 +1,10 @@
+//! Packings of bodies: one program, for each takes as long to build as all together.
+
+mod bodies;
+mod defects;
+mod layers;
+mod mutations;
+mod quality;
+mod shapes;
+mod thin_parts;
+mod triangulations;

@@ -1,0 +1,232 @@
+//! Outlets that hold a pressure and let sound out.
+//!
+//! Below the speed of sound one wave comes in through an outlet, and what it brings is up to the outlet. With it given the
+//! pressure is held and sound comes back whole; here it rides along and relaxes to the pressure,
+//! `dR-/dt = sigma (1 - M^2) (p - p_held) / (rho L)` with `L` the length of the domain [Poinsot & Lele 1992, J. Comput. Phys. 101,
+//! 104-129, eq. 40], so that waves shorter than the domain leave, and the mean pressure is held. Faster than sound nothing comes in
+//! but, where points stay, the shock of a pressure that the gas cannot pass; particles that left faster than sound take none back.
+
+use super::model::{OpenModel, Place};
+use super::particle::OpenParticle;
+use super::plenum::Plenum;
+use super::upstream::Upstream;
+use super::waves::{Along, Waves};
+use crate::gas::{Gas, IdealGas};
+use crate::particles::Particle;
+use crate::problem::{Problem, State};
+
+/// An outlet that holds a pressure.
+#[derive(Clone, Copy, Debug)]
+pub struct Held {
+    place: Place,
+    /// The pressure.
+    pressure: f64,
+    /// `sigma / L`.
+    strength: f64,
+    gamma: f64,
+    /// What comes back in.
+    plenum: Plenum,
+}
+
+impl Held {
+    /// The outlet of `problem` at `place` that holds `pressure`; `relaxation` is `sigma`.
+    pub fn new<const D: usize>(
+        problem: &Problem<D>,
+        place: Place,
+        pressure: f64,
+        relaxation: f64,
+    ) -> Self {
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        Self {
+            place,
+            pressure,
+            strength: relaxation / problem.domain.bounds.size()[place.axis],
+            gamma,
+            plenum: Plenum::of_stream(problem).at(pressure),
+        }
+    }
+
+    /// The wave that comes in after a `time` in which it rode along with gas in this state, its speed out of the domain; none
+    /// faster than sound.
+    fn incoming(&self, gas: &Along, time: f64) -> Option<f64> {
+        let mach = gas.speed / gas.sound(self.gamma);
+        let above = (gas.pressure - self.pressure) / gas.density;
+        let change = time * self.strength * (1.0 - mach * mach).max(0.0) * above;
+        (mach < 1.0).then(|| gas.waves(self.gamma).back + change)
+    }
+
+    /// What is behind the shock that runs into gas in this state, faster than sound and out of the domain, from the pressure
+    /// held; none of a pressure that the gas carries out with it (Rankine-Hugoniot, e.g. Toro 2009, section 3.1.3).
+    fn shocked(&self, gas: &Along) -> Option<Along> {
+        let gamma = self.gamma;
+        let sound = gas.sound(gamma);
+        let (mach, rise) = (gas.speed / sound, self.pressure / gas.pressure);
+        let front = 1.0 + 0.5 * (gamma + 1.0) / gamma * (rise - 1.0);
+        if mach < 1.0 || front <= mach * mach {
+            return None;
+        }
+        let part = (gamma - 1.0) / (gamma + 1.0);
+        let front = front.sqrt();
+        Some(Along {
+            density: gas.density * (rise + part) / (part * rise + 1.0),
+            speed: gas.speed - 2.0 * sound / (gamma + 1.0) * (front - 1.0 / front),
+            pressure: self.pressure,
+        })
+    }
+
+    /// The state beyond a face whose cell is in state `gas` and has its mean half of `apart` before it: the wave that comes in
+    /// crosses that at `c - u` and changes by what it would on its way. Faster than sound it is the cell's own. What comes back in
+    /// comes from gas at rest at the pressure, as hot as the free stream's.
+    pub fn beyond(&self, gas: &Along, apart: f64) -> Along {
+        if gas.speed < 0.0 {
+            let back = self.plenum.entering(-gas.waves(self.gamma).ahead);
+            return Along {
+                speed: -back.speed,
+                ..back
+            };
+        }
+        if let Some(behind) = self.shocked(gas) {
+            return behind;
+        }
+        let time = apart / (gas.sound(self.gamma) - gas.speed);
+        let waves = gas.waves(self.gamma);
+        let back = self.incoming(gas, time);
+        let there = back.and_then(|back| Waves { back, ..waves }.state(self.gamma));
+        there.unwrap_or(*gas)
+    }
+}
+
+impl<const D: usize> OpenModel<D> for Held {
+    fn inflow(&self, _problem: &Problem<D>) -> Option<State<D>> {
+        None
+    }
+
+    fn goes_on(&self) -> bool {
+        true
+    }
+
+    /// The wave on its way out goes through the particles, `dR+/dt = -c dR+/dn`; entropy and the velocity along the side ride
+    /// with them.
+    fn go_on(
+        &self,
+        problem: &Problem<D>,
+        fluid: &[Particle<D>],
+        gone: &mut [OpenParticle<D>],
+        step: f64,
+    ) {
+        let (axis, outward) = (self.place.axis, -self.place.inward());
+        let along = |particle: &Particle<D>| Along {
+            density: particle.density,
+            speed: outward * particle.velocity[axis],
+            pressure: problem.gas.pressure(particle.density, particle.energy),
+        };
+        let ahead = |particle: &Particle<D>| along(particle).waves(self.gamma).ahead;
+        let mut upstream = Upstream::new(self.place, problem.spacing);
+        let reach = upstream.reach();
+        let near = fluid
+            .iter()
+            .filter(|particle| -self.place.depth(&particle.position) < reach);
+        let all = near.chain(gone.iter().map(|open| &open.particle));
+        for particle in all {
+            upstream.add(particle.position, ahead(particle));
+        }
+        upstream.sort();
+        for open in gone {
+            let particle = &mut open.particle;
+            let gas = along(particle);
+            let next = self.incoming(&gas, step).and_then(|back| {
+                let waves = gas.waves(self.gamma);
+                let slope = upstream.slope(&particle.position, waves.ahead);
+                let ahead = waves.ahead - step * gas.sound(self.gamma) * slope;
+                let next = Waves {
+                    ahead,
+                    back,
+                    ..waves
+                };
+                next.state(self.gamma)
+            });
+            let Some(next) = next else {
+                continue;
+            };
+            let wider = (particle.density / next.density).powf(1.0 / D as f64);
+            particle.smoothing_length *= wider;
+            particle.density = next.density;
+            particle.energy = next.pressure / ((self.gamma - 1.0) * next.density);
+            particle.velocity[axis] = outward * next.speed;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::Side;
+    use crate::tests::cube;
+    use approx::assert_relative_eq;
+
+    const GAMMA: f64 = 1.4;
+
+    fn outlet(pressure: f64) -> Held {
+        let place = Place {
+            axis: 0,
+            end: 1,
+            face: 1.0,
+        };
+        Held::new(&cube::<1>(8, Side::Outlet), place, pressure, 0.25)
+    }
+
+    fn gas(mach: f64) -> Along {
+        Along {
+            density: 1.0,
+            speed: mach,
+            pressure: 1.0 / GAMMA,
+        }
+    }
+
+    #[test]
+    fn gas_at_the_pressure_is_left_alone() {
+        let inside = gas(0.5);
+        let beyond = outlet(inside.pressure).beyond(&inside, 0.1);
+        assert_relative_eq!(beyond.pressure, inside.pressure, epsilon = 1e-14);
+        assert_relative_eq!(beyond.speed, inside.speed, epsilon = 1e-14);
+    }
+
+    #[test]
+    fn gas_above_the_pressure_is_drawn_out() {
+        let beyond = outlet(0.9 / GAMMA).beyond(&gas(0.5), 0.1);
+        assert!(beyond.pressure < 1.0 / GAMMA && beyond.speed > 0.5);
+    }
+
+    #[test]
+    fn gas_faster_than_sound_leaves_unless_a_shock_comes_in() {
+        let inside = gas(2.0);
+        // Behind a normal shock at Mach 2: 4.5 (NACA 1135, 1953, eq. 93).
+        let weak = outlet(4.4 / GAMMA).beyond(&inside, 0.1);
+        assert_eq!(weak, inside);
+        let beyond = outlet(5.0 / GAMMA).beyond(&inside, 0.1);
+        // It moves in, and mass, momentum and energy go through it unchanged.
+        let jump = beyond.density - inside.density;
+        let flux = |gas: &Along| gas.density * gas.speed;
+        let front = (flux(&beyond) - flux(&inside)) / jump;
+        assert!(front < 0.0, "{front}");
+        let through = |gas: &Along| {
+            let speed = gas.speed - front;
+            let enthalpy = GAMMA / (GAMMA - 1.0) * gas.pressure / gas.density;
+            [
+                gas.pressure + gas.density * speed * speed,
+                enthalpy + 0.5 * speed * speed,
+            ]
+        };
+        for (a, b) in through(&inside).into_iter().zip(through(&beyond)) {
+            assert_relative_eq!(a, b, epsilon = 1e-12);
+        }
+    }
+
+    #[test]
+    fn what_comes_back_comes_from_rest() {
+        let beyond = outlet(1.2 / GAMMA).beyond(&gas(-0.2), 0.1);
+        let rise = (1.2 / GAMMA / beyond.pressure).powf((GAMMA - 1.0) / GAMMA);
+        let mach = -beyond.speed / beyond.sound(GAMMA);
+        assert_relative_eq!(rise, 1.0 + 0.2 * mach * mach, epsilon = 1e-12);
+    }
+}

@@ -1,0 +1,138 @@
+//! How steeply a value rises out of the domain, read off the particles that gas comes from.
+
+use aero_geometry::Vector;
+use nalgebra::SMatrix;
+
+use super::model::Place;
+
+/// How far it looks, in spacings: two layers and what disorder makes of them.
+const REACH: f64 = 2.5;
+
+/// Condition number of the moments of neighbours that all but lie in a row.
+const FLAT: f64 = 1e3;
+
+/// Values on particles about an open side, by cells as wide as the reach.
+#[derive(Debug)]
+pub struct Upstream<const D: usize> {
+    place: Place,
+    reach: f64,
+    /// Cell, position and value.
+    values: Vec<([i64; D], Vector<D>, f64)>,
+}
+
+impl<const D: usize> Upstream<D> {
+    /// None yet, about `place` on gas of this spacing.
+    pub fn new(place: Place, spacing: f64) -> Self {
+        Self {
+            place,
+            reach: REACH * spacing,
+            values: Vec::new(),
+        }
+    }
+
+    /// How far before the side particles matter.
+    pub fn reach(&self) -> f64 {
+        self.reach
+    }
+
+    /// Adds a value.
+    pub fn add(&mut self, position: Vector<D>, value: f64) {
+        self.values.push((self.cell(&position), position, value));
+    }
+
+    /// Brings them into the order of cells, after the last has been added.
+    pub fn sort(&mut self) {
+        // Stable: what is in a cell stays in the order in which it came, so that sums have one.
+        self.values.sort_by_key(|(cell, ..)| *cell);
+    }
+
+    fn cell(&self, position: &Vector<D>) -> [i64; D] {
+        std::array::from_fn(|k| (position[k] / self.reach).floor() as i64)
+    }
+
+    /// Slope out of the domain at `position`, where the value is `own`: of the plane that fits it and the values before it
+    /// best. None where there are too few of them.
+    pub fn slope(&self, position: &Vector<D>, own: f64) -> f64 {
+        let axis = self.place.axis;
+        let mut moment = SMatrix::<f64, D, D>::zeros();
+        let mut rise = Vector::zeros();
+        let home = self.cell(position);
+        for offset in 0..3_i64.pow(D as u32) {
+            let mut rest = offset;
+            let cell = home.map(|k| {
+                let k = k + rest % 3 - 1;
+                rest /= 3;
+                k
+            });
+            let first = self.values.partition_point(|(other, ..)| *other < cell);
+            for (other, place, value) in &self.values[first..] {
+                if *other != cell {
+                    break;
+                }
+                let apart = place - position;
+                let share = 1.0 - apart.norm_squared() / (self.reach * self.reach);
+                if share > 0.0 && self.place.inward() * apart[axis] > 0.0 {
+                    let weight = share * share;
+                    moment += apart * apart.transpose() * weight;
+                    rise += apart * ((value - own) * weight);
+                }
+            }
+        }
+        let outward = -self.place.inward();
+        let square = moment[(axis, axis)];
+        if square <= 0.0 {
+            return 0.0;
+        }
+        // A plane where neighbours fix one, a line across the side where they do not.
+        let plane = moment
+            .try_inverse()
+            .filter(|inverse| moment.norm() * inverse.norm() < FLAT);
+        outward * plane.map_or(rise[axis] / square, |inverse| (inverse * rise)[axis])
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn the_slope_of_a_plane_is_found_from_one_side_of_it() {
+        let place = Place {
+            axis: 0,
+            end: 1,
+            face: 0.0,
+        };
+        let value = |x: &Vector<2>| 2.0 - 3.0 * x[0] + 0.7 * x[1];
+        let mut upstream = Upstream::new(place, 0.1);
+        let points = (-4..4).flat_map(|i| (-4..4).map(move |j| (i, j)));
+        for (i, j) in points {
+            let (i, j) = (f64::from(i), f64::from(j));
+            let at = Vector::<2>::new(0.1 * i + 0.01 * (j * 1.7).sin(), 0.1 * j);
+            // What lies downstream is not asked.
+            let beyond = if at[0] > 0.0 { 1e9 } else { 0.0 };
+            upstream.add(at, value(&at) + beyond);
+        }
+        upstream.sort();
+        let at = Vector::<2>::new(0.0, 0.03);
+        assert_relative_eq!(upstream.slope(&at, value(&at)), -3.0, epsilon = 1e-12);
+    }
+
+    #[test]
+    fn a_row_alone_has_a_slope_along_itself_and_nothing_has_none() {
+        let place = Place {
+            axis: 1,
+            end: 0,
+            face: 0.0,
+        };
+        let mut upstream = Upstream::<2>::new(place, 0.1);
+        assert_eq!(upstream.slope(&Vector::<2>::zeros(), 1.0), 0.0);
+        upstream.add(Vector::<2>::new(0.0, 0.1), 2.0);
+        upstream.sort();
+        assert_relative_eq!(
+            upstream.slope(&Vector::<2>::zeros(), 1.0),
+            -10.0,
+            epsilon = 1e-12
+        );
+    }
+}

@@ -1,0 +1,80 @@
+//! Open sides that send sound back: those of particles whose stream is slower than sound.
+
+use aero_packer::{About, Warning};
+use aero_solver::gas::{Gas, IdealGas};
+use aero_solver::problem::{Problem, Side};
+
+use super::{Check, side_name};
+
+/// Looks at each side.
+pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
+    if problem.method.fixed().is_some() {
+        return;
+    }
+    let stream = &problem.free_stream;
+    let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+    let sound = (gamma * stream.pressure / stream.density).sqrt();
+    if stream.velocity.norm() > sound {
+        return;
+    }
+    for (axis, end, side, _) in problem.domain.each_side() {
+        let outward = [-1.0, 1.0][end] * stream.velocity[axis];
+        let crosses = outward.abs() > 0.1 * stream.velocity.norm();
+        let mend = match side {
+            Side::Outlet if crosses && outward > 0.0 => "take `{ outlet = { pressure = .. } }`",
+            Side::Inlet => "take `{ inlet = { reflecting = false } }`",
+            Side::FreeStream if crosses => "keep it far from the bodies",
+            _ => continue,
+        };
+        let text = format!(
+            "side `{}`: the free stream crosses it at Mach {:.2}, and it sends back sound that meets it; {mend}",
+            side_name(axis, end),
+            outward.abs() / sound
+        );
+        found.warnings.push(Warning::new(About::Scene, text));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::scene::Scene;
+
+    const SCENE: &str = r#"
+dimension = 1
+spacing = 0.1
+end_time = 1.0
+[free_stream]
+mach = 0.5
+density = 1.0
+pressure = 1.0
+[domain]
+min = [0.0]
+max = [1.0]
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+"#;
+
+    fn warnings(settings: &[&str]) -> Vec<String> {
+        let mut scene = Scene::parse(SCENE, "duct", std::path::Path::new("")).unwrap();
+        for setting in settings {
+            scene.set(setting).unwrap();
+        }
+        let found = scene.build_any().unwrap().check();
+        found.warnings.iter().map(ToString::to_string).collect()
+    }
+
+    #[test]
+    fn sides_that_send_sound_back_are_told_with_their_mend() {
+        let told = warnings(&[]);
+        assert_eq!(told.len(), 2, "{told:?}");
+        assert!(told[0].contains("reflecting = false") && told[1].contains("outlet = { pressure"));
+        assert!(warnings(&["free_stream.mach=1.5"]).is_empty());
+        assert!(warnings(&["scheme.motion=fixed"]).is_empty());
+        let mended = [
+            "domain.sides.x_min={ inlet = { reflecting = false } }",
+            "domain.sides.x_max={ outlet = { pressure = 1.0 } }",
+        ];
+        assert!(warnings(&mended).is_empty());
+    }
+}

@@ -1,0 +1,82 @@
+//! What commands that take a scene share: its file, its overrides, its threads, and a case run before a person's eyes.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::time::Instant;
+
+use aero::case::AnyCase;
+use aero::output::Summary;
+use aero::run::{Destination, RunError, Stopwatch, run_any};
+use aero::scene::Scene;
+use clap::Args;
+
+use super::CommandError;
+use super::interrupt::Interrupt;
+use super::progress::Display;
+
+/// A scene as it is typed.
+#[derive(Args, Clone, Debug)]
+pub struct SceneArgs {
+    /// Scene file (TOML)
+    scene: PathBuf,
+    /// Override a value of the scene; may be given many times
+    #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
+    set: Vec<String>,
+    /// Number of threads; all processors unless given
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
+    pub threads: Option<u16>,
+}
+
+impl SceneArgs {
+    /// The scene with its overrides.
+    pub fn load(&self) -> Result<Scene, CommandError> {
+        let mut scene = Scene::load(&self.scene).map_err(CommandError::wrong)?;
+        for setting in &self.set {
+            scene.set(setting).map_err(CommandError::wrong)?;
+        }
+        Ok(scene)
+    }
+}
+
+/// The folder for results: the one that was given, or `out/NAME`.
+pub fn folder(given: Option<&PathBuf>, name: &str) -> PathBuf {
+    given
+        .cloned()
+        .unwrap_or_else(|| Path::new("out").join(name))
+}
+
+/// The case that a scene means, packed and looked at.
+pub fn checked(scene: &Scene) -> Result<AnyCase, CommandError> {
+    let case = scene.build_any().map_err(CommandError::wrong)?;
+    case.checked().map_err(CommandError::wrong)
+}
+
+/// Tells what was mended in the bodies, and what the user should know.
+pub fn tell(case: &AnyCase) {
+    for line in case.remarks() {
+        eprintln!("{line}");
+    }
+}
+
+/// Runs a case with its progress shown, until an interrupt or `deadline`.
+///
+/// # Errors
+/// As of [`run_any`].
+pub fn run_watched(
+    case: AnyCase,
+    destination: Destination<'_>,
+    stopwatch: Stopwatch,
+    interrupt: &Interrupt,
+    deadline: Option<Instant>,
+) -> Result<Summary, RunError> {
+    let mut display = Display::of_run();
+    let result = run_any(case, destination, stopwatch, &mut |progress| {
+        display.show(progress);
+        match deadline {
+            Some(end) if Instant::now() >= end => ControlFlow::Break(()),
+            _ => interrupt.wish(),
+        }
+    });
+    display.finish();
+    result
+}

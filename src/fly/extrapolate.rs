@@ -1,0 +1,207 @@
+//! From values at a few spacings to the value at none, with a band.
+
+use serde::Serialize;
+
+/// Orders that a method of first to second order can show; others are chance (Eça, Hoekstra 2014).
+const CREDIBLE: [f64; 2] = [0.5, 2.1];
+
+/// Orders among which the best is looked for.
+const ORDERS: [f64; 2] = [0.05, 8.0];
+
+/// Safety factor on the error estimate where the observed order is credible and values lie near the fit (Roache 1994, J. Fluids
+/// Eng. 116, 405, doi 10.1115/1.2910291).
+const SAFE: f64 = 1.25;
+
+/// And where not, or only two spacings are known.
+const UNSAFE: f64 = 3.0;
+
+/// A value with its band.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Extrapolated {
+    /// At a spacing of nothing.
+    pub value: f64,
+    /// Half width of the band.
+    pub band: f64,
+    /// Observed order; none where the values do not show one.
+    pub order: Option<f64>,
+}
+
+/// From `(spacing, value)` pairs, coarse to fine.
+///
+/// `f = f0 + c h^p` is fitted to three values or more, by least squares with weights 1/h; with four or more, what they scatter by
+/// widens the band [Eça, Hoekstra 2014, J. Comput. Phys. 262, 104, doi 10.1016/j.jcp.2014.01.006]. Where p is credible, f0 is the
+/// value, and the band is `1.25 |f - f0|` at the finest, by first order where a higher one shows, plus the scatter. Where it is
+/// not, the finest value stands, and the band is the wider one of the fits of first and second order, three times as wide where
+/// values scatter by more than they change. Two values have a band of three times their difference, a single one an infinite one.
+pub fn extrapolate(runs: &[(f64, f64)]) -> Extrapolated {
+    let (value, band) = match runs {
+        [] => (f64::NAN, f64::INFINITY),
+        [(_, value)] => (*value, f64::INFINITY),
+        [first, second] => (second.1, UNSAFE * (first.1 - second.1).abs()),
+        [.., before, last] => return of_many(runs, *before, *last),
+    };
+    Extrapolated {
+        value,
+        band,
+        order: None,
+    }
+}
+
+fn of_many(runs: &[(f64, f64)], before: (f64, f64), last: (f64, f64)) -> Extrapolated {
+    let order = observed_order(runs);
+    if let Some(p) = order.filter(|p| (CREDIBLE[0]..=CREDIBLE[1]).contains(p)) {
+        // A method of second order at best is not trusted to be better, and shocks are of first order.
+        let fit = Fit::new(runs, p.min(2.0));
+        return Extrapolated {
+            value: fit.limit,
+            band: SAFE * Fit::new(runs, p.min(1.0)).error(last) + fit.doubt(last),
+            order,
+        };
+    }
+    // Mean change from run to run: what scatters by less can be trusted to show a trend.
+    let (most, least) = runs
+        .iter()
+        .fold((f64::MIN, f64::MAX), |(most, least), run| {
+            (most.max(run.1), least.min(run.1))
+        });
+    let change = (most - least) / (runs.len() - 1) as f64;
+    let bands = [1.0, 2.0].map(|p| {
+        let fit = Fit::new(runs, p);
+        let factor = if fit.scatter < change { SAFE } else { UNSAFE };
+        factor * (fit.error(last) + fit.doubt(last))
+    });
+    let turned = UNSAFE * (last.1 - before.1).abs();
+    Extrapolated {
+        value: last.1,
+        band: bands.into_iter().fold(turned, f64::max),
+        order,
+    }
+}
+
+/// `f0 + c h^p` with a given p, by weighted least squares.
+struct Fit {
+    power: f64,
+    limit: f64,
+    slope: f64,
+    /// Standard deviation of the values from the fit; of three values none is known.
+    scatter: f64,
+    /// Sum of the weighted squares of what is left.
+    left: f64,
+}
+
+impl Fit {
+    fn new(runs: &[(f64, f64)], power: f64) -> Self {
+        let total: f64 = runs.iter().map(|(h, _)| 1.0 / h).sum();
+        let weighted = |of: &dyn Fn(f64, f64) -> f64| -> f64 {
+            let parts = runs.iter().map(|(h, f)| of(h.powf(power), *f) / h);
+            parts.sum::<f64>() / total
+        };
+        let (x, f) = (weighted(&|x, _| x), weighted(&|_, f| f));
+        let slope = weighted(&|a, b| (a - x) * (b - f)) / weighted(&|a, _| (a - x) * (a - x));
+        let limit = f - slope * x;
+        let left = weighted(&|a, b| (b - limit - slope * a).powi(2));
+        let free = runs.len().saturating_sub(3);
+        let scatter = if free == 0 {
+            0.0
+        } else {
+            (left * runs.len() as f64 / free as f64).sqrt()
+        };
+        Self {
+            power,
+            limit,
+            slope,
+            scatter,
+            left,
+        }
+    }
+
+    /// What the fit says is wrong with a value.
+    fn error(&self, (h, _): (f64, f64)) -> f64 {
+        (self.slope * h.powf(self.power)).abs()
+    }
+
+    /// What is wrong with the fit.
+    fn doubt(&self, (h, f): (f64, f64)) -> f64 {
+        self.scatter + (f - self.limit - self.slope * h.powf(self.power)).abs()
+    }
+}
+
+/// The p of the best fit; none where three values turn back, or the best is the least that is looked for.
+fn observed_order(runs: &[(f64, f64)]) -> Option<f64> {
+    const STEPS: i32 = 200;
+    if let [.., a, b, c] = runs
+        && runs.len() == 3
+        && (a.1 - b.1) * (b.1 - c.1) <= 0.0
+    {
+        return None;
+    }
+    let left = |p: f64| Fit::new(runs, p).left;
+    let [least, most] = ORDERS;
+    let width = (most - least) / f64::from(STEPS);
+    let best = (0..=STEPS)
+        .map(|n| least + width * f64::from(n))
+        .min_by(|a, b| left(*a).total_cmp(&left(*b)))?;
+    if best == least {
+        return None;
+    }
+    let (mut low, mut high) = (best - width, (best + width).min(most));
+    for _ in 0..80 {
+        let (a, b) = (low + (high - low) / 3.0, high - (high - low) / 3.0);
+        if left(a) < left(b) {
+            high = b;
+        } else {
+            low = a;
+        }
+    }
+    Some(0.5 * (low + high))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_power_law_leads_to_its_limit_and_the_band_holds_the_finest_value() {
+        for p in [1.0, 1.5, 2.0] {
+            let runs = [0.3, 0.2, 0.12].map(|h: f64| (h, 1.0 + 0.4 * h.powf(p)));
+            let found = extrapolate(&runs);
+            assert!((found.value - 1.0).abs() < 1e-6, "{found:?}");
+            assert!((found.order.unwrap() - p).abs() < 1e-5);
+            assert!(found.band > runs[2].1 - 1.0);
+        }
+    }
+
+    #[test]
+    fn the_limit_of_values_that_scatter_lies_in_the_band() {
+        let h = [0.5_f64, 0.36, 0.25, 0.18, 0.13];
+        for shift in 0..5 {
+            let runs = std::array::from_fn::<_, 5, _>(|n| {
+                let noise = [0.004, -0.006, 0.005, 0.001, -0.004][(n + shift) % 5];
+                (h[n], 1.0 + 0.1 * h[n] + noise)
+            });
+            for from in 0..2 {
+                let found = extrapolate(&runs[from..]);
+                assert!((found.value - 1.0).abs() < found.band, "{runs:?} {found:?}");
+                assert!(found.band < 0.1, "{found:?}");
+            }
+        }
+    }
+
+    #[test]
+    fn values_that_turn_back_or_run_away_have_wide_bands() {
+        let turned = extrapolate(&[(0.4, 1.0), (0.2, 1.2), (0.1, 1.1)]);
+        assert_eq!((turned.value, turned.order), (1.1, None));
+        assert!(turned.band >= 0.3 - 1e-12);
+        let away = extrapolate(&[(0.4, 1.0), (0.2, 1.1), (0.1, 1.3)]);
+        assert_eq!(away.value, 1.3);
+        assert!(away.band > 0.5);
+        assert!(extrapolate(&[(0.1, 1.0)]).band.is_infinite());
+    }
+
+    #[test]
+    fn a_suspiciously_fast_convergence_is_not_believed() {
+        let found = extrapolate(&[(0.4, 2.0), (0.2, 1.01), (0.1, 1.0)]);
+        assert!(found.order.unwrap() > 2.5);
+        assert!(found.band >= 3.0 * 0.01 / 3.0 - 1e-12, "{found:?}");
+    }
+}

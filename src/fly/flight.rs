@@ -1,0 +1,396 @@
+//! What is flown and how: the body in place, the stream, what of the flow is computed; and the scenes that say so.
+
+use std::f64::consts::PI;
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use aero_geometry::{Bounds, Placed, Shape, Vector, Watch, files};
+use aero_packer::thinnest_part;
+
+use super::attitude::{Attitude, Axes};
+use super::domain;
+use super::error::FlyError;
+use super::meridian::meridian;
+use super::silhouette;
+use crate::scene::shapes::{StlEntry, Unit};
+
+/// Cells that a captured shock is thick, and as many before it.
+const THICK: f64 = 5.0;
+
+/// A mirrored corner may be off the surface by this part of the body's least extent: facets around a round body need not match.
+const MIRROR: f64 = 5e-3;
+
+/// Corners that are mirrored, at most.
+const CORNERS: usize = 4000;
+
+/// The state of the stream at rest.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Air {
+    /// Of the standard atmosphere, at a height in m.
+    Altitude(f64),
+    /// Pressure in Pa and temperature in K.
+    State(f64, f64),
+}
+
+/// What is asked for.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Wishes {
+    /// File of the body.
+    pub body: PathBuf,
+    /// Its unit.
+    pub unit: Option<Unit>,
+    /// How it lies; as it looks if none.
+    pub axes: Option<Axes>,
+    /// Turn about its length, degrees.
+    pub roll: f64,
+    /// Mach number.
+    pub mach: f64,
+    /// Degrees.
+    pub incidence: f64,
+    /// Degrees.
+    pub sideslip: f64,
+    /// The air.
+    pub air: Air,
+    /// Particles rather than points.
+    pub with_the_gas: bool,
+    /// Reference area; the frontal one if none.
+    pub area: Option<f64>,
+    /// Reference length; the body's if none.
+    pub length: Option<f64>,
+    /// Moment centre, m behind the nose; the middle if none.
+    pub centre: Option<f64>,
+}
+
+/// What of the flow is computed.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Extent {
+    /// A plane through the axis of a body of revolution, with its meridian.
+    Meridian(Vec<[f64; 2]>),
+    /// Space on one side of the planes of symmetry across these axes.
+    Space(Vec<usize>),
+}
+
+/// A body on its way through a stream.
+#[derive(Clone, Debug)]
+pub struct Flight {
+    /// What was asked for.
+    pub wishes: Wishes,
+    /// Name of the body.
+    pub name: String,
+    /// How it lies.
+    pub attitude: Attitude,
+    /// The body in place.
+    pub shape: Arc<dyn Shape<3>>,
+    /// Its box.
+    pub bounds: Bounds<3>,
+    /// What is computed.
+    pub extent: Extent,
+    /// Its frontal area, or what was given.
+    pub area: f64,
+    /// Its thinnest part, where it has one that is thin.
+    pub thinnest: Option<f64>,
+    /// What was mended in the file.
+    pub repairs: Vec<String>,
+    /// Box of the flow.
+    region: Bounds<3>,
+}
+
+impl Flight {
+    /// Reads the body and looks at it.
+    ///
+    /// # Errors
+    /// A file that holds no solid; a stream that is too slow.
+    pub fn new(wishes: Wishes) -> Result<Self, FlyError> {
+        if !(wishes.mach >= domain::LEAST_MACH && wishes.mach.is_finite()) {
+            return Err(FlyError::Asked(format!(
+                "--mach {}: waves of a body below Mach {} go too far for a box of its own; write a scene (`aero new body`)",
+                wishes.mach,
+                domain::LEAST_MACH
+            )));
+        }
+        let name = files::body_name(&wishes.body);
+        let body =
+            |error: &dyn std::fmt::Display| FlyError::Body(format!("body `{name}`: {error}"));
+        let entry = StlEntry {
+            file: wishes.body.clone(),
+            unit: wishes.unit,
+            ..StlEntry::default()
+        };
+        let watch = Watch::default();
+        let soup = entry.read(Path::new(""), &watch).map_err(|e| body(&e))?;
+        let solid = entry.solid(&soup, 0.0, &watch).map_err(|e| body(&e))?;
+        drop(soup);
+        let attitude = Attitude::new(solid.shape.as_ref(), wishes.axes, wishes.roll)?;
+        let shape: Arc<dyn Shape<3>> = Arc::new(Placed::new(solid.shape, attitude.placement()?));
+        let bounds = box_of(shape.as_ref());
+        let extent = extent(shape.as_ref(), &bounds, &wishes);
+        let area = wishes.area.unwrap_or_else(|| match &extent {
+            Extent::Meridian(line) => {
+                let widest = line.iter().map(|[_, radius]| *radius).fold(0.0, f64::max);
+                PI * widest * widest
+            }
+            Extent::Space(_) => silhouette::frontal_area(shape.as_ref(), &bounds),
+        });
+        let region = domain::around(&bounds, wishes.mach, [wishes.incidence, wishes.sideslip]);
+        Ok(Self {
+            thinnest: thinnest_part(shape.as_ref(), &bounds),
+            region,
+            area,
+            extent,
+            bounds,
+            shape,
+            attitude,
+            repairs: solid.repairs,
+            name,
+            wishes,
+        })
+    }
+
+    /// Number of dimensions that are computed.
+    pub fn dimension(&self) -> usize {
+        match self.extent {
+            Extent::Meridian(_) => 2,
+            Extent::Space(_) => 3,
+        }
+    }
+
+    /// Halvings of the spacing near body and shocks.
+    pub fn halvings(&self) -> u8 {
+        match (self.wishes.with_the_gas, self.dimension()) {
+            (true, _) => 0,
+            (false, 2) => 2,
+            (false, _) => 1,
+        }
+    }
+
+    /// Axes across which the flow is its own mirror image and half of it is left out.
+    pub fn mirrors(&self) -> &[usize] {
+        match &self.extent {
+            Extent::Meridian(_) => &[],
+            Extent::Space(mirrors) => mirrors,
+        }
+    }
+
+    /// Length of the body.
+    pub fn length(&self) -> f64 {
+        self.bounds.size()[0]
+    }
+
+    /// Reference length.
+    pub fn reference_length(&self) -> f64 {
+        self.wishes.length.unwrap_or_else(|| self.length())
+    }
+
+    /// Moment centre, behind the nose.
+    pub fn centre(&self) -> f64 {
+        self.wishes.centre.unwrap_or_else(|| 0.5 * self.length())
+    }
+
+    /// The part of the box that is computed.
+    pub fn region(&self) -> Bounds<3> {
+        let mut region = domain::part(&self.region, self.mirrors());
+        if self.dimension() == 2 {
+            (region.min[1], region.min[2], region.max[2]) = (0.0, 0.0, 0.0);
+        }
+        region
+    }
+
+    /// Gives shocks ahead of the body room for their thickness at a spacing at which the box is that many cells.
+    pub fn widen(&mut self, cells: f64) {
+        self.region.min[0] -= THICK * self.spacing_of(cells) / f64::from(1_u32 << self.halvings());
+    }
+
+    /// A spacing at which the box is that many cells.
+    pub fn spacing_of(&self, cells: f64) -> f64 {
+        let size = self.region().size();
+        let dimension = self.dimension();
+        let room: f64 = (0..dimension).map(|k| size[k]).product();
+        (room / cells).powf(1.0 / dimension as f64)
+    }
+
+    /// What is computed, in words.
+    pub fn extent_words(&self) -> &'static str {
+        match &self.extent {
+            Extent::Meridian(_) => {
+                "a body of revolution in a stream along its axis: a plane through the axis is computed"
+            }
+            Extent::Space(mirrors) => match mirrors[..] {
+                [] => "the whole of the flow is computed",
+                [_] => "body and stream are their own mirror image: half of the flow is computed",
+                _ => {
+                    "body and stream are their own mirror images twice: a quarter of the flow is computed"
+                }
+            },
+        }
+    }
+
+    /// The scene at `spacing`, from the flow of an earlier `frame` if one is given.
+    ///
+    /// # Errors
+    /// A body's file that has no absolute path.
+    pub fn scene(&self, spacing: f64, frame: Option<&Path>) -> Result<String, FlyError> {
+        let mut text = String::new();
+        let w = &self.wishes;
+        let region = self.region();
+        let list = |numbers: &[f64]| format!("{numbers:?}");
+        let (min, max) = if self.dimension() == 2 {
+            let bounds = domain::whole(&domain::plane(&region), spacing);
+            (list(bounds.min.as_slice()), list(bounds.max.as_slice()))
+        } else {
+            let bounds = domain::whole(&region, spacing);
+            (list(bounds.min.as_slice()), list(bounds.max.as_slice()))
+        };
+        let mut say = |line: &str| {
+            text.push_str(line);
+            text.push('\n');
+        };
+        say(&format!(
+            "title = \"{} at Mach {}\"",
+            self.name.replace(['"', '\\'], ""),
+            w.mach
+        ));
+        say(&format!(
+            "dimension = {}\nspacing = {spacing:?}",
+            self.dimension()
+        ));
+        say("stop = \"steady\"\n");
+        if !w.with_the_gas {
+            say(&format!(
+                "[scheme]\nmotion = \"fixed\"\nrefine = {}\n",
+                self.halvings()
+            ));
+        }
+        say(&format!("[free_stream]\nmach = {:?}", w.mach));
+        match w.air {
+            Air::Altitude(height) => say(&format!("altitude = {height:?}")),
+            Air::State(pressure, temperature) => {
+                say(&format!(
+                    "pressure = {pressure:?}\ntemperature = {temperature:?}"
+                ));
+            }
+        }
+        if self.dimension() == 3 {
+            say(&format!(
+                "incidence = {:?}\nsideslip = {:?}",
+                w.incidence, w.sideslip
+            ));
+        }
+        say(&format!(
+            "\n[domain]\nmin = {min}\nmax = {max}\n\n[domain.sides]"
+        ));
+        say("x_min = \"inlet\"\nx_max = \"outlet\"");
+        match &self.extent {
+            Extent::Meridian(_) => say("y_min = \"axis\"\ny_max = \"free-stream\""),
+            Extent::Space(mirrors) => {
+                for (axis, letter) in [(1, "y"), (2, "z")] {
+                    let low = if mirrors.contains(&axis) {
+                        "symmetry"
+                    } else {
+                        "free-stream"
+                    };
+                    say(&format!(
+                        "{letter}_min = \"{low}\"\n{letter}_max = \"free-stream\""
+                    ));
+                }
+            }
+        }
+        if let Some(frame) = frame {
+            say(&format!(
+                "\n[initial]\nframe = {:?}",
+                frame.display().to_string()
+            ));
+        }
+        say(&format!("\n[[body]]\nname = {:?}", self.name));
+        say(&self.scene_shape()?);
+        let zeros = &[0.0; 2][..self.dimension() - 1];
+        let centre = [&[self.centre()][..], zeros].concat();
+        say(&format!(
+            "reference_area = {:?}\nreference_length = {:?}\nmoment_centre = {centre:?}",
+            self.area,
+            self.reference_length()
+        ));
+        say("\n[output]\nframes = 1\ncompress = true");
+        Ok(text)
+    }
+
+    /// The `shape` and `place` of the body.
+    fn scene_shape(&self) -> Result<String, FlyError> {
+        match &self.extent {
+            Extent::Meridian(line) => {
+                let lower = line.iter().rev().filter(|[_, radius]| *radius > 0.0);
+                let lower = lower.map(|[x, radius]| [*x, -radius]);
+                let points: Vec<[f64; 2]> = line.iter().copied().chain(lower).collect();
+                let mut text = "shape = { polygon = { points = [".to_owned();
+                for [x, y] in points {
+                    // Writing to a string cannot fail.
+                    let _ = write!(text, "[{x:?}, {y:?}], ");
+                }
+                text.push_str("] } }");
+                Ok(text)
+            }
+            Extent::Space(_) => {
+                let file = std::path::absolute(&self.wishes.body)
+                    .map_err(|error| FlyError::Body(error.to_string()))?;
+                let unit = match self.wishes.unit {
+                    None => String::new(),
+                    Some(Unit::M) => ", unit = \"m\"".into(),
+                    Some(Unit::Mm) => ", unit = \"mm\"".into(),
+                    Some(Unit::In) => ", unit = \"in\"".into(),
+                };
+                Ok(format!(
+                    "shape = {{ stl = {{ file = {:?}{unit} }} }}\nplace = {}",
+                    file.display().to_string(),
+                    self.attitude.scene_place()
+                ))
+            }
+        }
+    }
+}
+
+/// Box of the triangles.
+fn box_of(shape: &dyn Shape<3>) -> Bounds<3> {
+    let mut bounds: Bounds<3> = Bounds::new(
+        Vector::repeat(f64::INFINITY),
+        Vector::repeat(f64::NEG_INFINITY),
+    );
+    for corner in shape
+        .facets(f64::INFINITY, &shape.bounds())
+        .iter()
+        .flatten()
+    {
+        bounds.min = bounds.min.inf(corner);
+        bounds.max = bounds.max.sup(corner);
+    }
+    if bounds.is_empty() {
+        shape.bounds()
+    } else {
+        bounds
+    }
+}
+
+fn extent(shape: &dyn Shape<3>, bounds: &Bounds<3>, wishes: &Wishes) -> Extent {
+    let level = wishes.incidence == 0.0 && wishes.sideslip == 0.0;
+    if level && let Some(line) = meridian(shape) {
+        return Extent::Meridian(line);
+    }
+    let still = [(1, wishes.incidence == 0.0), (2, wishes.sideslip == 0.0)];
+    let mirrors = still
+        .into_iter()
+        .filter(|(axis, along)| *along && is_mirrored(shape, bounds, *axis));
+    Extent::Space(mirrors.map(|(axis, _)| axis).collect())
+}
+
+/// True where the images of the corners, across the plane through the middle, lie on the surface.
+fn is_mirrored(shape: &dyn Shape<3>, bounds: &Bounds<3>, axis: usize) -> bool {
+    let near = MIRROR * bounds.size().min();
+    let facets = shape.facets(f64::INFINITY, bounds);
+    let every = (3 * facets.len()).div_ceil(CORNERS).max(1);
+    facets.iter().flatten().step_by(every).all(|corner| {
+        let mut image = *corner;
+        image[axis] = -image[axis];
+        let off = |p: &Vector<3>| shape.signed_distance(p).abs();
+        // Corners that other parts hide are off the surface themselves.
+        off(&image) < near || off(corner) > near
+    })
+}

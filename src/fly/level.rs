@@ -1,0 +1,199 @@
+//! What one run of a flight has shown.
+
+use std::path::{Path, PathBuf};
+
+use serde::Serialize;
+
+use super::error::FlyError;
+use super::flight::Flight;
+use super::read::{self, Cells};
+use crate::output::Summary;
+
+/// What faces away from the stream by more than so many degrees is base: real gas does not follow such a turn, and what an inviscid
+/// one does there has no exact answer.
+pub const BASE: f64 = 25.0;
+
+/// Rows of the history, at its end, over which loads are looked at.
+const ROWS: usize = 150;
+
+/// Coefficients of a body.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Serialize)]
+pub struct Coefficients {
+    /// Drag.
+    pub cd: f64,
+    /// Drag of what does not face away from the stream.
+    pub cd_forebody: f64,
+    /// Drag of what does.
+    pub cd_base: f64,
+    /// Lift.
+    pub cl: f64,
+    /// Moment, positive nose up.
+    pub cm: f64,
+}
+
+/// A run at one spacing.
+#[derive(Clone, Debug, Serialize)]
+pub struct Level {
+    /// Spacing of the lattice.
+    pub spacing: f64,
+    /// The smallest one, near body and shocks.
+    pub finest: f64,
+    /// Folder with what the run has written.
+    pub folder: PathBuf,
+    /// Points or particles.
+    pub points: usize,
+    /// Steps or iterations.
+    pub steps: u64,
+    /// Wall time, s.
+    pub wall_seconds: f64,
+    /// Processor time, s.
+    pub cpu_seconds: f64,
+    /// True where loads came to rest, be it in the mean.
+    pub settled: bool,
+    /// How the run ended.
+    pub end: String,
+    /// Coefficients, means where the flow swings.
+    #[serde(flatten)]
+    pub coefficients: Coefficients,
+    /// Half of what they went on to swing by.
+    pub swing: Coefficients,
+    /// Part of a load that an uneven surface may cost: what is left of the sum of all normals.
+    pub open: f64,
+    /// Area of the base, over the reference area.
+    pub base_area: f64,
+    /// Warnings of the run.
+    #[serde(skip)]
+    pub warnings: Vec<String>,
+}
+
+impl Level {
+    /// Reads what the run at `spacing` has left in `folder`.
+    ///
+    /// # Errors
+    /// Files that are not there.
+    pub fn read(
+        flight: &Flight,
+        folder: &Path,
+        spacing: f64,
+        summary: &Summary,
+    ) -> Result<Self, FlyError> {
+        let missing =
+            |what: &str| FlyError::Files(format!("`{}` holds no {what}", folder.display()));
+        let body = summary
+            .bodies
+            .get(&flight.name)
+            .ok_or_else(|| missing("loads"))?;
+        let path = read::last(folder, "surface-").ok_or_else(|| missing("surface"))?;
+        let parts = parts(flight, &read::surface(&path)?);
+        let history = read::history(&folder.join("history.csv"))?;
+        let swing = |key: &str| {
+            let rows = history.get(&format!("{}.{key}", flight.name));
+            half_range(rows.map_or(&[][..], Vec::as_slice))
+        };
+        let now = body.cd.unwrap_or(f64::NAN);
+        let mean = body.cd_mean.unwrap_or(now);
+        // The wake swings, the front does not.
+        let cd_forebody = parts.forebody;
+        let level = flight.dimension() == 2;
+        let or_none = |value: Option<f64>| {
+            if level {
+                0.0
+            } else {
+                value.unwrap_or(f64::NAN)
+            }
+        };
+        let finest = summary.points_per_level.len().saturating_sub(1);
+        let swing_cd = swing("cd");
+        Ok(Self {
+            spacing,
+            finest: spacing / f64::from(1_u32 << finest.min(30)),
+            folder: folder.to_owned(),
+            points: summary.particles.fluid,
+            steps: summary.steps,
+            wall_seconds: summary.wall_seconds,
+            cpu_seconds: summary.cpu_seconds,
+            settled: summary.stop_reason.starts_with("settled")
+                || summary.stop_reason.starts_with("steady"),
+            end: summary.stop_reason.clone(),
+            coefficients: Coefficients {
+                cd: mean,
+                cd_forebody,
+                cd_base: if parts.base_area > 0.0 {
+                    mean - cd_forebody
+                } else {
+                    0.0
+                },
+                cl: or_none(body.cl_mean.or(body.cl)),
+                cm: or_none(body.cm_mean.or(body.cm)),
+            },
+            swing: Coefficients {
+                cd: swing_cd,
+                cd_forebody: if parts.base_area > 0.0 {
+                    0.1 * swing_cd
+                } else {
+                    swing_cd
+                },
+                cd_base: swing_cd,
+                cl: if level { 0.0 } else { swing("cl") },
+                cm: if level { 0.0 } else { swing("cm") },
+            },
+            open: parts.open,
+            base_area: parts.base_area,
+            warnings: summary.warnings.iter().map(ToString::to_string).collect(),
+        })
+    }
+}
+
+/// What is summed over a surface.
+struct Parts {
+    forebody: f64,
+    base_area: f64,
+    open: f64,
+}
+
+/// Drag of the forebody, area of the base, and what normals leave.
+fn parts(flight: &Flight, surface: &Cells) -> Parts {
+    let [up, aside] = [flight.wishes.incidence, flight.wishes.sideslip].map(f64::to_radians);
+    let way = [up.cos() * aside.cos(), up.sin() * aside.cos(), aside.sin()];
+    let column = |name: &str| surface.arrays.get(name).map_or(&[][..], Vec::as_slice);
+    let (cp, area, normal) = (
+        column("pressure_coefficient"),
+        column("area"),
+        column("normal"),
+    );
+    let body = column("body");
+    let images = f64::from(1_u32 << flight.mirrors().len());
+    let (mut forebody, mut base_area, mut sum, mut total) = (0.0, 0.0, 0.0, 0.0);
+    let steep = BASE.to_radians().sin();
+    for n in 0..area.len() {
+        if body.get(n).is_some_and(|number| *number != 0.0) {
+            continue;
+        }
+        let along: f64 = (0..3).map(|k| normal[3 * n + k] * way[k]).sum();
+        if along > steep {
+            base_area += images * area[n] * along / flight.area;
+        } else {
+            forebody -= images * cp[n] * along * area[n] / flight.area;
+        }
+        sum += normal[3 * n] * area[n];
+        total += normal[3 * n].abs() * area[n];
+    }
+    Parts {
+        forebody,
+        base_area,
+        open: (sum / f64::max(total, f64::MIN_POSITIVE)).abs(),
+    }
+}
+
+/// Half the range of the last rows.
+fn half_range(values: &[f64]) -> f64 {
+    let rows = ROWS.min(values.len() / 4).max(20).min(values.len());
+    let last = &values[values.len() - rows..];
+    let most = last.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = last.iter().copied().fold(f64::INFINITY, f64::min);
+    if most >= least {
+        0.5 * (most - least)
+    } else {
+        0.0
+    }
+}

@@ -1,0 +1,32 @@
+//! A body flown from its file: how it lies, the box around it, what it costs, which spacings, and what comes of it with its band.
+//! Makes scenes and reads what their runs have written; runs nothing itself.
+
+mod attitude;
+mod body_view;
+mod canvas;
+mod curves;
+mod domain;
+mod error;
+mod estimate;
+mod extrapolate;
+mod figure;
+mod flight;
+mod level;
+mod meridian;
+mod pictures;
+mod polar_point;
+mod read;
+mod report;
+mod section;
+mod silhouette;
+mod skins;
+
+pub use attitude::Axes;
+pub use error::FlyError;
+pub use estimate::{Costs, FAMILY, minutes};
+pub use extrapolate::{Extrapolated, extrapolate};
+pub use flight::{Air, Extent, Flight, Wishes};
+pub use level::{BASE, Coefficients, Level};
+pub use polar_point::{Banded, Bands, Point};
+pub use read::last as last_file;
+pub use report::{Report, write_report};

@@ -1,0 +1,166 @@
+//! What a flight comes to: coefficients at no spacing, with their bands.
+
+use serde::Serialize;
+
+use super::extrapolate::extrapolate;
+use super::flight::Flight;
+use super::level::{Coefficients, Level};
+
+/// Ratio of specific heats of air.
+const GAMMA: f64 = 1.4;
+
+/// A value and where half the width of its band comes from.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Banded {
+    /// At no spacing.
+    pub value: f64,
+    /// Half width of the band.
+    pub band: f64,
+    /// Of that by the spacing.
+    pub spacing: f64,
+    /// By loads that swing.
+    pub settling: f64,
+    /// By an uneven surface.
+    pub packing: f64,
+    /// By what no inviscid flow can know.
+    pub model: f64,
+    /// Observed order.
+    pub order: Option<f64>,
+}
+
+/// Coefficients at one Mach number and incidence.
+#[derive(Clone, Debug, PartialEq, Serialize)]
+pub struct Point {
+    /// Mach number.
+    pub mach: f64,
+    /// Degrees.
+    pub incidence: f64,
+    /// Degrees.
+    pub sideslip: f64,
+    /// Drag.
+    pub cd: f64,
+    /// Half width of its band.
+    pub cd_band: f64,
+    /// Drag of what does not face away from the stream.
+    pub cd_forebody: f64,
+    /// Half width of its band.
+    pub cd_forebody_band: f64,
+    /// Drag of what faces away.
+    pub cd_base: f64,
+    /// Half width of its band.
+    pub cd_base_band: f64,
+    /// Lift.
+    pub cl: f64,
+    /// Half width of its band.
+    pub cl_band: f64,
+    /// Moment, positive nose up.
+    pub cm: f64,
+    /// Half width of its band.
+    pub cm_band: f64,
+    /// Behind the nose, in lengths of the body; none without a force across it.
+    pub centre_of_pressure: Option<f64>,
+    /// Half width of its band.
+    pub centre_of_pressure_band: Option<f64>,
+    /// None without lift.
+    pub lift_to_drag: Option<f64>,
+    /// What loads went on to swing by, per cent of the drag.
+    pub settled_percent: f64,
+    /// In the finest run.
+    pub points_or_particles: usize,
+    /// Of all runs.
+    pub cpu_seconds: f64,
+    /// How each band is made up.
+    pub bands: Bands,
+}
+
+/// How each band is made up.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+pub struct Bands {
+    /// Of the drag.
+    pub cd: Banded,
+    /// Of that of the forebody.
+    pub cd_forebody: Banded,
+    /// Of that of the base.
+    pub cd_base: Banded,
+    /// Of the lift.
+    pub cl: Banded,
+    /// Of the moment.
+    pub cm: Banded,
+}
+
+impl Point {
+    /// From runs, coarse to fine; none of no runs.
+    pub fn new(flight: &Flight, levels: &[Level]) -> Option<Self> {
+        let last = levels.last()?;
+        let banded = |of: fn(&Coefficients) -> f64, model: f64| {
+            let runs: Vec<(f64, f64)> = levels
+                .iter()
+                .map(|l| (l.spacing, of(&l.coefficients)))
+                .collect();
+            let found = extrapolate(&runs);
+            let settling = of(&last.swing).abs();
+            let packing = last.open * found.value.abs();
+            Banded {
+                value: found.value,
+                band: found.band + settling + packing + model,
+                spacing: found.band,
+                settling,
+                packing,
+                model,
+                order: found.order,
+            }
+        };
+        // Between nothing and vacuum lies all that a base can feel.
+        let mach = flight.wishes.mach;
+        let model = last.base_area / (GAMMA * mach * mach);
+        let bands = Bands {
+            cd: banded(|c| c.cd, model),
+            cd_forebody: banded(|c| c.cd_forebody, 0.0),
+            cd_base: banded(|c| c.cd_base, model),
+            cl: banded(|c| c.cl, 0.0),
+            cm: banded(|c| c.cm, 0.0),
+        };
+        let centres: Vec<(f64, f64)> = levels
+            .iter()
+            .filter_map(|level| Some((level.spacing, centre(flight, &level.coefficients)?)))
+            .collect();
+        let centre = (centres.len() == levels.len()).then(|| extrapolate(&centres));
+        let has_lift = flight.dimension() == 3 && bands.cl.value.abs() > 1e-6;
+        Some(Self {
+            mach,
+            incidence: flight.wishes.incidence,
+            sideslip: flight.wishes.sideslip,
+            cd: bands.cd.value,
+            cd_band: bands.cd.band,
+            cd_forebody: bands.cd_forebody.value,
+            cd_forebody_band: bands.cd_forebody.band,
+            cd_base: bands.cd_base.value,
+            cd_base_band: bands.cd_base.band,
+            cl: bands.cl.value,
+            cl_band: bands.cl.band,
+            cm: bands.cm.value,
+            cm_band: bands.cm.band,
+            centre_of_pressure: centre.map(|found| found.value),
+            centre_of_pressure_band: centre.map(|found| found.band),
+            lift_to_drag: has_lift.then(|| bands.cl.value / bands.cd.value),
+            settled_percent: 100.0 * last.swing.cd
+                / last.coefficients.cd.abs().max(f64::MIN_POSITIVE),
+            points_or_particles: last.points,
+            cpu_seconds: levels.iter().map(|level| level.cpu_seconds).sum(),
+            bands,
+        })
+    }
+}
+
+/// Where the force across the body would have to stand, behind the nose, in lengths: `x / L = (x_m - c_m L_ref / c_n) / L`.
+fn centre(flight: &Flight, c: &Coefficients) -> Option<f64> {
+    /// Less is noise.
+    const LEAST: f64 = 1e-3;
+    if flight.dimension() == 2 {
+        return None;
+    }
+    let angle = flight.wishes.incidence.to_radians();
+    let across = c.cl * angle.cos() + c.cd * angle.sin();
+    let place = (flight.centre() - c.cm * flight.reference_length() / across) / flight.length();
+    (across.abs() > LEAST * c.cd.abs()).then_some(place)
+}

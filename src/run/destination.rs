@@ -1,0 +1,16 @@
+//! Where a run writes.
+
+use std::path::Path;
+
+/// Where a run writes, and whether it goes on from what is there.
+#[derive(Clone, Copy, Debug)]
+pub struct Destination<'a> {
+    /// Folder for frames, history, summary and checkpoint.
+    pub folder: &'a Path,
+    /// All values that the run depends on, one per line.
+    pub scene: &'a str,
+    /// Go on from the checkpoint, where there is one.
+    pub resume: bool,
+    /// Write over what a run of another scene has left.
+    pub overwrite: bool,
+}

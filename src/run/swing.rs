@@ -1,0 +1,129 @@
+//! Tells when the loads of a flow that settles are steady in the mean, though it goes on swinging: wakes behind blunt bases never
+//! come to rest.
+
+use serde::{Deserialize, Serialize};
+
+use super::steady::Window;
+use aero_solver::Flow;
+
+/// Iterations in a window: three of them are longer than a flow waits before it asks for other points.
+const LENGTH: f64 = 150.0;
+
+/// Largest change of a mean force from window to window, relative to the force.
+const TOLERANCE: f64 = 1e-3;
+
+/// So many windows in a row must agree with the one before.
+const WINDOWS: u32 = 2;
+
+/// Watches a flow that settles, window by window.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub(super) struct Swing {
+    /// Points there were; with others all begins anew.
+    points: Vec<usize>,
+    window: Window,
+    previous: Option<Window>,
+    agreed: u32,
+    bodies: usize,
+}
+
+impl Swing {
+    /// Watches so many bodies.
+    pub(super) fn new(bodies: usize) -> Self {
+        Self {
+            points: Vec::new(),
+            window: Window::new(0.0, bodies),
+            previous: None,
+            agreed: 0,
+            bodies,
+        }
+    }
+
+    /// Adds an iteration; returns the last window once means no longer change.
+    pub(super) fn add<const D: usize>(&mut self, simulation: &Flow<D>) -> Option<Window> {
+        let points = simulation.points_per_level();
+        if points != self.points {
+            *self = Self::new(self.bodies);
+            self.points = points;
+        }
+        self.window.add(simulation, 1.0);
+        if self.bodies == 0 || self.window.duration < LENGTH {
+            return None;
+        }
+        self.turn_over()
+    }
+
+    fn turn_over(&mut self) -> Option<Window> {
+        let next = Window::new(0.0, self.bodies);
+        let full = std::mem::replace(&mut self.window, next);
+        let before = self.previous.replace(full.clone())?;
+        self.agreed = if change(&before, &full) < TOLERANCE {
+            self.agreed + 1
+        } else {
+            0
+        };
+        (self.agreed >= WINDOWS).then_some(full)
+    }
+
+    /// Means over the last full window, of a flow that was stopped.
+    pub(super) fn last(&self) -> Option<Window> {
+        self.previous.clone()
+    }
+}
+
+/// Largest change of a mean force between two windows, relative to the largest force.
+fn change(before: &Window, now: &Window) -> f64 {
+    let mean = |window: &Window| -> Vec<[f64; 3]> {
+        let each = window.impulse.iter();
+        each.map(|sum| sum.map(|x| x / window.duration)).collect()
+    };
+    let [before, now] = [mean(before), mean(now)];
+    let size = |force: &[f64; 3]| force.iter().map(|f| f * f).sum::<f64>().sqrt();
+    let largest = now.iter().map(size).fold(f64::MIN_POSITIVE, f64::max);
+    let changes = before.iter().zip(&now).map(|(a, b)| {
+        let apart: [f64; 3] = std::array::from_fn(|k| a[k] - b[k]);
+        size(&apart) / largest
+    });
+    changes.fold(0.0, f64::max)
+}
+
+/// Standard deviation of the force within a window, relative to the largest mean.
+pub(super) fn spread(window: &Window) -> f64 {
+    let mut largest = f64::MIN_POSITIVE;
+    let mut most = 0.0_f64;
+    for (impulse, square) in window.impulse.iter().zip(&window.square) {
+        let mean = impulse.map(|sum| sum / window.duration);
+        largest = largest.max(mean.iter().map(|f| f * f).sum::<f64>().sqrt());
+        for k in 0..3 {
+            let variance = square[k] / window.duration - mean[k] * mean[k];
+            most = most.max(variance.max(0.0).sqrt());
+        }
+    }
+    most / largest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A window of forces along x.
+    fn window(forces: impl Iterator<Item = f64>) -> Window {
+        let mut window = Window::new(0.0, 1);
+        for force in forces {
+            window.impulse[0][0] += force;
+            window.square[0][0] += force * force;
+            window.duration += 1.0;
+        }
+        window
+    }
+
+    #[test]
+    fn a_swing_about_the_same_mean_is_steady_and_a_drift_is_not() {
+        let swing = |mean: f64| window((0..150).map(move |k| mean + 0.1 * f64::from(k).sin()));
+        let mut watch = Swing::new(1);
+        for (mean, done) in [(2.0, false), (2.0, false), (2.0, true), (2.1, false)] {
+            watch.window = swing(mean);
+            assert_eq!(watch.turn_over().is_some(), done, "{mean}");
+        }
+        assert!((spread(&swing(2.0)) - 0.1 / 2.0 / 2.0_f64.sqrt()).abs() < 1e-3);
+    }
+}

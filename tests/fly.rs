@@ -1,0 +1,126 @@
+//! `aero fly`: from a file to coefficients with their bands and a report that opens by itself.
+
+mod support;
+
+use std::f64::consts::TAU;
+
+use aero_validation::exact::cone::cone_flow;
+use support::Workplace;
+
+/// A cone of 20 degrees along z, its tip at the origin, of so many facets, as ASCII STL.
+fn cone(around: usize) -> String {
+    let (length, radius) = (1.0, 20_f64.to_radians().tan());
+    let rim = |k: usize| {
+        let (s, c) = (TAU * k as f64 / around as f64).sin_cos();
+        format!("vertex {} {} {length}", radius * c, radius * s)
+    };
+    let mut text = "solid cone\n".to_owned();
+    let mut facet = |corners: [String; 3]| {
+        text += "facet normal 0 0 0\nouter loop\n";
+        text += &corners.join("\n");
+        text += "\nendloop\nendfacet\n";
+    };
+    for k in 0..around {
+        facet(["vertex 0 0 0".into(), rim(k + 1), rim(k)]);
+        facet([format!("vertex 0 0 {length}"), rim(k), rim(k + 1)]);
+    }
+    text + "endsolid cone\n"
+}
+
+const FLIGHT: [&str; 8] = [
+    "fly",
+    "cone.stl",
+    "--mach",
+    "3",
+    "--minutes",
+    "0.4",
+    "--threads",
+    "2",
+];
+
+#[test]
+fn the_drag_of_a_cone_lies_in_its_band_and_the_report_needs_nothing_else() {
+    let place = Workplace::new();
+    place.write("cone.stl", cone(72));
+    let answer = place.aero(&FLIGHT);
+    answer.succeeds();
+    for word in [
+        "-z of the file",
+        "body of revolution",
+        "this will take about",
+        "cd, drag",
+    ] {
+        assert!(answer.out.contains(word), "`{word}` in {}", answer.out);
+    }
+    let found = place.json("out/cone-fly/fly.json");
+    let point = &found["points"][0];
+    let number = |key: &str| point[key].as_f64().unwrap_or_else(|| panic!("{key}"));
+    let theory = cone_flow(3.0, 20_f64.to_radians(), 1.4).expect("an attached shock");
+    let exact = theory.pressure_coefficient;
+    let (value, band) = (number("cd_forebody"), number("cd_forebody_band"));
+    assert!((value - exact).abs() < band, "{value} +- {band}, {exact}");
+    assert!((value / exact - 1.0).abs() < 0.05, "{value} {exact}");
+    // Nothing is known of a base but that it lies between no drag and a vacuum.
+    let base = number("cd_base");
+    assert!(base > 0.0 && base < 2.0 / (1.4 * 9.0), "{base}");
+    assert!(number("cd_base_band") > 1.0 / (1.4 * 9.0) - 1e-3);
+    assert!(
+        found["levels"]
+            .as_array()
+            .is_some_and(|runs| runs.len() >= 2)
+    );
+    let page = std::fs::read_to_string(place.path("out/cone-fly/report.html")).expect("a page");
+    assert!(page.contains("data:image/png;base64,") && page.contains("Schlieren"));
+    for outside in ["src=\"http", "href=\"http", "<script", "@import"] {
+        assert!(!page.contains(outside), "{outside}");
+    }
+    // What is there is not written over unasked.
+    place
+        .aero(&FLIGHT)
+        .refuses(&["out/cone-fly", "--overwrite"]);
+}
+
+#[test]
+fn a_scene_is_written_as_it_would_be_run() {
+    let place = Workplace::new();
+    place.write("cone.stl", cone(36));
+    let more = [
+        "--incidence",
+        "5",
+        "--altitude",
+        "12km",
+        "--scene",
+        "it.toml",
+    ];
+    place.aero(&[&FLIGHT[..], &more].concat()).succeeds();
+    let scene = std::fs::read_to_string(place.path("it.toml")).expect("a scene");
+    for line in [
+        "incidence = 5.0",
+        "altitude = 12000.0",
+        "z_min = \"symmetry\"",
+        "y_min = \"free-stream\"",
+    ] {
+        assert!(scene.contains(line), "`{line}` in {scene}");
+    }
+    assert!(!place.path("out").exists());
+}
+
+#[test]
+fn what_cannot_be_flown_is_refused_with_the_mend() {
+    let place = Workplace::new();
+    place.write("cone.stl", cone(12));
+    let fly = |more: &[&str]| place.aero(&[&["fly", "cone.stl"], more].concat());
+    fly(&["--mach", "0.8"]).refuses(&["Mach 1.15", "aero new body"]);
+    for (more, word) in [
+        (["--mach", "2", "--axis", "w"], "no direction"),
+        (["--mach", "2", "--pressure", "1e5"], "--temperature"),
+        (["--mach", "2", "--altitude", "high"], "12km"),
+    ] {
+        let answer = fly(&more);
+        assert_eq!(answer.status, 2, "{}", answer.err);
+        assert!(answer.err.contains(word), "{}", answer.err);
+    }
+    place
+        .aero(&["fly", "nothing.stl", "--mach", "2"])
+        .refuses(&["nothing.stl"]);
+}

@@ -1,0 +1,113 @@
+//! Whose results a folder holds, and when a run may end by itself.
+
+mod support;
+
+use support::{BOX, Workplace, box_with};
+
+const RUN: [&str; 4] = ["run", "scene.toml", "--out", "results"];
+
+#[test]
+fn what_another_scene_has_left_is_not_written_over_unasked() {
+    let place = Workplace::new();
+    place.write("scene.toml", BOX);
+    place.aero(&RUN).succeeds();
+    // The same once more is no loss.
+    place.aero(&RUN).succeeds();
+    let other = [&RUN[..], &["--set", "end_time=0.01"]].concat();
+    place
+        .aero(&other)
+        .refuses(&["results", "another run", "--overwrite"]);
+    place
+        .aero(&[&other[..], &["--overwrite"]].concat())
+        .succeeds();
+}
+
+#[test]
+fn two_runs_share_no_folder_and_the_dead_hold_none() {
+    let place = Workplace::new();
+    place.write("scene.toml", BOX);
+    std::fs::create_dir(place.path("results")).expect("a folder");
+    let lock = std::fs::File::create(place.path("results/.lock")).expect("a file");
+    lock.lock().expect("a lock");
+    place
+        .aero(&RUN)
+        .refuses(&["another run is writing", "results"]);
+    // The file stays, as after a crash; nobody holds it.
+    drop(lock);
+    place.aero(&RUN).succeeds();
+}
+
+/// The compression corner about points that stay, without an end.
+const CORNER: &str = r#"
+dimension = 2
+spacing = 0.125
+stop = "steady"
+
+[scheme]
+motion = "fixed"
+
+[free_stream]
+mach = 2.5
+density = 1.0
+pressure = 0.7142857142857143
+
+[domain]
+min = [-1.0, 0.0]
+max = [3.0, 3.0]
+
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+y_min = "body"
+y_max = "free-stream"
+
+[[body]]
+name = "ramp"
+shape = { compression_corner = { angle = 20.0 } }
+reference_area = 1.0
+"#;
+
+#[test]
+fn a_run_that_stops_when_it_is_steady_needs_no_end() {
+    let place = Workplace::new();
+    place.run(CORNER, &[]).succeeds();
+    let summary = place.json("results/summary.json");
+    let reason = summary["stop_reason"].as_str().expect("a reason");
+    assert!(reason.starts_with("settled"), "{reason}");
+    place
+        .run(&box_with("end_time = 0.02", ""), &[])
+        .refuses(&["end_time", "stop = \"steady\""]);
+}
+
+#[test]
+fn a_scene_converges_to_oblique_shock_theory() {
+    let place = Workplace::new();
+    place.write("ramp.toml", CORNER);
+    let arguments = [
+        "converge",
+        "ramp.toml",
+        "--out",
+        "study",
+        "--set",
+        "spacing=0.03125",
+    ];
+    let answer = place.aero(&arguments);
+    answer.succeeds();
+    assert!(answer.out.contains("order"), "{}", answer.out);
+    let rows = place.json("study/converge.json");
+    let row = &rows[0];
+    assert_eq!(
+        (row["body"].as_str(), row["coefficient"].as_str()),
+        (Some("ramp"), Some("cd"))
+    );
+    assert_eq!(row["spacings"].as_array().map(Vec::len), Some(3));
+    // The ramp from x = 0 to 3 at 20 degrees, under the pressure behind its shock: Cp = 0.50535 (NACA 1135) over its height.
+    let exact = 0.50535 * 3.0 * 20_f64.to_radians().tan();
+    let [value, band] = ["value", "band"].map(|key| row[key].as_f64().expect("a number"));
+    assert!(
+        (value - exact).abs() < band + 1e-3,
+        "{value} +- {band}, {exact}"
+    );
+    assert!((value / exact - 1.0).abs() < 0.01, "{value} {exact}");
+    place.aero(&arguments).refuses(&["study", "--overwrite"]);
+}
