@@ -32,8 +32,8 @@ const FLIGHT: [&str; 8] = [
     "cone.stl",
     "--mach",
     "3",
-    "--minutes",
-    "0.4",
+    "--spacing",
+    "0.008",
     "--threads",
     "2",
 ];
@@ -67,7 +67,7 @@ fn the_drag_of_a_cone_lies_in_its_band_and_the_report_needs_nothing_else() {
     assert!(
         found["levels"]
             .as_array()
-            .is_some_and(|runs| runs.len() >= 2)
+            .is_some_and(|runs| runs.len() == 4)
     );
     let page = std::fs::read_to_string(place.path("out/cone-fly/report.html")).expect("a page");
     assert!(page.contains("data:image/png;base64,") && page.contains("Schlieren"));
@@ -89,6 +89,8 @@ fn a_scene_is_written_as_it_would_be_run() {
         "5",
         "--altitude",
         "12km",
+        "--minutes",
+        "0.4",
         "--scene",
         "it.toml",
     ];

@@ -5,7 +5,7 @@ use aero_geometry::kernel::SMOOTHING_RATIO;
 use rayon::prelude::*;
 
 use super::fill::{fill_gas, fill_ghosts, fill_near};
-use super::neighbourhood::{Neighbourhood, widest};
+use super::neighbourhood::{Neighbourhood, limit_widths};
 use super::neighbours::GROWTH;
 use super::pairs::arrangement::renormalise as sum_moments;
 use super::pairs::rates::rates;
@@ -32,13 +32,12 @@ pub struct Moment {
 /// Replaces each density by the sum over the particles, and the smoothing length with it
 /// (`h = 1.5 (m / rho)^(1/D)`), so that neither can drift from the particles' spacing.
 ///
-/// In rarefied gas the smoothing length stops growing where [`widest`] says.
+/// In rarefied gas the smoothing length stops growing where [`limit_widths`] says.
 pub fn read_densities<const D: usize>(
     problem: &Problem<D>,
     fluid: &mut Particles<D>,
     around: &mut Neighbourhood<D>,
 ) {
-    let widest = widest(problem, &around.records, &around.lists);
     round_near(around);
     let Columns {
         state,
@@ -56,13 +55,13 @@ pub fn read_densities<const D: usize>(
     state
         .par_iter_mut()
         .zip(sums)
-        .zip(widest)
-        .for_each(|((particle, density), widest)| {
+        .for_each(|(particle, density)| {
             particle.density = *density;
             let mass = rings.spanned_mass(particle);
             let h = SMOOTHING_RATIO * edge::<D>(mass / particle.density);
-            particle.smoothing_length = h.min(GROWTH * particle.smoothing_length).min(widest);
+            particle.smoothing_length = h.min(GROWTH * particle.smoothing_length);
         });
+    limit_widths(problem, &around.records, &around.lists, fluid);
 }
 
 /// Reads the density off the particles where they and the walls are at `moment`.

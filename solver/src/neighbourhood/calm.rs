@@ -120,7 +120,7 @@ impl<const D: usize> Calm<D> {
                 let rings = (self.seen[number] / self.cell).ceil() as usize;
                 let from = place.map(|at| at.saturating_sub(rings));
                 let to = std::array::from_fn(|k| (place[k] + rings).min(self.cells[k] - 1));
-                self.for_each_cell(from, to, |this, cell| this.disturbed[cell] = true);
+                self.disturb(from, to);
             }
         }
     }
@@ -131,17 +131,14 @@ impl<const D: usize> Calm<D> {
         !self.disturbed[self.number(&self.place(position))]
     }
 
-    fn for_each_cell(
-        &mut self,
-        from: [usize; D],
-        to: [usize; D],
-        mut visit: impl FnMut(&mut Self, usize),
-    ) {
+    /// Marks the box of cells `from..=to` as disturbed, row by row.
+    fn disturb(&mut self, from: [usize; D], to: [usize; D]) {
+        let across = to[D - 1] - from[D - 1];
         let mut cell = from;
         loop {
-            let number = self.number(&cell);
-            visit(self, number);
-            if !next(&mut cell, &from, &to) {
+            let start = self.number(&cell);
+            self.disturbed[start..=start + across].fill(true);
+            if !next_row(&mut cell, &from, &to) {
                 return;
             }
         }
@@ -169,9 +166,9 @@ impl<const D: usize> Calm<D> {
     }
 }
 
-/// Goes on to the next cell of the box `from..=to`; false after the last.
-fn next<const D: usize>(cell: &mut [usize; D], from: &[usize; D], to: &[usize; D]) -> bool {
-    for k in (0..D).rev() {
+/// Goes on to the next row of cells, along the last axis, of the box `from..=to`; false after the last.
+fn next_row<const D: usize>(cell: &mut [usize; D], from: &[usize; D], to: &[usize; D]) -> bool {
+    for k in (0..D - 1).rev() {
         if cell[k] < to[k] {
             cell[k] += 1;
             return true;

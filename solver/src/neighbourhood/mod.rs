@@ -23,7 +23,7 @@ use levels::Levels;
 
 use images::Copies;
 use levels::Grid;
-pub use reach::{open_side_distance, widest};
+pub use reach::{limit_widths, open_side_distance};
 
 /// Records of all particles in the order of space, and lists of their neighbours.
 #[derive(Debug)]

@@ -7,8 +7,9 @@ use rayon::prelude::*;
 
 use crate::layers::GHOSTS;
 use crate::neighbours::{GROWTH, Lists};
+use crate::particles::Particle;
 use crate::problem::{Domain, Problem};
-use crate::records::{FLUID, Records};
+use crate::records::{Near, Records};
 
 /// Largest smoothing length at a wall, relative to that of the starting lattice. A wider kernel would
 /// look through the five layers of ghosts, and a lone particle in rarefied gas would no longer feel
@@ -22,48 +23,58 @@ pub const LAYERS: f64 = GHOSTS as f64;
 /// search for neighbours reaches as far as the widest kernel.
 const ANYWHERE: [f64; 3] = [1000.0, 4.0, 2.5];
 
-/// The largest smoothing length of each fluid particle, from this step's neighbour lists.
+/// Holds back the smoothing lengths of `particles`, the fluid, by this step's neighbour lists: only what has grown beyond what any
+/// wall bears is looked at.
 ///
 /// A distance `d` in front of a wall the ghosts behind it fill a support of `d + 5 dx`.
-pub fn widest<const D: usize>(
+pub fn limit_widths<const D: usize>(
     problem: &Problem<D>,
     records: &Records<D>,
     lists: &Lists,
-) -> Vec<f64> {
-    let near = &records.near;
-    let mut widest = vec![f64::INFINITY; records.segment(FLUID).len()];
+    particles: &mut [Particle<D>],
+) {
     lists
         .par_runs()
-        .zip(widest.par_chunks_mut(lists.run_targets()))
-        .for_each(|(run, widest)| {
+        .zip(particles.par_chunks_mut(lists.run_targets()))
+        .for_each(|(run, particles)| {
             let first = run.clusters.first().map_or(0, |c| c.targets.start);
             for cluster in run.clusters {
-                let ghosts = &run.entries[cluster.wall.clone()];
                 for i in cluster.targets.clone() {
-                    let own = &near[i].position;
-                    let spacing = problem.spacing_at(own);
-                    let lattice = SMOOTHING_RATIO * spacing;
-                    // Whatever else the cluster's list holds is nobody to this particle.
-                    let distance = |j: &u32| {
-                        let ghost = &near[*j as usize];
-                        let reach = GROWTH * SUPPORT * (near[i].half_h + ghost.half_h);
-                        let squared = (own - ghost.position).norm_squared();
-                        (squared < reach * reach).then_some(squared)
-                    };
-                    let nearest = ghosts
-                        .iter()
-                        .filter_map(distance)
-                        .fold(f64::INFINITY, f64::min)
-                        .sqrt();
-                    // The first layer lies half a spacing behind the wall.
-                    let free = (nearest - 0.5 * spacing).min(room(problem, own));
-                    let fits = (free + LAYERS * spacing) / SUPPORT;
-                    widest[i - first] =
-                        (ANYWHERE[D - 1] * lattice).min(fits.max(AT_WALLS * lattice));
+                    let near = &records.near[i];
+                    let lattice = SMOOTHING_RATIO * problem.spacing_at(&near.position);
+                    let width = &mut particles[i - first].smoothing_length;
+                    if *width > AT_WALLS * lattice {
+                        let ghosts = &run.entries[cluster.wall.clone()];
+                        let ghosts = ghosts.iter().map(|&j| &records.near[j as usize]);
+                        *width = width.min(widest(problem, near, ghosts));
+                    }
                 }
             }
         });
-    widest
+}
+
+/// The largest smoothing length of the particle `near`, among `ghosts` some of which it may not see.
+fn widest<'a, const D: usize>(
+    problem: &Problem<D>,
+    near: &Near<D>,
+    ghosts: impl Iterator<Item = &'a Near<D>>,
+) -> f64 {
+    let own = &near.position;
+    let spacing = problem.spacing_at(own);
+    let lattice = SMOOTHING_RATIO * spacing;
+    let distance = |ghost: &Near<D>| {
+        let reach = GROWTH * SUPPORT * (near.half_h + ghost.half_h);
+        let squared = (own - ghost.position).norm_squared();
+        (squared < reach * reach).then_some(squared)
+    };
+    let nearest = ghosts
+        .filter_map(distance)
+        .fold(f64::INFINITY, f64::min)
+        .sqrt();
+    // The first layer lies half a spacing behind the wall.
+    let free = (nearest - 0.5 * spacing).min(room(problem, own));
+    let fits = (free + LAYERS * spacing) / SUPPORT;
+    (ANYWHERE[D - 1] * lattice).min(fits.max(AT_WALLS * lattice))
 }
 
 /// Distance to the nearest open side, and what keeps a kernel clear of its own image.

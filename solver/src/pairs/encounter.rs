@@ -167,10 +167,29 @@ impl<const D: usize> Basis<D> for Encounters<'_, D> {
     /// The shift in `rates` is read and kept; all else is overwritten.
     #[inline(always)]
     fn open(&self, slot: usize, rates: &mut Rates<D>) -> Site<'_, D> {
-        *rates = Rates {
-            shift: rates.shift,
-            ..Rates::default()
-        };
+        // Field by field: a whole written first and then copied waits for its own bytes.
+        let Rates {
+            acceleration,
+            wall_acceleration,
+            density,
+            energy,
+            by_pressure,
+            velocity_gradient,
+            energy_gradient,
+            shift: _,
+        } = rates;
+        for vector in [
+            acceleration,
+            wall_acceleration,
+            &mut by_pressure.acceleration,
+            energy_gradient,
+        ] {
+            vector.fill(0.0);
+        }
+        for number in [density, energy, &mut by_pressure.heating] {
+            *number = 0.0;
+        }
+        velocity_gradient.fill(0.0);
         Site {
             near: &self.records.near[slot],
             state: &self.records.state[slot],

@@ -126,7 +126,17 @@ impl<const D: usize> Basis<D> for Neighbourhoods<D> {
 
     #[inline(always)]
     fn open(&self, _: usize, result: &mut Renormalisation<D>) -> Moment {
-        *result = Renormalisation::default();
+        // Field by field: a whole written first and then copied waits for its own bytes.
+        let Renormalisation {
+            matrix,
+            density_gradient,
+            concentration_gradient,
+            wall_gradient,
+        } = result;
+        matrix.fill_with_identity();
+        for vector in [density_gradient, concentration_gradient, wall_gradient] {
+            vector.fill(0.0);
+        }
         Moment::default()
     }
 
