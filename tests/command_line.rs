@@ -100,8 +100,8 @@ fn a_sweep_makes_a_polar_and_keeps_what_is_done() {
     ];
     let answer = place.aero(&command);
     assert_eq!(answer.status, 0, "{}", answer.err);
-    let rows = place.json("polar/polar.json");
-    let csv = || std::fs::read_to_string(place.path("polar/polar.csv")).unwrap();
+    let rows = place.json("polar/sweep.json");
+    let csv = || std::fs::read_to_string(place.path("polar/sweep.csv")).unwrap();
     let first = csv();
     let lift = |row: usize| rows[row]["cl"].as_f64().unwrap();
     assert_eq!(rows.as_array().unwrap().len(), 3);
@@ -110,9 +110,9 @@ fn a_sweep_makes_a_polar_and_keeps_what_is_done() {
         lift(2) > 0.05 && (lift(0) + lift(2)).abs() < 0.05 * lift(2),
         "{rows}"
     );
-    assert!(place.path("polar/polar.svg").exists());
+    assert!(place.path("polar/sweep.svg").exists());
     assert!(
-        first.lines().nth(1).unwrap().starts_with(",-2,,lens,"),
+        first.lines().nth(1).unwrap().starts_with("3,-2,,lens,"),
         "{first}"
     );
 

@@ -81,6 +81,28 @@ fn the_drag_of_a_cone_lies_in_its_band_and_the_report_needs_nothing_else() {
 }
 
 #[test]
+fn a_body_is_swept_from_its_file() {
+    let place = Workplace::new();
+    place.write("cone.stl", cone(72));
+    let sweep = |more: &[&str]| place.aero(&[&["sweep", "cone.stl"], more].concat());
+    sweep(&["--mach", "2.5,3", "--spacing", "0.015"]).succeeds();
+    let points = place.json("out/cone-sweep/sweep.json");
+    let drags = [2.5, 3.0].map(|mach| {
+        let rows = points.as_array().expect("a list");
+        let row = rows.iter().find(|row| row["mach"] == mach).expect("a row");
+        assert!(row["settled"] == true && row["points_or_particles"].as_u64() > Some(500));
+        row["cd"].as_f64().expect("a drag")
+    });
+    // Less of a faster stream, by cone and base alike.
+    assert!(drags[0] > drags[1] && drags[1] > 0.3, "{drags:?}");
+    sweep(&["--incidence", "0..4:2"]).refuses(&["--mach 1.5,2,3"]);
+    place.write("a.toml", "");
+    place
+        .aero(&["sweep", "a.toml", "--mach", "2,3", "--altitude", "12km"])
+        .refuses(&["is a scene", "--set"]);
+}
+
+#[test]
 fn a_scene_is_written_as_it_would_be_run() {
     let place = Workplace::new();
     place.write("cone.stl", cone(36));

@@ -1,15 +1,15 @@
 //! `aero fly`: a body from its file to drag, lift and a report, in one command.
 
-mod trip;
+pub mod trip;
 
 use std::path::PathBuf;
 use std::time::Instant;
 
-use aero::fly::{self, Air, Axes, Flight, Report, Wishes, minutes};
+use aero::fly::{self, Flight, Report, Wishes, minutes};
 use aero::output::make_folder;
-use aero::scene::shapes::Unit;
 use clap::{Args, ValueEnum};
 
+use super::body::{BodyArgs, angle};
 use super::scene::folder;
 use super::{CommandError, on_threads};
 use trip::Trip;
@@ -28,39 +28,8 @@ pub struct FlyArgs {
     /// Sideslip, degrees
     #[arg(long, value_name = "DEG", default_value_t = 0.0, allow_hyphen_values = true, value_parser = angle)]
     sideslip: f64,
-    /// Turn of the body about its length, degrees
-    #[arg(long, value_name = "DEG", default_value_t = 0.0, allow_hyphen_values = true, value_parser = angle)]
-    roll: f64,
-    /// Height in the standard atmosphere: 12km, 12000 or 40kft; sea level unless given
-    #[arg(long, value_name = "H", allow_hyphen_values = true, value_parser = height, conflicts_with_all = ["pressure", "temperature"])]
-    altitude: Option<f64>,
-    /// Pressure of the stream, Pa, with a temperature
-    #[arg(long, value_name = "PA", requires = "temperature", value_parser = positive)]
-    pressure: Option<f64>,
-    /// Temperature of the stream, K, with a pressure
-    #[arg(long, value_name = "K", requires = "pressure", value_parser = positive)]
-    temperature: Option<f64>,
-    /// Unit of the file; metres unless given
-    #[arg(long, value_enum)]
-    unit: Option<UnitWord>,
-    /// Directions of the file out of the nose and up, such as -x,+z; as the body looks unless given
-    #[arg(long, value_name = "NOSE[,UP]", allow_hyphen_values = true)]
-    axis: Option<Axes>,
-    /// Reference area, m2; the frontal area unless given
-    #[arg(long, value_name = "M2", value_parser = positive)]
-    area: Option<f64>,
-    /// Reference length, m; the body's length unless given
-    #[arg(long, value_name = "M", value_parser = positive)]
-    length: Option<f64>,
-    /// Point of the moments, m behind the nose; the middle unless given
-    #[arg(long, value_name = "M", allow_hyphen_values = true)]
-    centre: Option<f64>,
-    /// Time that it may take; 10 unless this or a spacing is given
-    #[arg(long, value_name = "N", value_parser = positive)]
-    minutes: Option<f64>,
-    /// The finest spacing, m, near body and shocks: the same results on any machine
-    #[arg(long, value_name = "M", value_parser = positive)]
-    spacing: Option<f64>,
+    #[command(flatten)]
+    how: BodyArgs,
     /// What carries the gas
     #[arg(long, value_enum, default_value_t = MotionWord::Fixed)]
     motion: MotionWord,
@@ -79,58 +48,33 @@ pub struct FlyArgs {
 }
 
 #[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum UnitWord {
-    M,
-    Mm,
-    In,
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
 enum MotionWord {
     Fixed,
     WithTheGas,
 }
 
-fn angle(text: &str) -> Result<f64, String> {
-    let angle: f64 = text.parse().map_err(|_| "is no number of degrees")?;
-    if angle.abs() <= 360.0 {
-        Ok(angle)
-    } else {
-        Err("is no angle in degrees, which is -360 to 360".into())
-    }
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok();
-    let number = number.filter(|x| x.is_finite() && *x > 0.0);
-    number.ok_or_else(|| "is not a positive number".into())
-}
-
-/// A height in m, typed in m, km or thousands of feet.
-fn height(text: &str) -> Result<f64, String> {
-    let units = [
-        ("kft", 304.8),
-        ("km", 1e3),
-        ("ft", 0.3048),
-        ("m", 1.0),
-        ("", 1.0),
-    ];
-    let read = units.into_iter().find_map(|(unit, metres)| {
-        let number = text.trim().strip_suffix(unit)?.trim();
-        Some(number.parse::<f64>().ok()? * metres)
-    });
-    read.filter(|height| height.is_finite())
-        .ok_or_else(|| "is no height; write 12km, 12000 or 40kft".into())
-}
-
 /// Cells of the box at which the first look is taken.
 const LOOK: [f64; 2] = [1_200.0, 5_000.0];
+
+/// A flight with room for its shocks, and the spacing at which a first look is taken.
+pub fn prepared(wishes: Wishes) -> Result<(Flight, f64), CommandError> {
+    let mut flight = Flight::new(wishes).map_err(CommandError::wrong)?;
+    let cells = LOOK[usize::from(flight.dimension() == 3)];
+    flight.widen(cells);
+    let look = flight.spacing_of(cells);
+    Ok((flight, look))
+}
 
 /// Flies a body.
 pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
     let begun = Instant::now();
-    let mut flight = Flight::new(wishes(args)).map_err(CommandError::wrong)?;
-    flight.widen(LOOK[usize::from(flight.dimension() == 3)]);
+    let wishes = Wishes {
+        with_the_gas: args.motion == MotionWord::WithTheGas,
+        ..args
+            .how
+            .wishes(&args.body, [args.mach, args.incidence, args.sideslip])
+    };
+    let (flight, look) = prepared(wishes)?;
     let words = words(&flight);
     for line in &words {
         println!("{line}");
@@ -143,9 +87,8 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
         )));
     }
     on_threads(args.threads, || {
-        let cells = LOOK[usize::from(flight.dimension() == 3)];
-        let trip = Trip::new(&flight, begun, args.minutes, args.spacing);
-        let (family, told) = trip.family(flight.spacing_of(cells))?;
+        let trip = Trip::new(&flight, begun, args.how.minutes, args.how.spacing);
+        let (family, told) = trip.family(look)?;
         println!("{told}");
         if let Some(path) = &args.scene {
             let text = flight
@@ -171,32 +114,8 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
     })
 }
 
-fn wishes(args: &FlyArgs) -> Wishes {
-    Wishes {
-        body: args.body.clone(),
-        unit: args.unit.map(|unit| match unit {
-            UnitWord::M => Unit::M,
-            UnitWord::Mm => Unit::Mm,
-            UnitWord::In => Unit::In,
-        }),
-        axes: args.axis,
-        roll: args.roll,
-        mach: args.mach,
-        incidence: args.incidence,
-        sideslip: args.sideslip,
-        air: match (args.pressure, args.temperature) {
-            (Some(pressure), Some(temperature)) => Air::State(pressure, temperature),
-            _ => Air::Altitude(args.altitude.unwrap_or(0.0)),
-        },
-        with_the_gas: args.motion == MotionWord::WithTheGas,
-        area: args.area,
-        length: args.length,
-        centre: args.centre,
-    }
-}
-
 /// How the body lies, what is computed, what is referred to.
-fn words(flight: &Flight) -> Vec<String> {
+pub fn words(flight: &Flight) -> Vec<String> {
     let w = &flight.wishes;
     let size = flight.bounds.size();
     let mut lines = flight.attitude.words(&size, w.incidence, w.sideslip);
@@ -221,23 +140,4 @@ fn words(flight: &Flight) -> Vec<String> {
         flight.centre()
     ));
     lines
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn heights_are_read_in_the_units_of_aviation() {
-        for (text, metres) in [
-            ("12km", 12e3),
-            ("12000", 12e3),
-            ("12000m", 12e3),
-            ("40kft", 12_192.0),
-            ("1000 ft", 304.8),
-        ] {
-            assert!((height(text).unwrap() - metres).abs() < 1e-9, "{text}");
-        }
-        assert!(height("high").is_err());
-    }
 }

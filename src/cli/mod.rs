@@ -1,5 +1,6 @@
 //! What can be typed, and what becomes of it.
 
+mod body;
 mod chart;
 mod check;
 mod converge;
@@ -37,8 +38,8 @@ enum Command {
     Run(run::RunArgs),
     /// Write a commented scene to begin with
     New(new::NewArgs),
-    /// Run a scene at many Mach numbers and angles: a polar
-    Sweep(sweep::SweepArgs),
+    /// Run a scene or a body at many Mach numbers and angles: a polar
+    Sweep(Box<sweep::SweepArgs>),
     /// Fly a body from its file: drag, lift and a report with error bands
     Fly(Box<fly::FlyArgs>),
     /// Run a scene at several spacings: observed order, extrapolated values, bands

@@ -18,7 +18,7 @@ use super::progress::Display;
 #[derive(Args, Clone, Debug)]
 pub struct SceneArgs {
     /// Scene file (TOML)
-    scene: PathBuf,
+    pub scene: PathBuf,
     /// Override a value of the scene; may be given many times
     #[arg(long = "set", value_name = "SECTION.KEY=VALUE")]
     set: Vec<String>,
@@ -30,7 +30,11 @@ pub struct SceneArgs {
 impl SceneArgs {
     /// The scene with its overrides.
     pub fn load(&self) -> Result<Scene, CommandError> {
-        let mut scene = Scene::load(&self.scene).map_err(CommandError::wrong)?;
+        self.overridden(Scene::load(&self.scene).map_err(CommandError::wrong)?)
+    }
+
+    /// `scene` with the overrides.
+    pub fn overridden(&self, mut scene: Scene) -> Result<Scene, CommandError> {
         for setting in &self.set {
             scene.set(setting).map_err(CommandError::wrong)?;
         }

@@ -136,6 +136,8 @@ pub struct BodySummary {
     pub force_mean: [f64; 3],
     /// Standard deviation of the force's components over the same time.
     pub force_spread: [f64; 3],
+    /// What that is of the force at the end, less that of the free stream's pressure, per cent: how far the loads are settled.
+    pub settled_percent: f64,
     /// Start of the time means.
     pub mean_from: f64,
     /// Area (3D) or length (2D) that the coefficients refer to.

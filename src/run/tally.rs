@@ -249,6 +249,12 @@ impl Tally {
         };
         let mean = self.coefficients.of(number, &mean);
         let gauge = self.coefficients.gauge(number, load);
+        let norm = |force: &[f64; 3]| force.iter().map(|f| f * f).sum::<f64>().sqrt();
+        let force_spread = if self.sums.duration > 0.0 {
+            force_spread
+        } else {
+            [0.0; 3]
+        };
         BodySummary {
             force: load.force,
             moment: load.moment,
@@ -270,11 +276,9 @@ impl Tally {
             ca_mean: mean.and_then(|c| c.ca),
             cn_mean: mean.and_then(|c| c.cn),
             force_mean,
-            force_spread: if self.sums.duration > 0.0 {
-                force_spread
-            } else {
-                [0.0; 3]
-            },
+            force_spread,
+            settled_percent: 100.0 * norm(&force_spread)
+                / norm(&gauge.force).max(f64::MIN_POSITIVE),
             mean_from: self.mean_from,
             reference_area: body.reference_area,
             reference_length: body.reference_length,

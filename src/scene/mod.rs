@@ -150,6 +150,18 @@ impl Scene {
         initial.riemann.is_none() && initial.field.is_none() && initial.frame.is_none()
     }
 
+    /// Mach number, incidence and sideslip of the stream, degrees, where the scene states them.
+    pub fn stream(&self) -> [Option<f64>; 3] {
+        let Some(stream) = &self.file.free_stream else {
+            return [None; 3];
+        };
+        [
+            stream.mach.map(number::NonNegative::get),
+            stream.incidence.map(number::StreamAngle::get),
+            stream.sideslip.map(number::StreamAngle::get),
+        ]
+    }
+
     /// Number of space dimensions.
     pub fn dimension(&self) -> usize {
         self.file.dimension.get()

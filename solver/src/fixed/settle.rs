@@ -23,6 +23,9 @@ const STRAIGHT: f64 = 0.9;
 /// Largest part of a window's way that the next is taken to go, so that what only seems to creep is not waited for for ever.
 const SLOWEST: f64 = 0.98;
 
+/// Largest change over a window below which the flow may ask for points.
+const NEAR: f64 = 3e-3;
+
 /// Largest change over a window, of a force relative to the largest one, of the mass, and of its centre relative to the domain.
 pub const TOLERANCE: f64 = 1e-4;
 
@@ -87,7 +90,8 @@ impl<const D: usize> FixedSimulation<D> {
             change,
             is_settled: change < TOLERANCE && (settling.has_points || self.ground.is_none()),
         };
-        self.ask_for_points(change)?;
+        let is_near = self.settling.last_change() < NEAR;
+        self.ask_for_points(is_near)?;
         Ok(settled)
     }
 
@@ -130,24 +134,38 @@ impl Settling {
         if self.watched.len() <= 2 * WINDOW {
             return f64::INFINITY;
         }
-        let count = self.watched[0].len();
-        let changes = (0..count).map(|k| {
-            let values: Vec<f64> = self.watched.iter().map(|watched| watched[k]).collect();
-            change(&values)
-        });
-        changes.fold(0.0, f64::max)
+        Self::largest(&self.watched, change)
     }
+
+    /// Largest range over the last window, whatever was before it; infinite before one is full.
+    fn last_change(&self) -> f64 {
+        match self.watched.len().checked_sub(WINDOW + 1) {
+            Some(first) => Self::largest(&self.watched[first..], range),
+            None => f64::INFINITY,
+        }
+    }
+
+    /// The largest of what `measure` makes of each value that was watched.
+    fn largest(watched: &[Vec<f64>], measure: impl Fn(&[f64]) -> f64) -> f64 {
+        let count = watched.first().map_or(0, Vec::len);
+        let measured = (0..count).map(|k| {
+            let values: Vec<f64> = watched.iter().map(|watched| watched[k]).collect();
+            measure(&values)
+        });
+        measured.fold(0.0, f64::max)
+    }
+}
+
+fn range(values: &[f64]) -> f64 {
+    let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
+    most - least
 }
 
 /// Range of the second half of `values`; more of one that creeps, all through both halves and one way: what is left of its way if
 /// each window goes on to take the same part of the one before.
 fn change(values: &[f64]) -> f64 {
     let (first, second) = (&values[..=WINDOW], &values[WINDOW..]);
-    let range = |values: &[f64]| {
-        let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-        most - least
-    };
     let way = |values: &[f64]| values[values.len() - 1] - values[0];
     let creeps = |values: &[f64]| way(values).abs() > STRAIGHT * range(values);
     let (before, now) = (way(first), way(second));

@@ -4,9 +4,6 @@
 use super::FixedSimulation;
 use crate::Failure;
 
-/// Largest change of what is watched over a window below which the flow may ask.
-const NEAR: f64 = 3e-3;
-
 /// So many iterations after which it may ask in any case: on few points a flow may never come near to rest.
 const PATIENCE: u64 = 400;
 
@@ -17,12 +14,12 @@ const FEW: f64 = 0.02;
 const AFTER: u32 = 3;
 
 impl<const D: usize> FixedSimulation<D> {
-    /// Lets the flow ask for points where it `change`s no more than little.
-    pub(super) fn ask_for_points(&mut self, change: f64) -> Result<(), Failure> {
+    /// Lets the flow ask for points where it `is_near` to rest.
+    pub(super) fn ask_for_points(&mut self, is_near: bool) -> Result<(), Failure> {
         let Some(ground) = &self.ground else {
             return Ok(());
         };
-        let may_ask = change < NEAR || self.settling.since > PATIENCE;
+        let may_ask = is_near || self.settling.since > PATIENCE;
         if self.settling.has_points || !may_ask {
             return Ok(());
         }

@@ -47,12 +47,19 @@ pub struct Family {
     ratio: f64,
     /// True where there are just these: what is left of the budget makes no finer ones.
     is_fixed: bool,
+    /// Seconds that the finest may take.
+    seconds: f64,
 }
 
 impl Family {
     /// The finest that is planned.
     pub fn finest(&self) -> f64 {
         self.first / self.ratio.powi(FAMILY as i32 - 1)
+    }
+
+    /// Seconds that it may take.
+    pub fn seconds_of_finest(&self) -> f64 {
+        self.seconds
     }
 }
 
@@ -132,6 +139,7 @@ impl<'a> Trip<'a> {
             first,
             ratio: self.costs.ratio,
             is_fixed: self.wanted.is_some(),
+            seconds: took * (look * coarser / first).powf(self.costs.power),
         };
         let seconds = self
             .costs

@@ -1,5 +1,6 @@
 //! `aero sweep`: a polar, a run for each Mach number and angle.
 
+mod flown;
 mod polar;
 mod values;
 
@@ -12,6 +13,7 @@ use aero::scene::Scene;
 use clap::Args;
 use serde_json::Value;
 
+use super::body::BodyArgs;
 use super::interrupt::Interrupt;
 use super::scene::{SceneArgs, checked, folder, run_watched, tell};
 use super::{CommandError, on_threads};
@@ -23,6 +25,11 @@ use values::Values;
 pub struct SweepArgs {
     #[command(flatten)]
     scene: SceneArgs,
+    #[command(
+        flatten,
+        next_help_heading = "Of a body in place of a scene: STL, OBJ or PLY"
+    )]
+    how: BodyArgs,
     /// Mach numbers: 1.5,2,3 or 1.5..3:0.5
     #[arg(long, value_name = "LIST")]
     mach: Option<Values>,
@@ -51,9 +58,10 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
             "nothing to sweep; give --mach, --incidence or --sideslip, as in --incidence -4..8:2",
         ));
     }
-    let scene = args.scene.load()?;
-    let out = folder(args.out.as_ref(), &format!("{}-sweep", scene.name()));
     let points = points(&lists);
+    let scene = flown::scene(args, points.len())?;
+    let out = folder(args.out.as_ref(), &format!("{}-sweep", scene.name()));
+    let stated = scene.stream();
     // All scenes are read before the first runs: a typing error shows at once.
     let scenes = points
         .iter()
@@ -71,7 +79,8 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
                 eprintln!("point {} of {}: {}", number + 1, points.len(), name(point));
                 fly(scene, &folder, nearest(point, &done), &interrupt)?
             };
-            rows.extend(polar::rows(*point, &summary));
+            let known = std::array::from_fn(|k| point[k].or(stated[k]));
+            rows.extend(polar::rows(known, &summary));
             polar::write(&rows, &out)?;
             done.push((*point, folder));
         }

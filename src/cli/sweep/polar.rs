@@ -12,11 +12,11 @@ use crate::cli::CommandError;
 /// Coefficients of one body at one point.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Row {
-    /// Mach number of the stream; absent where the sweep leaves it to the scene.
+    /// Mach number of the stream; absent where neither sweep nor scene states it.
     pub mach: Option<f64>,
-    /// Angle of attack, degrees; absent where the sweep leaves it to the scene.
+    /// Angle of attack, degrees; absent where neither sweep nor scene states it.
     pub incidence: Option<f64>,
-    /// Sideslip, degrees; absent where the sweep leaves it to the scene.
+    /// Sideslip, degrees; absent where neither sweep nor scene states it.
     pub sideslip: Option<f64>,
     /// Name of the body.
     pub body: String,
@@ -27,9 +27,13 @@ pub struct Row {
     /// Moment coefficient, positive nose up.
     pub cm: Option<f64>,
     /// Lift over drag.
-    pub lift_over_drag: Option<f64>,
+    pub lift_to_drag: Option<f64>,
     /// True where the flow had become steady.
     pub settled: bool,
+    /// What the forces went on to swing by, per cent.
+    pub settled_percent: Option<f64>,
+    /// In the run.
+    pub points_or_particles: u64,
     /// What the run said when it ended.
     pub end: String,
     /// Steps or iterations.
@@ -66,8 +70,10 @@ pub fn rows(point: Point, summary: &Value) -> Vec<Row> {
             cd,
             cl,
             cm: coefficient("cm"),
-            lift_over_drag: cd.zip(cl).map(|(cd, cl)| cl / cd),
+            lift_to_drag: cd.zip(cl).map(|(cd, cl)| cl / cd),
             settled,
+            settled_percent: coefficient("settled_percent"),
+            points_or_particles: summary["particles"]["fluid"].as_u64().unwrap_or(0),
             end: end.clone(),
             steps: summary["steps"].as_u64().unwrap_or(0),
             cpu_seconds: summary["cpu_seconds"].as_f64().unwrap_or(0.0),
@@ -99,17 +105,17 @@ pub fn text(rows: &[Row]) -> String {
             number(row.cd, 9, 5),
             number(row.cl, 9, 5),
             number(row.cm, 9, 5),
-            number(row.lift_over_drag, 8, 3),
+            number(row.lift_to_drag, 8, 3),
             if row.settled { "yes" } else { "NO" },
         );
     }
     text
 }
 
-/// Writes `polar.csv`, `polar.json` and, where there is something to draw, `polar.svg`.
+/// Writes `sweep.csv`, `sweep.json` and, where there is something to draw, `sweep.svg`.
 pub fn write(rows: &[Row], folder: &Path) -> Result<(), CommandError> {
     let json = serde_json::to_string_pretty(rows).map_err(CommandError::failed)?;
-    for (name, content) in [("polar.csv", csv(rows)), ("polar.json", json)] {
+    for (name, content) in [("sweep.csv", csv(rows)), ("sweep.json", json)] {
         let path = folder.join(name);
         std::fs::write(&path, content).map_err(|error| {
             CommandError::failed(format!("cannot write `{}`: {error}", path.display()))
@@ -119,19 +125,19 @@ pub fn write(rows: &[Row], folder: &Path) -> Result<(), CommandError> {
         return Ok(());
     };
     picture
-        .save(&folder.join("polar.svg"))
+        .save(&folder.join("sweep.svg"))
         .map_err(CommandError::failed)
 }
 
 fn csv(rows: &[Row]) -> String {
     let mut text =
-        "mach,incidence,sideslip,body,cd,cl,cm,lift_over_drag,settled,steps,cpu_seconds\n"
+        "mach,incidence,sideslip,body,cd,cl,cm,lift_to_drag,settled,settled_percent,points_or_particles,steps,cpu_seconds\n"
             .to_owned();
     let number = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
     for row in rows {
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{},{},{},{},{},{}",
             number(row.mach),
             number(row.incidence),
             number(row.sideslip),
@@ -139,8 +145,10 @@ fn csv(rows: &[Row]) -> String {
             number(row.cd),
             number(row.cl),
             number(row.cm),
-            number(row.lift_over_drag),
+            number(row.lift_to_drag),
             row.settled,
+            number(row.settled_percent),
+            row.points_or_particles,
             row.steps,
             row.cpu_seconds,
         );
@@ -193,7 +201,7 @@ fn picture(rows: &[Row]) -> Option<Curves> {
         ("cd", |row| row.cd),
         ("cl", |row| row.cl),
         ("cm", |row| row.cm),
-        ("L/D", |row| row.lift_over_drag),
+        ("L/D", |row| row.lift_to_drag),
     ];
     let panels = values.map(|(y_label, y_of)| {
         let mut series: Vec<Series> = Vec::new();
@@ -234,7 +242,7 @@ mod tests {
         let point = [Some(2.0), Some(4.0), None];
         let row = &rows(point, &summary("fixed", "settled after 9 iterations"))[0];
         assert_eq!((row.cd, row.settled, row.cm), (Some(0.2), true, None));
-        assert!((row.lift_over_drag.unwrap() - 3.0).abs() < 1e-12);
+        assert!((row.lift_to_drag.unwrap() - 3.0).abs() < 1e-12);
         let row = &rows(point, &summary("fixed", "not settled: forces"))[0];
         assert_eq!((row.cd, row.settled), (Some(0.1), false));
         let row = &rows(point, &summary("with-the-gas", "steady: forces"))[0];

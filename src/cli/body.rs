@@ -1,0 +1,131 @@
+//! What commands that fly a body from its file share: how it lies, the air, what coefficients refer to.
+
+use std::path::{Path, PathBuf};
+
+use aero::fly::{Air, Axes, Wishes};
+use aero::scene::shapes::Unit;
+use clap::{Args, ValueEnum};
+
+/// A body in a stream, but for its speed.
+#[derive(Args, Clone, Debug, Default, PartialEq)]
+pub struct BodyArgs {
+    /// Turn of the body about its length, degrees; none unless given
+    #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = angle)]
+    roll: Option<f64>,
+    /// Height in the standard atmosphere: 12km, 12000 or 40kft; sea level unless given
+    #[arg(long, value_name = "H", allow_hyphen_values = true, value_parser = height, conflicts_with_all = ["pressure", "temperature"])]
+    altitude: Option<f64>,
+    /// Pressure of the stream, Pa, with a temperature
+    #[arg(long, value_name = "PA", requires = "temperature", value_parser = positive)]
+    pressure: Option<f64>,
+    /// Temperature of the stream, K, with a pressure
+    #[arg(long, value_name = "K", requires = "pressure", value_parser = positive)]
+    temperature: Option<f64>,
+    /// Unit of the file; metres unless given
+    #[arg(long, value_enum)]
+    unit: Option<UnitWord>,
+    /// Directions of the file out of the nose and up, such as -x,+z; as the body looks unless given
+    #[arg(long, value_name = "NOSE[,UP]", allow_hyphen_values = true)]
+    axis: Option<Axes>,
+    /// Reference area, m2; the frontal area unless given
+    #[arg(long, value_name = "M2", value_parser = positive)]
+    area: Option<f64>,
+    /// Reference length, m; the body's length unless given
+    #[arg(long, value_name = "M", value_parser = positive)]
+    length: Option<f64>,
+    /// Point of the moments, m behind the nose; the middle unless given
+    #[arg(long, value_name = "M", allow_hyphen_values = true)]
+    centre: Option<f64>,
+    /// Time that it may take; 10 unless this or a spacing is given
+    #[arg(long, value_name = "N", value_parser = positive)]
+    pub minutes: Option<f64>,
+    /// The finest spacing, m, near body and shocks: the same results on any machine
+    #[arg(long, value_name = "M", value_parser = positive)]
+    pub spacing: Option<f64>,
+}
+
+impl BodyArgs {
+    /// The flight of `body` at a Mach number, an incidence and a sideslip.
+    pub fn wishes(&self, body: &Path, [mach, incidence, sideslip]: [f64; 3]) -> Wishes {
+        Wishes {
+            body: PathBuf::from(body),
+            unit: self.unit.map(|unit| match unit {
+                UnitWord::M => Unit::M,
+                UnitWord::Mm => Unit::Mm,
+                UnitWord::In => Unit::In,
+            }),
+            axes: self.axis,
+            roll: self.roll.unwrap_or(0.0),
+            mach,
+            incidence,
+            sideslip,
+            air: match (self.pressure, self.temperature) {
+                (Some(pressure), Some(temperature)) => Air::State(pressure, temperature),
+                _ => Air::Altitude(self.altitude.unwrap_or(0.0)),
+            },
+            with_the_gas: false,
+            area: self.area,
+            length: self.length,
+            centre: self.centre,
+        }
+    }
+}
+
+#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
+enum UnitWord {
+    M,
+    Mm,
+    In,
+}
+
+/// An angle in degrees.
+pub fn angle(text: &str) -> Result<f64, String> {
+    let angle: f64 = text.parse().map_err(|_| "is no number of degrees")?;
+    if angle.abs() <= 360.0 {
+        Ok(angle)
+    } else {
+        Err("is no angle in degrees, which is -360 to 360".into())
+    }
+}
+
+fn positive(text: &str) -> Result<f64, String> {
+    let number = text.parse::<f64>().ok();
+    let number = number.filter(|x| x.is_finite() && *x > 0.0);
+    number.ok_or_else(|| "is not a positive number".into())
+}
+
+/// A height in m, typed in m, km or thousands of feet.
+fn height(text: &str) -> Result<f64, String> {
+    let units = [
+        ("kft", 304.8),
+        ("km", 1e3),
+        ("ft", 0.3048),
+        ("m", 1.0),
+        ("", 1.0),
+    ];
+    let read = units.into_iter().find_map(|(unit, metres)| {
+        let number = text.trim().strip_suffix(unit)?.trim();
+        Some(number.parse::<f64>().ok()? * metres)
+    });
+    read.filter(|height| height.is_finite())
+        .ok_or_else(|| "is no height; write 12km, 12000 or 40kft".into())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn heights_are_read_in_the_units_of_aviation() {
+        for (text, metres) in [
+            ("12km", 12e3),
+            ("12000", 12e3),
+            ("12000m", 12e3),
+            ("40kft", 12_192.0),
+            ("1000 ft", 304.8),
+        ] {
+            assert!((height(text).unwrap() - metres).abs() < 1e-9, "{text}");
+        }
+        assert!(height("high").is_err());
+    }
+}
