@@ -260,7 +260,7 @@ impl<const D: usize> FixedSimulation<D> {
             .zip(&*states)
             .zip(&self.points)
             .for_each(|((held, state), point)| {
-                let gain = per_volume(&source.at(point, time), state, &self.gas);
+                let gain = per_volume(&source.at(point, time), state, self.gas);
                 *held = held.plus(new * step, &gain);
             });
     }
@@ -375,10 +375,10 @@ impl<const D: usize> FixedSimulation<D> {
 fn per_volume<const D: usize>(
     added: &Added<D>,
     state: &Primitive<D>,
-    gas: &IdealGas,
+    gas: IdealGas,
 ) -> Conserved<D> {
     let velocity = Vector::from(state.velocity);
-    let energy = state.conserved(gas).energy / state.density;
+    let energy = state.conserved(&gas).energy / state.density;
     let work = velocity.dot(&added.acceleration);
     Conserved {
         mass: added.density,
