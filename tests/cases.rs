@@ -21,7 +21,7 @@ const SMALL: [(&str, &[&str]); 20] = [
     ("double-mach", &["end_time=0.02", "spacing=0.05"]),
     ("duct", &["end_time=0.1"]),
     ("mms", &["end_time=0.05"]),
-    ("mms-3d", &["end_time=0.1", "spacing=0.1"]),
+    ("mms-3d", &["spacing=0.1"]),
     (
         "nozzle",
         &["end_time=0.0002", "spacing=0.002701713333333333"],
