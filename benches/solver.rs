@@ -42,6 +42,7 @@ fn stirred<const D: usize>(cells: usize) -> Problem<D> {
         }))),
         disorder: 0.2,
         bodies: Vec::new(),
+        source: None,
     }
 }
 

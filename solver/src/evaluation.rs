@@ -18,6 +18,7 @@ use super::rings::Rings;
 use super::shifting::shift;
 use super::shock_sensor::find_shocks;
 use super::sides::Buffers;
+use super::sources;
 use super::walls::Walls;
 
 /// When an evaluation takes place.
@@ -107,6 +108,9 @@ pub fn evaluate<const D: usize>(
         shift(problem, fluid, around);
     }
     sum_rates(problem, fluid, around);
+    if let Some(source) = &problem.source {
+        sources::add(&**source, moment, fluid);
+    }
     let Columns { state, rates, .. } = fluid.columns();
     let rings = Rings::new(problem);
     find_shocks(problem, rings, rates, state);

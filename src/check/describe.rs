@@ -44,6 +44,9 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
         let name = side_name(axis, end);
         lines.push(format!("side {name} at {face}: {}", does(side)));
     }
+    if problem.source.is_some() {
+        lines.push("sources keep the gas to a manufactured solution".into());
+    }
     let panels = Panels::new(problem);
     for number in 0..problem.bodies.len() {
         lines.extend(body(problem, &panels, number));

@@ -12,6 +12,7 @@ pub mod cylinder;
 mod double_mach;
 mod duct;
 mod expansion;
+mod mms;
 mod nozzle;
 mod profiles;
 mod report;
@@ -39,13 +40,14 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 14] = [
+static CASES: [Case; 15] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
     ("nozzle", &[&nozzle::NOZZLE]),
     ("duct", &[&duct::DUCT]),
     ("sound", &[&sound::SOUND]),
+    ("mms", &[&mms::Manufactured]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),

@@ -44,7 +44,7 @@ pub struct Summary {
     pub particle_updates_per_cpu_second: f64,
     /// Mean number of neighbours within the support.
     pub neighbours_mean: f64,
-    /// Drift of the conserved totals; none of a flow that was settled, which went through no time.
+    /// Drift of the conserved totals; none of a flow that was settled, which went through no time, or that sources drive.
     pub conservation: Option<Conservation>,
     /// Loads by name of the body.
     pub bodies: BTreeMap<String, BodySummary>,

@@ -211,7 +211,7 @@ impl Tally {
             threads: rayon::current_num_threads(),
             particle_updates_per_cpu_second: statistics.particle_updates as f64 / stepping,
             neighbours_mean: statistics.neighbours_mean,
-            conservation: (simulation.time() > 0.0)
+            conservation: (simulation.time() > 0.0 && simulation.problem().source.is_none())
                 .then(|| drift(&self.sums.start, &simulation.totals(), &simulation.inflow())),
             bodies: bodies.collect(),
             leaked: statistics.leaked,

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 
 use serde::Deserialize;
 
-use super::formula::Formula;
+use super::formula::{Formula, TimedFormula};
 use super::number::{
     Altitude, Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
     StreamAngle,
@@ -45,6 +45,8 @@ pub struct SceneFile {
     /// State at the start.
     #[serde(default)]
     pub initial: InitialEntry,
+    /// A solution made up beforehand, in place of a start: sources keep the gas to it.
+    pub manufactured: Option<ManufacturedEntry>,
     /// Bodies.
     #[serde(default)]
     pub body: Vec<BodyEntry>,
@@ -179,6 +181,18 @@ pub struct FieldEntry {
     pub pressure: Option<Formula>,
     /// Velocity, one formula per axis.
     pub velocity: Option<Vec<Formula>>,
+}
+
+/// `[manufactured]`: formulas of position and time.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ManufacturedEntry {
+    /// Density.
+    pub density: TimedFormula,
+    /// Pressure.
+    pub pressure: TimedFormula,
+    /// Velocity, one formula per axis.
+    pub velocity: Vec<TimedFormula>,
 }
 
 /// `[initial.riemann]`

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use super::error::SceneError;
 use super::file::{SceneFile, StateEntry};
+use super::manufactured::Manufactured;
 use super::number::Gamma;
 use super::vector::{AXES, vector_or_zero};
 use super::{earlier, field, stream};
@@ -19,13 +20,17 @@ pub(super) fn gamma(file: &SceneFile) -> f64 {
 }
 
 /// The undisturbed state: `[free_stream]`, or, in a domain that nothing enters, the left state of a
-/// Riemann problem or the state in the lowest corner of a field.
+/// Riemann problem or the state in the lowest corner of a field or of a manufactured solution.
 pub(super) fn free_stream<const D: usize>(
     file: &SceneFile,
     domain: &Domain<D>,
+    solution: Option<&Manufactured<D>>,
 ) -> Result<State<D>, SceneError> {
     if let Some(entry) = &file.free_stream {
         return stream::state(entry, gamma(file));
+    }
+    if let Some(solution) = solution {
+        return Ok(solution.state(&domain.bounds.min, 0.0));
     }
     let needs_one = domain.has(Side::lets_in);
     match (&file.initial.riemann, &file.initial.field) {
@@ -143,8 +148,13 @@ pub(super) fn initial<const D: usize>(
         file.initial.field.is_some(),
         file.initial.frame.is_some(),
     ];
-    if given.into_iter().filter(|is_given| *is_given).count() > 1 {
+    let given = given.into_iter().filter(|is_given| *is_given).count();
+    if given > 1 {
         let message = "give one of riemann, field and frame";
+        return Err(SceneError::value("initial", message));
+    }
+    if given > 0 && file.manufactured.is_some() {
+        let message = "says how the gas starts, and so does [manufactured]; leave out all but `disorder`, or leave out [manufactured]";
         return Err(SceneError::value("initial", message));
     }
     if let Some(frame) = &file.initial.frame {

@@ -1,13 +1,23 @@
 //! Formulas of position for the gas at the start: `1 + 0.2 * sin(5 * x)`.
 //!
 //! Knows `x`, `y`, `z`, `r` (distance from the origin), `dx` (the scene's spacing), `pi`, the
-//! operators `+ - * / ^`, comparisons (1 where they hold, else 0) and the functions that `parse.rs` lists.
+//! operators `+ - * / ^`, comparisons (1 where they hold, else 0) and the functions that `parse.rs` lists; a [`TimedFormula`] knows
+//! the time `t` too. Evaluated in any kind of number: dual ones give derivatives.
 
 mod parse;
+mod timed;
 
 use std::fmt;
 
+use num_dual::DualNum;
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
+
+pub use timed::TimedFormula;
+
+/// What formulas are evaluated in: `f64`, and dual numbers over it.
+pub trait Number: DualNum<Primitive = f64> + Copy {}
+
+impl<T: DualNum<Primitive = f64> + Copy> Number for T {}
 
 /// A number, or a formula of position.
 #[derive(Clone, Debug, PartialEq)]
@@ -15,9 +25,11 @@ pub struct Formula(Node);
 
 /// Where a formula is evaluated.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Place {
+pub struct Place<T = f64> {
     /// Coordinates; missing axes are zero.
-    pub position: [f64; 3],
+    pub position: [T; 3],
+    /// Time; zero for formulas that do not know it.
+    pub time: T,
     /// Particle spacing of the scene.
     pub spacing: f64,
 }
@@ -36,6 +48,7 @@ enum Variable {
     Axis(usize),
     Radius,
     Spacing,
+    Time,
 }
 
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -68,7 +81,7 @@ enum Function {
 
 impl Formula {
     /// The value at `place`; not finite where the formula divides by zero and the like.
-    pub fn at(&self, place: &Place) -> f64 {
+    pub fn at<T: Number>(&self, place: &Place<T>) -> T {
         self.0.at(place)
     }
 }
@@ -80,40 +93,61 @@ impl From<f64> for Formula {
 }
 
 impl Node {
-    fn at(&self, place: &Place) -> f64 {
+    fn at<T: Number>(&self, place: &Place<T>) -> T {
         match self {
-            Self::Number(number) => *number,
+            Self::Number(number) => (*number).into(),
             Self::Variable(Variable::Axis(axis)) => place.position[*axis],
             Self::Variable(Variable::Radius) => {
-                place.position.iter().map(|x| x * x).sum::<f64>().sqrt()
+                place.position.iter().map(|x| *x * *x).sum::<T>().sqrt()
             }
-            Self::Variable(Variable::Spacing) => place.spacing,
+            Self::Variable(Variable::Spacing) => place.spacing.into(),
+            Self::Variable(Variable::Time) => place.time,
             Self::Negative(node) => -node.at(place),
+            Self::Pair(Operator::Power, nodes) => {
+                let [base, exponent] = [nodes[0].at(place), nodes[1].at(place)];
+                // A logarithm would want a base above zero, also where the exponent does not change.
+                if T::NDERIV == 0 || nodes[1].is_constant() {
+                    base.powf(exponent.re())
+                } else {
+                    base.powd(exponent)
+                }
+            }
             Self::Pair(operator, nodes) => operator.apply(nodes[0].at(place), nodes[1].at(place)),
             Self::Call(function, nodes) => function.apply(nodes, place),
+        }
+    }
+
+    /// True of what is the same everywhere and at all times.
+    fn is_constant(&self) -> bool {
+        match self {
+            Self::Number(_) | Self::Variable(Variable::Spacing) => true,
+            Self::Variable(_) => false,
+            Self::Negative(node) => node.is_constant(),
+            Self::Pair(_, nodes) => nodes.iter().all(Self::is_constant),
+            Self::Call(_, nodes) => nodes.iter().all(Self::is_constant),
         }
     }
 }
 
 impl Operator {
-    fn apply(self, a: f64, b: f64) -> f64 {
-        let truth = |holds: bool| f64::from(u8::from(holds));
+    fn apply<T: Number>(self, a: T, b: T) -> T {
+        let truth = |holds: bool| f64::from(u8::from(holds)).into();
         match self {
             Self::Add => a + b,
             Self::Subtract => a - b,
             Self::Multiply => a * b,
             Self::Divide => a / b,
-            Self::Power => a.powf(b),
-            Self::Less => truth(a < b),
-            Self::AtMost => truth(a <= b),
-            Self::Greater => truth(a > b),
-            Self::AtLeast => truth(a >= b),
+            Self::Power => a.powd(b),
+            Self::Less => truth(a.re() < b.re()),
+            Self::AtMost => truth(a.re() <= b.re()),
+            Self::Greater => truth(a.re() > b.re()),
+            Self::AtLeast => truth(a.re() >= b.re()),
         }
     }
 }
 
 impl Function {
-    fn apply(self, nodes: &[Node], place: &Place) -> f64 {
+    fn apply<T: Number>(self, nodes: &[Node], place: &Place<T>) -> T {
         let value = |number: usize| nodes[number].at(place);
         match self {
             Self::Sin => value(0).sin(),
@@ -123,11 +157,20 @@ impl Function {
             Self::Sqrt => value(0).sqrt(),
             Self::Abs => value(0).abs(),
             Self::Tanh => value(0).tanh(),
-            Self::Min => value(0).min(value(1)),
-            Self::Max => value(0).max(value(1)),
-            Self::If if value(0) != 0.0 => value(1),
+            Self::Min => chosen([value(0), value(1)], |a, b| a <= b),
+            Self::Max => chosen([value(0), value(1)], |a, b| a >= b),
+            Self::If if value(0).re() != 0.0 => value(1),
             Self::If => value(2),
         }
+    }
+}
+
+/// The first of two where `is_first`, else the second; the other one of what is no number.
+fn chosen<T: Number>([a, b]: [T; 2], is_first: impl Fn(f64, f64) -> bool) -> T {
+    if is_first(a.re(), b.re()) || b.re().is_nan() {
+        a
+    } else {
+        b
     }
 }
 
@@ -135,7 +178,7 @@ impl std::str::FromStr for Formula {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
-        parse::parse(text).map(Self)
+        parse::parse(text, false).map(Self)
     }
 }
 
@@ -181,6 +224,7 @@ mod tests {
         let formula: Formula = text.parse().unwrap();
         formula.at(&Place {
             position: [3.0, 4.0, 0.0],
+            time: 0.0,
             spacing: 0.5,
         })
     }

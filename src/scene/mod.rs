@@ -49,6 +49,7 @@ pub mod file;
 mod flow;
 pub mod formula;
 mod lines;
+pub mod manufactured;
 mod method;
 mod motion;
 pub mod number;
@@ -68,12 +69,14 @@ pub use bodies::{BodyPlan, PackWishes};
 pub use error::SceneError;
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
 use aero_solver::gas::Gas;
 use aero_solver::problem::Problem;
 use aero_solver::scheme::Scheme;
 use file::{SceneFile, SchemeEntry};
+use manufactured::Manufactured;
 use number::Disorder;
 use words::SchemeName;
 
@@ -147,7 +150,8 @@ impl Scene {
     /// True where the scene says nothing of another start than the undisturbed stream.
     pub fn starts_in_the_free_stream(&self) -> bool {
         let initial = &self.file.initial;
-        initial.riemann.is_none() && initial.field.is_none() && initial.frame.is_none()
+        let is_given = initial.riemann.is_some() || initial.field.is_some();
+        !is_given && initial.frame.is_none() && self.file.manufactured.is_none()
     }
 
     /// Mach number, incidence and sideslip of the stream, degrees, where the scene states them.
@@ -187,11 +191,13 @@ impl Scene {
         let file = &self.file;
         let spacing = file.spacing.get();
         let domain = domain::domain(file)?;
-        let free_stream = flow::free_stream(file, &domain)?;
+        let solution = self.solution()?;
+        let free_stream = flow::free_stream(file, &domain, solution.as_ref())?;
         flow::check_inlets(&domain, &free_stream)?;
         flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
         axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
+        let initial = solution.as_ref().map_or(initial, Manufactured::initial);
         let stop = file.stop.map_or(Stop::EndTime, Into::into);
         let end_time = flow::end_time(file, stop, &domain, &free_stream)?;
         let output = output::plan(&file.output, end_time)?;
@@ -213,6 +219,17 @@ impl Scene {
             initial,
             disorder: file.initial.disorder.map_or(0.0, Disorder::get),
             bodies,
+            source: None,
+        };
+        let problem = match solution {
+            None => problem,
+            Some(solution) => {
+                manufactured::check(&solution, &problem, end_time)?;
+                Problem {
+                    source: Some(Arc::new(solution)),
+                    ..problem
+                }
+            }
         };
         Ok(Case {
             problem,
@@ -225,6 +242,18 @@ impl Scene {
                 output,
             },
         })
+    }
+
+    /// The manufactured solution of the scene; none where it gives none.
+    ///
+    /// # Errors
+    /// A scene of another dimension.
+    pub fn solution<const D: usize>(&self) -> Result<Option<Manufactured<D>>, SceneError> {
+        self.expect_dimension::<D>()?;
+        let entry = self.file.manufactured.as_ref();
+        let made =
+            |entry| Manufactured::new(entry, self.file.spacing.get(), flow::gamma(&self.file));
+        entry.map(made).transpose()
     }
 
     /// The bodies of the scene, ready to be packed.

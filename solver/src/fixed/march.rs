@@ -3,17 +3,20 @@
 //! `U* = U + dt R(U)`, `U' = (U + U* + dt R(U*)) / 2`, also the second-order method that preserves what a single stage of
 //! Euler preserves [Shu & Osher 1988, J. Comput. Phys. 77, 439-471].
 
+use aero_geometry::Vector;
 use rayon::prelude::*;
 
 use super::FixedSimulation;
 use super::columns::Columns;
 use super::fluxes::{Exchange, Flow, Gains};
+use super::gas::IdealGas;
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive};
 use crate::Failure;
+use crate::problem::Added;
 use crate::walls::rigid::pad;
 
 /// How often a step is halved before the run stops.
@@ -22,11 +25,12 @@ const HALVINGS: u32 = 8;
 /// How often a step is taken again with more cells in first order, before it is halved.
 const RETRIES: u32 = 4;
 
-/// `U' = (1 - new) U_0 + new (U + dt R(U))`.
+/// `U' = (1 - new) U_0 + new (U + dt R(U, t))`.
 #[derive(Clone, Copy, Debug)]
 struct Stage {
     new: f64,
     step: f64,
+    time: f64,
 }
 
 /// Cells of a block.
@@ -99,10 +103,19 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Both stages; the cells that do not bear it are the error.
     fn try_step(&mut self, step: f64) -> Result<(), Vec<u32>> {
-        let first = self.stage(Stage { new: 1.0, step });
+        let time = self.tally.time;
+        let first = self.stage(Stage {
+            new: 1.0,
+            step,
+            time,
+        });
         self.find_states()?;
         self.find_slopes();
-        let second = self.stage(Stage { new: 0.5, step });
+        let second = self.stage(Stage {
+            new: 0.5,
+            step,
+            time: time + step,
+        });
         self.find_states()?;
         let half = 0.5 * step;
         self.tally.received = self.tally.received.plus(half, &first).plus(half, &second);
@@ -220,8 +233,8 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     fn stage(&mut self, stage: Stage) -> Conserved<D> {
-        let Stage { new, step } = stage;
-        self.exchange(|net, part, gains| {
+        let Stage { new, step, .. } = stage;
+        let boundary = self.exchange(|net, part, gains| {
             let cells = part.held.iter_mut().zip(&*part.before).zip(&gains.cells);
             for (k, ((held, before), gain)) in cells.enumerate() {
                 let there = held.plus(step / net.cell(part.start + k).volume, gain);
@@ -231,7 +244,25 @@ impl<const D: usize> FixedSimulation<D> {
                     before.plus(new, &there.plus(-1.0, before))
                 };
             }
-        })
+        });
+        self.add_source(stage);
+        boundary
+    }
+
+    /// Adds what the problem does, by the states that the stage began with.
+    fn add_source(&mut self, stage: Stage) {
+        let Stage { new, step, time } = stage;
+        let Some(source) = &self.problem.source else {
+            return;
+        };
+        let Columns { held, states, .. } = &mut self.columns;
+        held.par_iter_mut()
+            .zip(&*states)
+            .zip(&self.points)
+            .for_each(|((held, state), point)| {
+                let gain = per_volume(&source.at(point, time), state, self.gas);
+                *held = held.plus(new * step, &gain);
+            });
     }
 
     /// Keeps the state for a step that fails, and for the second stage.
@@ -337,5 +368,21 @@ impl<const D: usize> FixedSimulation<D> {
             step: self.tally.steps,
             time: self.tally.time,
         }
+    }
+}
+
+/// What is added to gas in `state`, per volume: `S`, `rho a + u S` and `rho (q + u.a) + (e + u^2 / 2) S`.
+fn per_volume<const D: usize>(
+    added: &Added<D>,
+    state: &Primitive<D>,
+    gas: IdealGas,
+) -> Conserved<D> {
+    let velocity = Vector::from(state.velocity);
+    let energy = state.conserved(&gas).energy / state.density;
+    let work = velocity.dot(&added.acceleration);
+    Conserved {
+        mass: added.density,
+        momentum: (added.acceleration * state.density + velocity * added.density).into(),
+        energy: state.density * (added.heating + work) + energy * added.density,
     }
 }

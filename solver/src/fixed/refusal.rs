@@ -1,5 +1,6 @@
 //! What cannot be flown on points that stay where they are.
 
+use crate::method::Time;
 use crate::problem::{Problem, Side, WallKind};
 
 /// The remedy for what moves.
@@ -7,11 +8,19 @@ const REMEDY: &str =
     "points that stay where they are cannot follow it; use `scheme.motion = \"with-the-gas\"`";
 
 impl<const D: usize> Problem<D> {
-    /// Refuses by name what moves and what the gas sticks to.
+    /// Refuses by name what moves, what the gas sticks to, and sources that settle.
     ///
     /// # Errors
     /// What it is and the remedy.
     pub fn check_fixed(&self) -> Result<(), String> {
+        let settles = (self.method.fixed()).is_some_and(|points| points.time == Time::Settle);
+        if self.source.is_some() && settles {
+            return Err(
+                "what is added to the equations is marched through time alone; \
+                 use `scheme.time = \"accurate\"`"
+                    .into(),
+            );
+        }
         for body in &self.bodies {
             let name = &body.name;
             if body.motion.is_moving() {

@@ -46,12 +46,13 @@ pub struct Calm<const D: usize> {
 }
 
 impl<const D: usize> Calm<D> {
-    /// The free stream of `problem`; none where it has no side that keeps one up, or is to be summed in full.
+    /// The free stream of `problem`; none where it has no side that keeps one up, is to be summed in full, or where a source disturbs it.
     pub fn new(problem: &Problem<D>) -> Option<Self> {
         let domain = &problem.domain;
         let has_stream = domain.has(Side::keeps_free_stream);
         let has_other_gas = domain.has(|side| side.lets_in() && !side.keeps_free_stream());
-        if !problem.scheme.skip_undisturbed || !has_stream || has_other_gas {
+        let is_disturbed = has_other_gas || problem.source.is_some();
+        if !problem.scheme.skip_undisturbed || !has_stream || is_disturbed {
             return None;
         }
         let gas = &problem.free_stream;

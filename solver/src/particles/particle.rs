@@ -62,7 +62,7 @@ impl<const D: usize> Particle<D> {
     }
 }
 
-/// What pressure alone does to a particle: not viscosity, nor conduction.
+/// What pressure does to a particle, and what a problem adds: not viscosity, nor conduction.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 pub struct ByPressure<const D: usize> {
     /// Acceleration.

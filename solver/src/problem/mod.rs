@@ -7,10 +7,12 @@ use aero_geometry::Vector;
 mod body;
 mod domain;
 mod side;
+mod source;
 
 pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
 pub use domain::Domain;
 pub use side::Side;
+pub use source::{Added, Source};
 
 use crate::gas::Gas;
 use crate::method::Method;
@@ -38,6 +40,8 @@ pub struct Problem<const D: usize> {
     pub disorder: f64,
     /// Bodies in the flow.
     pub bodies: Vec<Body<D>>,
+    /// What is added to the equations, if anything.
+    pub source: Option<Arc<dyn Source<D>>>,
 }
 
 /// Density, velocity and pressure at a point.

@@ -19,6 +19,7 @@ mod rest;
 mod rings;
 mod seam;
 mod shifting;
+mod sources;
 mod steps;
 mod surfaces;
 mod thin;
@@ -60,6 +61,7 @@ pub(crate) fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
         initial: Initial::FreeStream,
         disorder: 0.0,
         bodies: Vec::new(),
+        source: None,
     }
 }
 

@@ -19,15 +19,16 @@ const FUNCTIONS: [(&str, Function, usize); 10] = [
     ("if", Function::If, 3),
 ];
 
-/// Parses a whole formula.
+/// Parses a whole formula, which `knows_time` or does not.
 ///
 /// # Errors
 /// Says what is wrong and shows where.
-pub(super) fn parse(text: &str) -> Result<Node, String> {
+pub(super) fn parse(text: &str, knows_time: bool) -> Result<Node, String> {
     let mut parser = Parser {
         text,
         at: 0,
         depth: 0,
+        knows_time,
     };
     let node = parser.comparison()?;
     match parser.peek() {
@@ -42,6 +43,7 @@ struct Parser<'a> {
     /// Byte that comes next.
     at: usize,
     depth: usize,
+    knows_time: bool,
 }
 
 impl Parser<'_> {
@@ -145,6 +147,7 @@ impl Parser<'_> {
             "z" => Some(Variable::Axis(2)),
             "r" => Some(Variable::Radius),
             "dx" => Some(Variable::Spacing),
+            "t" if self.knows_time => Some(Variable::Time),
             _ => None,
         };
         if let Some(variable) = variable {
@@ -157,8 +160,9 @@ impl Parser<'_> {
         }
         let Some(&(_, function, count)) = FUNCTIONS.iter().find(|entry| entry.0 == name) else {
             let known = FUNCTIONS.map(|entry| entry.0).join(", ");
+            let time = if self.knows_time { "t, " } else { "" };
             return Err(self.fail(&format!(
-                "`{name}` is unknown; there are x, y, z, r, dx, pi and the functions {known}"
+                "`{name}` is unknown; there are x, y, z, r, {time}dx, pi and the functions {known}"
             )));
         };
         self.at += name.len();
@@ -243,7 +247,7 @@ mod tests {
             ("$", "a number, a name or `(`"),
             ("ä + 1", "`ä` is unknown"),
         ] {
-            let message = parse(text).unwrap_err();
+            let message = parse(text, false).unwrap_err();
             assert!(message.contains(words), "{text}: {message}");
         }
     }
@@ -255,7 +259,7 @@ mod tests {
             "-".repeat(100_000),
             "1+".repeat(100_000),
         ] {
-            assert!(parse(&text).unwrap_err().contains("too long"));
+            assert!(parse(&text, false).unwrap_err().contains("too long"));
         }
     }
 }

@@ -40,6 +40,7 @@ pub fn problem<const D: usize>(
         initial: Initial::FreeStream,
         disorder: 0.0,
         bodies: Vec::new(),
+        source: None,
     }
 }
 
