@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use aero::case::AnyCase;
-use aero::output::{BodySummary, CHECKPOINT, Summary};
-use aero::run::{Destination, RunError, Stopwatch};
+use aero::output::{BodySummary, CHECKPOINT, Summary, can_be_prolonged};
+use aero::run::{Destination, RunError, Stopwatch, is_of};
 use clap::Args;
 
 use super::interrupt::Interrupt;
@@ -32,20 +32,10 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     let stopwatch = Stopwatch::start();
     let scene = args.scene.load()?;
     let out = folder(args.out.as_ref(), scene.name());
-    if args.resume && !out.join(CHECKPOINT).exists() {
-        if out.join("summary.json").exists() {
-            println!(
-                "the run in `{}` came to its end; leave out `--resume` to run it anew",
-                out.display()
-            );
-            return Ok(());
-        }
-        eprintln!(
-            "no checkpoint in `{}` yet: starting from the beginning",
-            out.display()
-        );
-    }
     let scene_lines = scene.lines();
+    if args.resume && !out.join(CHECKPOINT).exists() && has_ended(&out, &scene_lines)? {
+        return Ok(());
+    }
     let destination = Destination {
         folder: &out,
         scene: &scene_lines,
@@ -55,6 +45,30 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     on_threads(args.scene.threads, || {
         run_case(checked(&scene)?, destination, stopwatch)
     })
+}
+
+/// True where the run in `out`, which has no checkpoint of a run under way, has come to its end and `scene` is no longer one; says
+/// so.
+fn has_ended(out: &Path, scene: &str) -> Result<bool, CommandError> {
+    let folder = out.display();
+    if !out.join("summary.json").exists() {
+        eprintln!("no checkpoint in `{folder}` yet: starting from the beginning");
+        return Ok(false);
+    }
+    if is_of(out, scene) {
+        println!(
+            "the run in `{folder}` came to its end; go on with it by a later one, `--set end_time=..`, or leave out `--resume` to run \
+             it anew"
+        );
+        return Ok(true);
+    }
+    if can_be_prolonged(out) {
+        return Ok(false);
+    }
+    Err(CommandError::wrong(format!(
+        "the run in `{folder}` came to its end and left nothing to go on from, as a flow that has settled does; leave out `--resume` \
+         to run it anew"
+    )))
 }
 
 fn run_case(

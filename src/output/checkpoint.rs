@@ -15,8 +15,11 @@ use super::error::OutputError;
 /// Name of a checkpoint in the folder of its run.
 pub const CHECKPOINT: &str = "checkpoint";
 
+/// What the checkpoint of a run is called once that has come to its end: a longer run can go on from it.
+const LAST: &str = "last-checkpoint";
+
 /// Changes whenever the content does.
-const FORMAT: &str = concat!("aero checkpoint 5, version ", env!("CARGO_PKG_VERSION"));
+const FORMAT: &str = concat!("aero checkpoint 6, version ", env!("CARGO_PKG_VERSION"));
 
 /// Why a checkpoint is of no use.
 #[derive(Debug, thiserror::Error)]
@@ -30,10 +33,25 @@ impl CheckpointError {
     /// The checkpoint in `folder` is of no use.
     pub fn new(folder: &Path, reason: impl Into<String>) -> Self {
         Self {
-            path: folder.join(CHECKPOINT),
+            path: latest(folder),
             reason: reason.into(),
         }
     }
+}
+
+/// Where the checkpoint in `folder` lies, of a run under way or else of one that has ended.
+fn latest(folder: &Path) -> PathBuf {
+    let [under_way, ended] = [CHECKPOINT, LAST].map(|name| folder.join(name));
+    if !under_way.exists() && ended.exists() {
+        ended
+    } else {
+        under_way
+    }
+}
+
+/// True where a run has ended that a longer one can go on from.
+pub fn can_be_prolonged(folder: &Path) -> bool {
+    latest(folder).ends_with(LAST)
 }
 
 /// The bytes of a checkpoint for `folder`, which then needs its `content` no more.
@@ -54,10 +72,10 @@ pub fn write_checkpoint(folder: &Path, bytes: &[u8]) -> Result<(), OutputError> 
     })
 }
 
-/// Reads the checkpoint in `folder`; none where there is no such file.
+/// Reads the checkpoint in `folder`, of a run under way or else of one that has ended; none where there is neither.
 pub fn read_checkpoint<T: DeserializeOwned>(folder: &Path) -> Result<Option<T>, CheckpointError> {
     let fail = |reason: String| CheckpointError::new(folder, reason);
-    let bytes = match std::fs::read(folder.join(CHECKPOINT)) {
+    let bytes = match std::fs::read(latest(folder)) {
         Ok(bytes) => bytes,
         Err(error) if error.kind() == io::ErrorKind::NotFound => return Ok(None),
         Err(error) => return Err(fail(error.to_string())),
@@ -90,13 +108,37 @@ fn foreign(header: &[u8]) -> String {
     }
 }
 
-/// Removes the checkpoint in `folder`, if there is one.
-pub fn remove_checkpoint(folder: &Path) -> Result<(), OutputError> {
-    let path = folder.join(CHECKPOINT);
-    match std::fs::remove_file(&path) {
-        Err(error) if error.kind() != io::ErrorKind::NotFound => {
-            Err(OutputError::new(&path, error))
-        }
+/// Removes what checkpoints there are in `folder`.
+pub fn remove_checkpoints(folder: &Path) -> Result<(), OutputError> {
+    for name in [CHECKPOINT, LAST] {
+        let path = folder.join(name);
+        unless_missing(&path, std::fs::remove_file(&path))?;
+    }
+    Ok(())
+}
+
+/// Lays the checkpoint of a run that has come to its end aside.
+pub fn close_checkpoint(folder: &Path) -> Result<(), OutputError> {
+    rename(folder, CHECKPOINT, LAST)
+}
+
+/// Takes the checkpoint of a run that had come to its end for one of a run under way.
+pub fn reopen_checkpoint(folder: &Path) -> Result<(), OutputError> {
+    if folder.join(CHECKPOINT).exists() {
+        return Ok(());
+    }
+    rename(folder, LAST, CHECKPOINT)
+}
+
+fn rename(folder: &Path, from: &str, to: &str) -> Result<(), OutputError> {
+    let path = folder.join(from);
+    unless_missing(&path, std::fs::rename(&path, folder.join(to)))
+}
+
+/// `result`, good as well where there is no such file.
+fn unless_missing(path: &Path, result: io::Result<()>) -> Result<(), OutputError> {
+    match result {
+        Err(error) if error.kind() != io::ErrorKind::NotFound => Err(OutputError::new(path, error)),
         _ => Ok(()),
     }
 }
@@ -137,7 +179,22 @@ mod tests {
                 .unwrap()
                 .is_none()
         );
-        remove_checkpoint(folder.path()).unwrap();
+        remove_checkpoints(folder.path()).unwrap();
+    }
+
+    #[test]
+    fn what_is_laid_aside_is_read_where_nothing_is_under_way() {
+        let folder = tempfile::tempdir().unwrap();
+        let read = || read_checkpoint::<Vec<f64>>(folder.path()).unwrap().unwrap();
+        write(folder.path(), &[1.0]);
+        close_checkpoint(folder.path()).unwrap();
+        assert!(can_be_prolonged(folder.path()));
+        assert_eq!(read(), [1.0]);
+        write(folder.path(), &[2.0]);
+        assert!(!can_be_prolonged(folder.path()));
+        assert_eq!(read(), [2.0]);
+        reopen_checkpoint(folder.path()).unwrap();
+        assert_eq!(read(), [2.0]);
     }
 
     #[test]

@@ -21,8 +21,8 @@ pub use atomic::write_json;
 pub use background::Background;
 pub use check_picture::draw_scene;
 pub use checkpoint::{
-    CHECKPOINT, CheckpointError, checkpoint_bytes, read_checkpoint, remove_checkpoint,
-    write_checkpoint,
+    CHECKPOINT, CheckpointError, can_be_prolonged, checkpoint_bytes, close_checkpoint,
+    read_checkpoint, remove_checkpoints, reopen_checkpoint, write_checkpoint,
 };
 pub use error::{OutputError, make_folder};
 pub use history::{History, HistoryRow};

@@ -63,10 +63,15 @@ impl Claim {
     }
 }
 
+/// True where the results in `folder` are those of `scene`, a line for each value.
+pub fn is_of(folder: &Path, scene: &str) -> bool {
+    std::fs::read_to_string(folder.join(SCENE)).ok().as_deref() == Some(scene)
+}
+
 /// True where a run of another scene has left results.
 fn holds_another(folder: &Path, scene: &str) -> bool {
     if !folder.join("summary.json").exists() && !folder.join("history.csv").exists() {
         return false;
     }
-    std::fs::read_to_string(folder.join(SCENE)).ok().as_deref() != Some(scene)
+    !is_of(folder, scene)
 }

@@ -19,6 +19,7 @@ mod to_folder;
 mod under_way;
 
 pub use burst::{Burst, burst};
+pub use claim::is_of;
 pub use destination::Destination;
 pub use error::RunError;
 pub use outcome::{History, Keep, Outcome, run_in_memory};

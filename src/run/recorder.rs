@@ -82,7 +82,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
         scene: &str,
         watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, OutputError> {
-        output::remove_checkpoint(folder)?;
+        output::remove_checkpoints(folder)?;
         let names = load_names(case);
         let bodies = case.problem.bodies.len();
         let history = History::create(&folder.join("history.csv"), &names, bodies)?;

@@ -39,6 +39,8 @@ pub(super) struct Sums {
     /// Squares of the forces' components over time.
     square: Vec<[f64; 3]>,
     duration: f64,
+    /// When the means began; none before they do.
+    from: Option<f64>,
     /// Spent by processes before this one.
     spent: Spent,
 }
@@ -50,6 +52,25 @@ struct Spent {
     cpu: f64,
     /// Processor time spent on steps.
     stepping: f64,
+}
+
+impl Sums {
+    /// When the means of a run that stands at `now` begin if they are wanted from `mean_from` on. Those of a run that is made
+    /// longer begin anew, unless what was summed up belongs to them too; then they begin where it does.
+    fn begin(&mut self, mean_from: f64, now: f64) -> f64 {
+        match self.from {
+            Some(from) if now >= mean_from => from,
+            Some(_) => {
+                for sums in [&mut self.impulse, &mut self.turn, &mut self.square] {
+                    sums.fill([0.0; 3]);
+                }
+                self.duration = 0.0;
+                self.from = None;
+                mean_from
+            }
+            None => mean_from,
+        }
+    }
 }
 
 impl Tally {
@@ -66,6 +87,7 @@ impl Tally {
             turn: vec![[0.0; 3]; bodies.len()],
             square: vec![[0.0; 3]; bodies.len()],
             duration: 0.0,
+            from: None,
             spent: Spent::default(),
         };
         Self::resume(plan, simulation, sums, stopwatch)
@@ -75,14 +97,15 @@ impl Tally {
     pub(super) fn resume<const D: usize>(
         plan: &RunPlan<D>,
         simulation: &Flow<D>,
-        sums: Sums,
+        mut sums: Sums,
         stopwatch: Stopwatch,
     ) -> Self {
+        let mean_from = (1.0 - MEAN_PART) * plan.end_time;
         Self {
             name: plan.name.clone(),
             stopwatch,
             cpu_before: stopwatch.cpu_seconds(),
-            mean_from: (1.0 - MEAN_PART) * plan.end_time,
+            mean_from: sums.begin(mean_from, simulation.time()),
             coefficients: Coefficients::new(plan, simulation),
             warnings: plan.warnings.clone(),
             sums,
@@ -111,6 +134,7 @@ impl Tally {
         if simulation.time() < self.mean_from {
             return;
         }
+        self.sums.from = Some(self.mean_from);
         self.sums.duration += dt;
         let sums = self.sums.impulse.iter_mut().zip(&mut self.sums.square);
         let sums = sums.zip(&mut self.sums.turn);

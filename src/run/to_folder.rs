@@ -9,7 +9,7 @@ use super::error::RunError;
 use super::progress::Progress;
 use super::recorder::FileRecorder;
 use super::stopwatch::Stopwatch;
-use super::under_way::UnderWay;
+use super::under_way::{UnderWay, settles};
 use crate::case::{AnyCase, Case};
 use crate::output::{self, CheckpointError, Summary};
 
@@ -45,11 +45,15 @@ fn run<const D: usize>(
     output::make_folder(folder)?;
     let _claim = Claim::new(&destination)?;
     let earlier = if destination.resume {
-        checkpoint::read(folder, scene)?
+        checkpoint::read(folder, scene, case.plan.end_time)?
     } else {
         None
     };
+    // No later end brings it any further.
+    let has_settled = settles(&case.problem);
     let result = if let Some((written, checkpoint)) = earlier {
+        output::reopen_checkpoint(folder)?;
+        Claim::note(&destination)?;
         let mut recorder = FileRecorder::resume(folder, &case, scene, written, watch)?;
         let under_way = UnderWay::resume(case, checkpoint, stopwatch);
         let mut under_way = under_way.map_err(|reason| CheckpointError::new(folder, reason))?;
@@ -66,7 +70,11 @@ fn run<const D: usize>(
     };
     output::write_json(&folder.join("summary.json"), summary)?;
     if result.is_ok() {
-        output::remove_checkpoint(folder)?;
+        if has_settled {
+            output::remove_checkpoints(folder)?;
+        } else {
+            output::close_checkpoint(folder)?;
+        }
     }
     result
 }

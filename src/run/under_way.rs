@@ -59,13 +59,15 @@ impl<const D: usize> UnderWay<D> {
         let this = Self {
             tally: Tally::start(&plan, &simulation, stopwatch),
             swing: Swing::new(simulation.problem().bodies.len()),
-            plan,
-            simulation,
             pace: Pace {
                 frames: 1,
                 framed_step: 0,
                 tiny_steps: 0,
+                interval: plan.output.frame_interval,
+                end: plan.end_time,
             },
+            plan,
+            simulation,
             monitor,
         };
         recorder.checkpoint(this.checkpoint())?;
@@ -82,10 +84,13 @@ impl<const D: usize> UnderWay<D> {
         let simulation = Flow::resume(problem, checkpoint.simulation)?;
         Ok(Self {
             tally: Tally::resume(&plan, &simulation, checkpoint.sums, stopwatch),
+            pace: Pace {
+                end: plan.end_time,
+                ..checkpoint.pace
+            },
+            monitor: checkpoint.monitor.filter(|_| plan.stop == Stop::Steady),
             plan,
             simulation,
-            pace: checkpoint.pace,
-            monitor: checkpoint.monitor,
             swing: checkpoint.swing,
         })
     }
@@ -112,7 +117,7 @@ impl<const D: usize> UnderWay<D> {
     /// Steps to the end time.
     fn march(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
         let end = self.plan.end_time;
-        let interval = self.plan.output.frame_interval;
+        let interval = self.pace.interval;
         loop {
             let due = frame_time(self.pace.frames, interval, end);
             let dt = match self.simulation.step(due) {
@@ -189,7 +194,7 @@ impl<const D: usize> UnderWay<D> {
 }
 
 /// True where only the steady flow is wanted.
-fn settles<const D: usize>(problem: &Problem<D>) -> bool {
+pub(super) fn settles<const D: usize>(problem: &Problem<D>) -> bool {
     let points = problem.method.fixed();
     points.is_some_and(|points| points.time == Time::Settle)
 }

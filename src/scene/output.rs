@@ -27,7 +27,7 @@ pub(super) fn plan<const D: usize>(
                 "give frames or interval, not both",
             ));
         }
-        (None, Some(interval)) => interval.get().min(end_time),
+        (None, Some(interval)) => interval.get(),
         (frames, None) => end_time / frames.map_or(FRAMES, Count::get) as f64,
     };
     Ok(OutputPlan {

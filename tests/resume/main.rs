@@ -2,6 +2,7 @@
 //! the history, whatever stopped it.
 
 mod kills;
+mod longer;
 mod stops;
 #[path = "../support/mod.rs"]
 mod support;
@@ -63,7 +64,7 @@ fn results(folder: &Path) -> Vec<(String, Vec<u8>)> {
     let mut files: Vec<_> = std::fs::read_dir(folder)
         .expect("the results")
         .map(|entry| entry.expect("an entry").path())
-        .filter(|path| !path.ends_with("summary.json"))
+        .filter(|path| !path.ends_with("summary.json") && !path.ends_with("last-checkpoint"))
         .map(|path| {
             let name = path.file_name().expect("a name").to_string_lossy().into();
             (name, std::fs::read(path).expect("a file"))
