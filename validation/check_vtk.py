@@ -39,11 +39,13 @@ FRAME = {
     "energy": 1,
     "mach": 1,
     "smoothing_length": 1,
+    "mass": 1,
+    "entropy": 1,
     "kind": 1,
     "id": 1,
 }
 GHOSTS = {"normal": 3, "distance": 1, "volume": 1, "layer": 1, "body": 1}
-CELLS = {"velocity": 3, "density": 1, "pressure": 1, "mach": 1, "volume": 1, "id": 1}
+CELLS = {"velocity": 3, "density": 1, "pressure": 1, "mach": 1, "volume": 1, "entropy": 1, "id": 1}
 FIELDS = ("TimeValue", "free_stream_pressure", "free_stream_density", "free_stream_velocity", "gamma", "spacing")
 SURFACE = {"normal": 3, "pressure": 1, "pressure_coefficient": 1, "body": 1}
 

@@ -56,11 +56,13 @@ pub fn write_cells(
     let velocity = vectors(&frame.velocity);
     document.array("velocity", 3, &Numbers::Real(velocity.as_flattened()));
     let temperature = reference.temperatures(&frame.pressure, &frame.density);
+    let entropy = reference.entropies(&frame.pressure, &frame.density);
     let arrays = [
         ("density", Some(&frame.density)),
         ("pressure", Some(&frame.pressure)),
         ("mach", Some(&frame.mach)),
         ("temperature", temperature.as_ref()),
+        ("entropy", Some(&entropy)),
         ("volume", Some(&frame.volume)),
     ];
     for (name, values) in arrays {

@@ -40,6 +40,19 @@ impl Reference {
     pub(super) fn temperatures(&self, pressure: &[f64], density: &[f64]) -> Option<Vec<f64>> {
         let constant = self.gas_constant?;
         let pairs = pressure.iter().zip(density);
-        Some(pairs.map(|(p, rho)| p / (rho * constant)).collect())
+        Some(pairs.map(|(p, rho)| number(p / (rho * constant))).collect())
     }
+
+    /// Entropies over that of the free stream, in heat capacities at constant volume: `ln((p / p_inf) (rho_inf / rho)^gamma)`.
+    pub(super) fn entropies(&self, pressure: &[f64], density: &[f64]) -> Vec<f64> {
+        let pairs = pressure.iter().zip(density);
+        let rise =
+            |p: &f64, rho: &f64| (p / self.pressure).ln() - self.gamma * (rho / self.density).ln();
+        pairs.map(|(p, rho)| number(rise(p, rho))).collect()
+    }
+}
+
+/// `value`, zero where a vacuum leaves none.
+fn number(value: f64) -> f64 {
+    if value.is_finite() { value } else { 0.0 }
 }

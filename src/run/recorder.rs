@@ -174,7 +174,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         self.written.times.push(time);
         let is_compressed = self.is_compressed;
         self.background.hand(move || {
-            output::write_frame(&path, &frame, is_compressed)?;
+            output::write_frame(&path, &frame, Some(&reference), is_compressed)?;
             particles.write()?;
             if let Some((path, surface, surfaces)) = surface {
                 output::write_surface(&path, &surface)?;

@@ -167,6 +167,27 @@ pub fn read_vtp(path: &Path) -> (usize, Vec<(String, usize)>) {
     (points, arrays.collect())
 }
 
+/// The numbers of an array of points.
+pub fn vtp_array(path: &Path, name: &str) -> Vec<f64> {
+    use vtkio::model::{Attribute, DataSet, Piece, Vtk};
+    let vtk = Vtk::import(path).expect("a VTK file");
+    let DataSet::PolyData { pieces, .. } = vtk.data else {
+        panic!("not PolyData");
+    };
+    let Some(Piece::Inline(piece)) = pieces.into_iter().next() else {
+        panic!("no piece");
+    };
+    let mut arrays = piece
+        .data
+        .point
+        .iter()
+        .filter_map(|attribute| match attribute {
+            Attribute::DataArray(array) if array.name == name => array.data.cast_into(),
+            _ => None,
+        });
+    arrays.next().expect("the array")
+}
+
 /// Segments or triangles with their arrays, as `surface-NNNNNN.vtp` holds them.
 pub struct Surface {
     /// Corners, cell by cell.
