@@ -72,6 +72,8 @@ pub struct RunPlan<const D: usize> {
     pub stop: Stop,
     /// Degrees at which the stream meets the axes of the bodies, where the scene states them.
     pub incidence: Option<f64>,
+    /// Specific gas constant, where the scene states or implies it.
+    pub gas_constant: Option<f64>,
     /// What the user should know, where the case has been checked.
     pub warnings: Option<Vec<Warning>>,
     /// When to write what.
@@ -104,6 +106,8 @@ pub struct OutputPlan<const D: usize> {
     pub frame_interval: f64,
     /// What frames show; everything if none.
     pub region: Option<Bounds<D>>,
+    /// The cells about points that stay are written, too.
+    pub has_cells: bool,
     /// Frames are compressed.
     pub is_compressed: bool,
     /// The pressure that coefficients are made of.

@@ -2,9 +2,9 @@
 
 mod support;
 
-use support::{Answer, BOX, Workplace, read_surface, read_vtp};
+use support::{Answer, BOX, Workplace, read_surface, read_vtp, vtp_array};
 
-const PARTICLE_ARRAYS: [&str; 9] = [
+const PARTICLE_ARRAYS: [&str; 11] = [
     "velocity",
     "density",
     "pressure",
@@ -12,6 +12,8 @@ const PARTICLE_ARRAYS: [&str; 9] = [
     "mach",
     "smoothing_length",
     "volume",
+    "mass",
+    "entropy",
     "kind",
     "id",
 ];
@@ -54,6 +56,45 @@ fn frames_hold_every_array_for_every_particle() {
             assert_eq!(*length, components * points, "{name}");
         }
     }
+}
+
+#[test]
+fn masses_are_those_of_the_history_and_entropy_is_that_over_the_stream() {
+    let place = Workplace::new();
+    place.run(BOX, &[]).succeeds();
+    let array = |number: u32, name: &str| {
+        vtp_array(
+            &place.path(&format!("results/frame-00000{number}.vtp")),
+            name,
+        )
+    };
+    let kinds = array(2, "kind");
+    let gas = array(2, "mass").into_iter().zip(kinds);
+    let mass: f64 = gas
+        .filter(|(_, kind)| *kind == 0.0)
+        .map(|(mass, _)| mass)
+        .sum();
+    let text = std::fs::read_to_string(place.path("results/history.csv")).expect("text");
+    let column = text.lines().next().expect("a header").split(',');
+    let column = column
+        .clone()
+        .position(|name| name == "mass")
+        .expect("a mass");
+    let last = text.lines().last().expect("a row").split(',').nth(column);
+    let told: f64 = last.expect("a field").parse().expect("a number");
+    assert!((mass / told - 1.0).abs() < 1e-12, "{mass} {told}");
+    // The left state is what others are measured by.
+    let right = (0.1_f64 / 1.0).ln() - 1.4 * (0.125_f64 / 1.0).ln();
+    let kinds = array(0, "kind");
+    for (entropy, kind) in array(0, "entropy").into_iter().zip(kinds) {
+        let near = entropy.abs().min((entropy - right).abs());
+        assert!(kind != 0.0 || near < 1e-12, "{entropy}");
+    }
+    let stream = "free_stream={ pressure = 1e5, temperature = 250.0, gas_constant = 290.0, velocity = [0.0, 0.0] }";
+    place.run(BOX, &["--set", stream]).succeeds();
+    let state = |name: &str| array(0, name)[0];
+    let temperature = state("pressure") / (state("density") * 290.0);
+    assert!((state("temperature") / temperature - 1.0).abs() < 1e-12);
 }
 
 #[test]

@@ -3,15 +3,18 @@
 
     check_vtk.py PATH...
 
-PATH is a folder (its .pvd and .vtp files), a .pvd collection (the files it lists) or a .vtp file.
+PATH is a folder (its .pvd, .vtp and .vtu files), a .pvd collection (the files it lists) or a .vtp or .vtu file.
 Needs the `vtk` package (pip install vtk). Exit status: 0 all good, 1 a fault was found, 2 the
 command is wrong or there is nothing to check.
 
-Checked for every file: VTK reads it without an error; there are points, all finite; every point has
-a vertex cell (ParaView shows nothing otherwise); every array is finite and as long as the points.
+Checked for every file: VTK reads it without an error; there are points, all finite; every point of a
+cloud has a vertex cell (ParaView shows nothing otherwise); every array is finite and has a value for
+each point, of surfaces for each cell.
 Checked by the file's name (frame-*.vtp, surface-*.vtp, *-ghosts.vtp): the arrays that aero promises,
-with their number of components, and values that make sense. Checked for a collection: its files
-exist and its times rise.
+with their number of components, and values that make sense. Checked for cells-*.vtu: every cell is
+closed, its corners give the volume that it says (of rings about an axis, all of it or none), and the
+cells are those of the points of the frame beside it. Checked for a collection: its files exist and
+its times rise.
 """
 
 import pathlib
@@ -22,7 +25,8 @@ try:
     import numpy
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader
+    from vtkmodules.vtkCommonCore import vtkIdList
+    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 except ImportError as error:
     print(f"check_vtk.py: {error}; install with: pip install vtk", file=sys.stderr)
     sys.exit(2)
@@ -35,10 +39,14 @@ FRAME = {
     "energy": 1,
     "mach": 1,
     "smoothing_length": 1,
+    "mass": 1,
+    "entropy": 1,
     "kind": 1,
     "id": 1,
 }
 GHOSTS = {"normal": 3, "distance": 1, "volume": 1, "layer": 1, "body": 1}
+CELLS = {"velocity": 3, "density": 1, "pressure": 1, "mach": 1, "volume": 1, "entropy": 1, "id": 1}
+FIELDS = ("TimeValue", "free_stream_pressure", "free_stream_density", "free_stream_velocity", "gamma", "spacing")
 SURFACE = {"normal": 3, "pressure": 1, "pressure_coefficient": 1, "body": 1}
 
 # Values of `kind`.
@@ -107,9 +115,11 @@ def check_file(path):
     faults = []
     if not numpy.isfinite(vtk_to_numpy(data.GetPoints().GetData())).all():
         faults.append("some positions are not finite")
-    if data.GetNumberOfVerts() != count:
+    of_cells = path.name.startswith("surface-")
+    if not of_cells and data.GetNumberOfVerts() != count:
         faults.append(f"{data.GetNumberOfVerts()} vertex cells for {count} points; write one each")
-    point_data = data.GetPointData()
+    point_data = data.GetCellData() if of_cells else data.GetPointData()
+    count = data.GetNumberOfCells() if of_cells else count
     arrays = {}
     for index in range(point_data.GetNumberOfArrays()):
         array = point_data.GetAbstractArray(index)
@@ -119,7 +129,7 @@ def check_file(path):
             continue
         values = vtk_to_numpy(array)
         if len(values) != count:
-            faults.append(f"`{name}` has {len(values)} entries for {count} points")
+            faults.append(f"`{name}` has {len(values)} entries for {count} {'cells' if of_cells else 'points'}")
         elif not numpy.isfinite(values).all():
             bad = numpy.count_nonzero(~numpy.isfinite(values))
             faults.append(f"`{name}` has {bad} values that are not finite")
@@ -133,7 +143,103 @@ def check_file(path):
             faults.append(f"`{name}` has {array.GetNumberOfComponents()} components, not {components}")
             arrays.pop(name, None)
     faults += check_values(arrays)
-    return faults, f"{count} points; {', '.join(sorted(arrays)) or 'no arrays'}"
+    return faults, f"{count} {'cells' if of_cells else 'points'}; {', '.join(sorted(arrays)) or 'no arrays'}"
+
+
+# Faces of a hexahedron, seen from without.
+HEXAHEDRON = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))
+
+
+def polygon_area(corners):
+    """Area vector of a polygon."""
+    edges = corners - corners[0]
+    return 0.5 * numpy.cross(edges[:-1], edges[1:]).sum(axis=0)
+
+
+def cell_volume(points, kind, corners, faces):
+    """Volume of a cell, from its corners; and how far its faces are from closing, relative to their area."""
+    if kind in (7, 9):
+        ring = points[corners]
+        return polygon_area(ring)[2], 0.0
+    if kind == 12:
+        faces = [[corners[k] for k in face] for face in HEXAHEDRON]
+    middle = points[corners].mean(axis=0)
+    volume, open_area, area = 0.0, numpy.zeros(3), 0.0
+    for face in faces:
+        ring = points[face] - middle
+        for a, b in zip(ring[1:-1], ring[2:]):
+            part = 0.5 * numpy.cross(a - ring[0], b - ring[0])
+            volume += part @ (ring[0] + a + b) / 9
+            open_area += part
+            area += numpy.linalg.norm(part)
+    return volume, numpy.linalg.norm(open_area) / area
+
+
+def check_cells(path):
+    """What is wrong with one file of cells, and a line that describes it."""
+    window = vtkStringOutputWindow()
+    vtkOutputWindow.SetInstance(window)
+    reader = vtkXMLUnstructuredGridReader()
+    reader.SetFileName(str(path))
+    reader.Update()
+    complaints = window.GetOutput().strip()
+    if complaints:
+        return [f"VTK complains: {' '.join(complaints.split())}"], ""
+    data = reader.GetOutput()
+    count = data.GetNumberOfCells()
+    if count == 0:
+        return ["there are no cells"], ""
+    faults, arrays = [], {}
+    for name, components in CELLS.items():
+        array = data.GetCellData().GetArray(name)
+        if array is None or array.GetNumberOfComponents() != components:
+            faults.append(f"`{name}` is missing or has not {components} components")
+            continue
+        arrays[name] = vtk_to_numpy(array)
+        if not numpy.isfinite(arrays[name]).all():
+            faults.append(f"`{name}` has values that are not finite")
+    faults += [f"field `{name}` is missing" for name in FIELDS if data.GetFieldData().GetArray(name) is None]
+    if faults:
+        return faults, ""
+    points = vtk_to_numpy(data.GetPoints().GetData())
+    if not numpy.isfinite(points).all():
+        return ["some corners are not finite"], ""
+    ids, numbers = arrays["id"], vtkIdList()
+    volumes, worst = dict.fromkeys(ids, 0.0), 0.0
+    for cell in range(count):
+        kind = data.GetCellType(cell)
+        data.GetCellPoints(cell, numbers)
+        corners = [numbers.GetId(k) for k in range(numbers.GetNumberOfIds())]
+        faces = []
+        if kind == 42:
+            data.GetFaceStream(cell, numbers)
+            stream = [numbers.GetId(k) for k in range(numbers.GetNumberOfIds())]
+            at = 1
+            while at < len(stream):
+                faces.append(stream[at + 1 : at + 1 + stream[at]])
+                at += 1 + stream[at]
+        volume, gap = cell_volume(points, kind, corners, faces)
+        volumes[ids[cell]] += volume
+        worst = max(worst, gap)
+    if worst > 1e-6:
+        faults.append(f"a cell is open by {worst:.1e} of its surface")
+    said = dict(zip(ids, arrays["volume"]))
+    ratio = numpy.array([volumes[key] / said[key] for key in said])
+    total, told = sum(volumes.values()), sum(said.values())
+    # Of rings the file shows the meridian.
+    frame = path.with_name(path.name.replace("cells-", "frame-")).with_suffix(".vtp")
+    is_flat = numpy.abs(ratio - 1).max() < 1e-5
+    if not is_flat and numpy.abs(ratio - 1).min() < 1e-9:
+        faults.append(f"a cell's corners give {100 * numpy.abs(ratio - 1).max():.1e} % of another volume than it says")
+    if frame.is_file():
+        reader = vtkXMLPolyDataReader()
+        reader.SetFileName(str(frame))
+        reader.Update()
+        there = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("id"))
+        if set(there) != set(ids):
+            faults.append(f"{len(set(ids))} cells for the {len(there)} points of `{frame.name}`")
+    note = f"{count} cells of {len(said)} points; volume {total:.9g}"
+    return faults, note if is_flat else f"{note}, of rings {told:.9g}"
 
 
 def check_collection(path):
@@ -183,7 +289,7 @@ def main(arguments):
     for path in map(pathlib.Path, arguments):
         if path.is_dir():
             collections += sorted(path.glob("*.pvd"))
-            files += sorted(path.glob("*.vtp"))
+            files += sorted(path.glob("*.vtp")) + sorted(path.glob("*.vtu"))
         elif not path.is_file():
             print(f"check_vtk.py: `{path}` does not exist", file=sys.stderr)
             return 2
@@ -206,10 +312,10 @@ def main(arguments):
         files += listed
     unique = list(dict.fromkeys(path.resolve() for path in files))
     for path in unique:
-        report(path, *check_file(path))
+        report(path, *(check_cells if path.suffix == ".vtu" else check_file)(path))
     total = len(collections) + len(unique)
     if total == 0:
-        print("check_vtk.py: no .pvd or .vtp files to check", file=sys.stderr)
+        print("check_vtk.py: no .pvd, .vtp or .vtu files to check", file=sys.stderr)
         return 2
     print(f"{total - faulty} of {total} files are good")
     return 1 if faulty else 0

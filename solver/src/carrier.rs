@@ -1,10 +1,12 @@
 //! What carries the gas of a flow.
 
+use std::sync::Arc;
+
 use aero_geometry::Bounds;
 use serde::{Deserialize, Serialize};
 
 use crate::fixed::{FixedMemory, FixedSimulation, Settled};
-use crate::frame::{Frame, Load, PanelFrame, SurfaceFrame, Totals};
+use crate::frame::{CellFrame, Frame, Load, PanelFrame, SurfaceFrame, Totals};
 use crate::method::Method;
 use crate::problem::Problem;
 use crate::{Failure, Memory, Simulation, Statistics};
@@ -101,6 +103,14 @@ impl<const D: usize> Carrier<D> {
     /// The surfaces themselves with the pressure on them now.
     pub fn panels(&self) -> PanelFrame {
         of_either!(self, flow => flow.panels())
+    }
+
+    /// What the cells look like now, of points that stay in the plane or in space; particles have none.
+    pub fn cells(&self) -> Option<Arc<CellFrame>> {
+        match self {
+            Self::WithTheGas(_) => None,
+            Self::Fixed(flow) => Some(flow.cells()),
+        }
     }
 
     /// Loads of a pressure of one everywhere, on bodies, then on wall sides: nothing on what is closed.

@@ -2,12 +2,13 @@
 //! compile all passes again.
 
 use std::any::Any;
+use std::sync::Arc;
 
 use aero_geometry::Bounds;
 
 use crate::carrier::{Carrier, FlowMemory};
 use crate::fixed::Settled;
-use crate::frame::{Frame, Load, PanelFrame, SurfaceFrame, Totals};
+use crate::frame::{CellFrame, Frame, Load, PanelFrame, SurfaceFrame, Totals};
 use crate::problem::Problem;
 use crate::{Failure, Statistics};
 
@@ -87,6 +88,8 @@ compiled! {
     fn surface(seen carrier: &Carrier<D>) -> SurfaceFrame = Carrier::surface;
     /// See [`Carrier::panels`].
     fn panels(seen carrier: &Carrier<D>) -> PanelFrame = Carrier::panels;
+    /// See [`Carrier::cells`].
+    fn cells(seen carrier: &Carrier<D>) -> Option<Arc<CellFrame>> = Carrier::cells;
     /// See [`Carrier::uniform_loads`].
     fn uniform_loads(seen carrier: &Carrier<D>) -> Vec<Load> = Carrier::uniform_loads;
     /// See [`Carrier::loads`].

@@ -1,11 +1,13 @@
 //! A flow under way, whatever carries the gas.
 
+use std::sync::Arc;
+
 use aero_geometry::Bounds;
 
 use crate::carrier::Carrier;
 use crate::compiled;
 use crate::fixed::Settled;
-use crate::frame::{Frame, Load, PanelFrame, SurfaceFrame, Totals};
+use crate::frame::{CellFrame, Frame, Load, PanelFrame, SurfaceFrame, Totals};
 use crate::problem::Problem;
 use crate::{Failure, Statistics};
 
@@ -86,6 +88,11 @@ impl<const D: usize> Flow<D> {
     /// The surfaces themselves with the pressure on them now.
     pub fn panels(&self) -> PanelFrame {
         compiled::panels(&self.0)
+    }
+
+    /// What the cells look like now, of points that stay in the plane or in space; particles have none.
+    pub fn cells(&self) -> Option<Arc<CellFrame>> {
+        compiled::cells(&self.0)
     }
 
     /// Loads of a pressure of one everywhere, on bodies, then on wall sides: nothing on what is closed.

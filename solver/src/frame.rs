@@ -92,6 +92,33 @@ pub struct PanelFrame {
     pub body: Vec<u32>,
 }
 
+/// What the cells about points that stay look like, in the plane (of the meridian about an axis) or in space.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct CellFrame {
+    /// Number of dimensions.
+    pub dimension: usize,
+    /// One piece for each cell, in their order; more where a thin part of a body divides what a cell holds.
+    pub pieces: Vec<CellPiece>,
+}
+
+/// A connected piece of a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub struct CellPiece {
+    /// Number of the cell, and of its point in a frame of all points.
+    pub cell: u32,
+    /// Its shape.
+    pub look: Look,
+}
+
+/// Shape of a piece of a cell.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Look {
+    /// A box of the lattice, from its lowest to its highest corner.
+    Block([[f64; 3]; 2]),
+    /// In the plane the polygon that it is, gas to the left; in space those that bound it, seen from without.
+    Rings(Vec<Vec<[f64; 3]>>),
+}
+
 /// Force and moment of the gas on one body, missing axes zero (per metre of span in 2D, per
 /// square metre in 1D).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]

@@ -3,6 +3,7 @@
 
 mod atomic;
 mod background;
+mod cells;
 mod check_picture;
 mod checkpoint;
 mod error;
@@ -13,12 +14,15 @@ mod packing;
 mod packing_picture;
 mod particles;
 mod pvd;
+mod reference;
 mod summary;
 mod surface;
+mod vtk_xml;
 mod vtp;
 
 pub use atomic::write_json;
 pub use background::Background;
+pub use cells::write_cells;
 pub use check_picture::draw_scene;
 pub use checkpoint::{
     CHECKPOINT, CheckpointError, can_be_prolonged, checkpoint_bytes, close_checkpoint,
@@ -30,5 +34,6 @@ pub use memory::peak_memory;
 pub use packing::write_packing;
 pub use particles::write_frame;
 pub use pvd::Collection;
+pub use reference::Reference;
 pub use summary::{BodyCoefficients, BodySummary, Conservation, Particles, Summary};
 pub use surface::write_surface;

@@ -10,8 +10,10 @@ use aero_geometry::Bounds;
 use super::checkpoint::{Checkpoint, Written};
 use super::coefficients::Coefficients;
 use super::progress::Progress;
+use super::under_way::settles;
 use crate::case::{Case, RunPlan};
-use crate::output::{self, Background, Collection, History, HistoryRow, OutputError};
+use crate::output::{self, Background, Collection, History, HistoryRow, OutputError, Reference};
+use aero_solver::gas::{Gas, IdealGas};
 use aero_solver::{Flow, wall_sides};
 
 /// Sees a run at its frames and steps.
@@ -46,6 +48,8 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     written: Written,
     particles: Collection,
     surfaces: Option<Collection>,
+    cells: Option<Collection>,
+    reference: Reference,
     background: Background,
     region: Option<Bounds<D>>,
     is_compressed: bool,
@@ -105,6 +109,9 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             if let Some(surfaces) = &mut recorder.surfaces {
                 surfaces.note(time, &surface_name(number));
             }
+            if let Some(cells) = &mut recorder.cells {
+                cells.note(time, &cells_name(number));
+            }
         }
         recorder.written = written;
         Ok(recorder)
@@ -117,12 +124,17 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
         history: History,
         watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Self {
+        let plan = &case.plan.output;
         let has_surfaces = !load_names(case).is_empty();
         Self {
             folder: folder.to_owned(),
             written: Written::default(),
             particles: Collection::new(folder.join("run.pvd")),
             surfaces: has_surfaces.then(|| Collection::new(folder.join("surface.pvd"))),
+            cells: plan
+                .has_cells
+                .then(|| Collection::new(folder.join("cells.pvd"))),
+            reference: reference(case),
             background: Background::default(),
             region: case.plan.output.region,
             is_compressed: case.plan.output.is_compressed,
@@ -142,7 +154,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
 impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
     fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError> {
         let number = self.written.times.len();
-        let time = simulation.time();
+        let time = shown_time(simulation);
         let region = self.region.as_ref();
         let frame = region.map_or_else(|| simulation.frame(), |r| simulation.frame_within(r));
         let path = self.folder.join(frame_name(number));
@@ -153,14 +165,24 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             let path = self.folder.join(surface_name(number));
             (path, simulation.panels(), surfaces.clone())
         });
+        let cells = self.cells.as_mut().and_then(|collection| {
+            collection.note(time, &cells_name(number));
+            let path = self.folder.join(cells_name(number));
+            Some((path, simulation.cells()?, collection.clone()))
+        });
+        let reference = self.reference;
         self.written.times.push(time);
         let is_compressed = self.is_compressed;
         self.background.hand(move || {
-            output::write_frame(&path, &frame, is_compressed)?;
+            output::write_frame(&path, &frame, Some(&reference), is_compressed)?;
             particles.write()?;
             if let Some((path, surface, surfaces)) = surface {
                 output::write_surface(&path, &surface)?;
                 surfaces.write()?;
+            }
+            if let Some((path, cells, collection)) = cells {
+                output::write_cells(&path, &cells, &frame, &reference, is_compressed)?;
+                collection.write()?;
             }
             Ok(())
         })?;
@@ -222,6 +244,34 @@ fn frame_name(number: usize) -> String {
 
 fn surface_name(number: usize) -> String {
     format!("surface-{number:06}.vtp")
+}
+
+fn cells_name(number: usize) -> String {
+    format!("cells-{number:06}.vtu")
+}
+
+/// What a frame is said to show: a time, or the iteration of a flow that settles, which goes through no time.
+fn shown_time<const D: usize>(simulation: &Flow<D>) -> f64 {
+    if settles(simulation.problem()) {
+        simulation.steps() as f64
+    } else {
+        simulation.time()
+    }
+}
+
+/// What the run of a case is measured by.
+fn reference<const D: usize>(case: &Case<D>) -> Reference {
+    let problem = &case.problem;
+    let stream = &problem.free_stream;
+    let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+    Reference {
+        pressure: stream.pressure,
+        density: stream.density,
+        velocity: std::array::from_fn(|k| stream.velocity.get(k).copied().unwrap_or(0.0)),
+        gamma,
+        gas_constant: case.plan.gas_constant,
+        spacing: problem.spacing,
+    }
 }
 
 /// Names of all that carries a load, in the solver's order: bodies, then wall sides.

@@ -1,7 +1,7 @@
 //! The US Standard Atmosphere [U.S. Standard Atmosphere, 1976, NOAA-S/T 76-1562, part 1, eqs 18, 23, 33 and table 4].
 
 /// Gas constant of the air of the standard, J/(kg K): 8 314.32 / 28.964 4.
-const GAS_CONSTANT: f64 = 8_314.32 / 28.964_4;
+pub(super) const GAS_CONSTANT: f64 = 8_314.32 / 28.964_4;
 
 /// Standard gravity, m/s^2.
 const GRAVITY: f64 = 9.806_65;

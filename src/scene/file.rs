@@ -273,6 +273,8 @@ pub struct OutputEntry {
     pub interval: Option<Positive>,
     /// What frames show; everything unless given.
     pub region: Option<RegionEntry>,
+    /// The cells about points that stay, beside every frame; off unless given.
+    pub cells: Option<bool>,
     /// Compressed frames; off unless given.
     pub compress: Option<bool>,
     /// The pressure that force coefficients are made of; `gauge` unless given.

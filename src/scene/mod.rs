@@ -200,8 +200,8 @@ impl Scene {
         let initial = solution.as_ref().map_or(initial, Manufactured::initial);
         let stop = file.stop.map_or(Stop::EndTime, Into::into);
         let end_time = flow::end_time(file, stop, &domain, &free_stream)?;
-        let output = output::plan(&file.output, end_time)?;
         let method = method::method(&file.scheme, stop)?;
+        let output = output::plan(&file.output, end_time, method.fixed().is_some())?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
         let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;
         let bodies = plans
@@ -238,6 +238,7 @@ impl Scene {
                 end_time,
                 stop,
                 incidence: incidence(file),
+                gas_constant: file.free_stream.as_ref().and_then(stream::gas_constant),
                 warnings: None,
                 output,
             },

@@ -9,10 +9,11 @@ use super::vector::AXES;
 use super::vector::vector;
 use crate::case::{OutputPlan, Pressure};
 
-/// What a run of that length writes.
+/// What a run of that length writes, about points that stay or not.
 pub(super) fn plan<const D: usize>(
     entry: &OutputEntry,
     end_time: f64,
+    is_fixed: bool,
 ) -> Result<OutputPlan<D>, SceneError> {
     /// Enough for a smooth film of a few seconds.
     const FRAMES: usize = 20;
@@ -30,8 +31,16 @@ pub(super) fn plan<const D: usize>(
         (None, Some(interval)) => interval.get(),
         (frames, None) => end_time / frames.map_or(FRAMES, Count::get) as f64,
     };
+    let has_cells = entry.cells.unwrap_or(false);
+    if has_cells && !(is_fixed && D > 1) {
+        return Err(SceneError::value(
+            "output.cells",
+            "is of points that stay, in the plane or in space; leave it out, or set `scheme.motion = \"fixed\"`",
+        ));
+    }
     Ok(OutputPlan {
         frame_interval,
+        has_cells,
         region: entry.region.as_ref().map(region).transpose()?,
         is_compressed: entry.compress.unwrap_or(false),
         coefficients: entry.coefficients.map_or(Pressure::Gauge, Into::into),

@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::atmosphere::Air;
+use super::atmosphere::{Air, GAS_CONSTANT};
 use super::error::SceneError;
 use super::file::FreeStreamEntry;
 use super::number::{Positive, StreamAngle};
@@ -49,6 +49,13 @@ pub(super) fn state<const D: usize>(
         velocity,
         pressure,
     })
+}
+
+/// Specific gas constant, where there is an altitude or a temperature.
+pub(super) fn gas_constant(entry: &FreeStreamEntry) -> Option<f64> {
+    let of_air = entry.altitude.map(|_| GAS_CONSTANT);
+    let given = entry.gas_constant.map_or(AIR, Positive::get);
+    of_air.or(entry.temperature.map(|_| given))
 }
 
 /// Pressure and density: of the atmosphere, or `p` and `rho` or `p / (R T)`.

@@ -167,12 +167,68 @@ pub fn read_vtp(path: &Path) -> (usize, Vec<(String, usize)>) {
     (points, arrays.collect())
 }
 
+/// The numbers of an array of points.
+pub fn vtp_array(path: &Path, name: &str) -> Vec<f64> {
+    use vtkio::model::{Attribute, DataSet, Piece, Vtk};
+    let vtk = Vtk::import(path).expect("a VTK file");
+    let DataSet::PolyData { pieces, .. } = vtk.data else {
+        panic!("not PolyData");
+    };
+    let Some(Piece::Inline(piece)) = pieces.into_iter().next() else {
+        panic!("no piece");
+    };
+    let mut arrays = piece
+        .data
+        .point
+        .iter()
+        .filter_map(|attribute| match attribute {
+            Attribute::DataArray(array) if array.name == name => array.data.cast_into(),
+            _ => None,
+        });
+    arrays.next().expect("the array")
+}
+
 /// Segments or triangles with their arrays, as `surface-NNNNNN.vtp` holds them.
 pub struct Surface {
     /// Corners, cell by cell.
     pub cells: Vec<Vec<[f64; 3]>>,
     /// Values by name of the array.
     pub arrays: std::collections::BTreeMap<String, Vec<f64>>,
+}
+
+/// The numbers of an array that lies in an XML file of VTK as it does in memory, uncompressed; `None` where there is none.
+pub fn appended(path: &Path, name: &str) -> Option<Vec<f64>> {
+    let bytes = std::fs::read(path).expect("a file");
+    let begin = b"<AppendedData encoding=\"raw\">\n_";
+    let at = bytes
+        .windows(begin.len())
+        .position(|window| window == begin);
+    let at = at.expect("appended data");
+    let text = std::str::from_utf8(&bytes[..at]).expect("text");
+    let line = text
+        .lines()
+        .find(|line| line.contains(&format!("Name=\"{name}\"")))?;
+    let value = |key: &str| {
+        let rest = line
+            .split(&format!("{key}=\""))
+            .nth(1)
+            .expect("an attribute");
+        rest.split('"').next().expect("its value").to_owned()
+    };
+    let from = at + begin.len() + value("offset").parse::<usize>().expect("an offset");
+    let word = |at: usize| -> [u8; 8] { bytes[at..at + 8].try_into().expect("eight bytes") };
+    let length = u64::from_le_bytes(word(from)) as usize;
+    let words = (from + 8..from + 8 + length).step_by(8);
+    Some(match value("type").as_str() {
+        "Float64" => words.map(|at| f64::from_le_bytes(word(at))).collect(),
+        "Int64" => words
+            .map(|at| i64::from_le_bytes(word(at)) as f64)
+            .collect(),
+        _ => bytes[from + 8..from + 8 + length]
+            .iter()
+            .map(|&b| f64::from(b))
+            .collect(),
+    })
 }
 
 /// Reads a surface.

@@ -1,5 +1,7 @@
 //! Points come and go while the flow goes on.
 
+use std::sync::OnceLock;
+
 use super::FixedSimulation;
 use super::build::{Built, built};
 use super::carry;
@@ -149,6 +151,7 @@ impl<const D: usize> FixedSimulation<D> {
         self.points = cells.points;
         self.net = net;
         self.sweeps = None;
+        self.outlines = OnceLock::new();
         self.start();
         Ok(())
     }

@@ -30,7 +30,7 @@ mod merge;
 mod nearby;
 mod net;
 mod order;
-pub mod outlines;
+mod outlines;
 mod panels;
 mod part;
 mod plot;
@@ -61,7 +61,7 @@ mod whole;
 mod wishes;
 
 use std::f64::consts::TAU;
-use std::sync::OnceLock;
+use std::sync::{Arc, OnceLock};
 
 use aero_geometry::Vector;
 
@@ -69,6 +69,7 @@ pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
 pub use checkpoint::FixedMemory;
 pub use settle::{Settled, Settling};
 
+use crate::frame::CellFrame;
 use crate::panels::Panels;
 use crate::problem::Problem;
 use crate::scheme::Precision;
@@ -102,6 +103,8 @@ pub struct FixedSimulation<const D: usize> {
     sweeps: Option<Sweeps>,
     /// Made when somebody asks for them.
     panels: OnceLock<Panels<D>>,
+    /// The same of what its cells look like.
+    outlines: OnceLock<Arc<CellFrame>>,
 }
 
 impl<const D: usize> FixedSimulation<D> {
@@ -165,6 +168,7 @@ impl<const D: usize> FixedSimulation<D> {
             settling: Settling::default(),
             sweeps: None,
             panels: OnceLock::new(),
+            outlines: OnceLock::new(),
             problem,
         };
         simulation.start();
