@@ -32,13 +32,13 @@ pub struct Extrapolated {
 /// widens the band [Eça, Hoekstra 2014, J. Comput. Phys. 262, 104, doi 10.1016/j.jcp.2014.01.006]. Where p is credible, f0 is the
 /// value, and the band is `1.25 |f - f0|` at the finest, by first order where a higher one shows, plus the scatter. Where it is
 /// not, the finest value stands, and the band is the wider one of the fits of first and second order, three times as wide where
-/// values scatter by more than they change. Two values have a band of three times their difference, a single one an infinite one.
+/// values scatter by more than they change, and no less than three times what the last step changed. Two values have a band of three times their difference, a single one an infinite one.
 pub fn extrapolate(runs: &[(f64, f64)]) -> Extrapolated {
     let (value, band) = match runs {
         [] => (f64::NAN, f64::INFINITY),
         [(_, value)] => (*value, f64::INFINITY),
         [first, second] => (second.1, UNSAFE * (first.1 - second.1).abs()),
-        [.., before, last] => return of_many(runs, *before, *last),
+        [.., first, before, last] => return of_many(runs, [*first, *before, *last]),
     };
     Extrapolated {
         value,
@@ -47,7 +47,8 @@ pub fn extrapolate(runs: &[(f64, f64)]) -> Extrapolated {
     }
 }
 
-fn of_many(runs: &[(f64, f64)], before: (f64, f64), last: (f64, f64)) -> Extrapolated {
+/// With the last three of `runs`.
+fn of_many(runs: &[(f64, f64)], [first, before, last]: [(f64, f64); 3]) -> Extrapolated {
     let order = observed_order(runs);
     if let Some(p) = order.filter(|p| (CREDIBLE[0]..=CREDIBLE[1]).contains(p)) {
         // A method of second order at best is not trusted to be better, and shocks are of first order.
@@ -70,7 +71,11 @@ fn of_many(runs: &[(f64, f64)], before: (f64, f64), last: (f64, f64)) -> Extrapo
         let factor = if fit.scatter < change { SAFE } else { UNSAFE };
         factor * (fit.error(last) + fit.doubt(last))
     });
-    let turned = UNSAFE * (last.1 - before.1).abs();
+    let mut step = (last.1 - before.1).abs();
+    if order.is_none() {
+        step = step.max(0.5 * (before.1 - first.1).abs());
+    }
+    let turned = UNSAFE * step;
     Extrapolated {
         value: last.1,
         band: bands.into_iter().fold(turned, f64::max),
