@@ -151,7 +151,7 @@ impl<const D: usize> FixedSimulation<D> {
         self.points = cells.points;
         self.net = net;
         self.sweeps = None;
-        self.outlines = OnceLock::new();
+        self.shown.outlines = OnceLock::new();
         self.start();
         Ok(())
     }

@@ -33,6 +33,7 @@ mod order;
 mod outlines;
 mod panels;
 mod part;
+mod passes;
 mod plot;
 mod polytope;
 mod quiet;
@@ -101,9 +102,15 @@ pub struct FixedSimulation<const D: usize> {
     settling: Settling,
     /// Links of the cells in the order of the flow, once it is to settle.
     sweeps: Option<Sweeps>,
-    /// Made when somebody asks for them.
+    shown: Shown<D>,
+}
+
+/// What is made when somebody asks to see it.
+#[derive(Debug, Default)]
+struct Shown<const D: usize> {
+    /// Surfaces of bodies and walls.
     panels: OnceLock<Panels<D>>,
-    /// The same of what its cells look like.
+    /// What the cells look like.
     outlines: OnceLock<Arc<CellFrame>>,
 }
 
@@ -167,8 +174,7 @@ impl<const D: usize> FixedSimulation<D> {
             tally: Tally::default(),
             settling: Settling::default(),
             sweeps: None,
-            panels: OnceLock::new(),
-            outlines: OnceLock::new(),
+            shown: Shown::default(),
             problem,
         };
         simulation.start();

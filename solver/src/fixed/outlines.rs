@@ -17,7 +17,10 @@ impl<const D: usize> FixedSimulation<D> {
     /// What the cells look like now, in the order of a frame of all points, in the plane or in space; of none on a line. Made anew
     /// where points have come or gone.
     pub fn cells(&self) -> Arc<CellFrame> {
-        let frame = self.outlines.get_or_init(|| Arc::new(self.cells_anew()));
+        let frame = self
+            .shown
+            .outlines
+            .get_or_init(|| Arc::new(self.cells_anew()));
         Arc::clone(frame)
     }
 

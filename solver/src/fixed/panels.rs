@@ -53,7 +53,7 @@ struct Piece<const D: usize> {
 impl<const D: usize> FixedSimulation<D> {
     /// The surfaces that the domain holds with the pressure on them now, bodies in scene order and wall sides after.
     pub fn panels(&self) -> PanelFrame {
-        let panels = self.panels.get_or_init(|| Panels::new(&self.problem));
+        let panels = self.shown.panels.get_or_init(|| Panels::new(&self.problem));
         let nearby = Nearby::new(self);
         let pieces: Vec<Vec<Piece<D>>> = panels
             .all()
@@ -111,7 +111,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Loads of a pressure of one everywhere: on bodies, then on wall sides.
     pub fn uniform_loads(&self) -> Vec<Load> {
-        let panels = self.panels.get_or_init(|| Panels::new(&self.problem));
+        let panels = self.shown.panels.get_or_init(|| Panels::new(&self.problem));
         panels.uniform_loads(&self.problem)
     }
 

@@ -1,0 +1,192 @@
+//! From what cells hold to their states and slopes, and from these to what flows: the passes that marching and settling share.
+
+use rayon::prelude::*;
+
+use super::FixedSimulation;
+use super::columns::Columns;
+use super::fluxes::{Exchange, Flow, Gains};
+use super::gradients::slopes;
+use super::net::{BLOCK, Net};
+use super::quiet::Quiet;
+use super::slopes::Slopes;
+use super::state::Conserved;
+
+/// Cells of a block.
+pub(super) struct Part<'a, const D: usize> {
+    /// The first one.
+    pub start: usize,
+    /// What each holds.
+    pub held: &'a mut [Conserved<D>],
+    /// What each held before the step.
+    pub before: &'a mut [Conserved<D>],
+}
+
+/// What a pass over a block's states finds.
+#[derive(Clone, Debug, Default)]
+struct Found {
+    /// Cells whose state is none of a gas.
+    bad: Vec<u32>,
+    min_density: f64,
+    min_energy: f64,
+}
+
+impl<const D: usize> FixedSimulation<D> {
+    /// Slopes of all cells that are awake; returns the least of `V / L`.
+    pub(super) fn find_slopes(&mut self) -> f64 {
+        self.find_reaches()
+            .into_iter()
+            .fold(f64::INFINITY, f64::min)
+    }
+
+    /// The same; returns the least of `V / L` block by block.
+    pub(super) fn find_reaches(&mut self) -> Vec<f64> {
+        let Self {
+            gas,
+            net,
+            quiet,
+            columns,
+            ..
+        } = self;
+        let Columns {
+            states,
+            slopes: results,
+            careful,
+            ..
+        } = columns;
+        let least: Vec<f64> = net
+            .blocks
+            .par_iter()
+            .zip(results.par_chunks_mut(BLOCK))
+            .zip(&quiet.blocks)
+            .map(|((block, results), quiet)| {
+                if quiet.is_awake {
+                    slopes(gas, net, block, states, results)
+                } else {
+                    quiet.reach
+                }
+            })
+            .collect();
+        for &i in careful.iter() {
+            results[i as usize].calmness = Slopes::<D>::CAREFUL;
+        }
+        least
+    }
+
+    /// What flows in each block that is awake, as `apply` takes it; returns what all cells gain through walls and sides.
+    pub(super) fn exchange(
+        &mut self,
+        apply: impl Fn(&Net<D>, Part<'_, D>, &Gains<D>) + Sync,
+    ) -> Conserved<D> {
+        self.boundaries_of(apply)
+            .iter()
+            .fold(Conserved::ZERO, |sum, block| sum.plus(1.0, block))
+    }
+
+    /// What each block gains through walls and sides in its present state.
+    pub(super) fn boundaries(&mut self) -> Vec<Conserved<D>> {
+        self.boundaries_of(|_, _, _| {})
+    }
+
+    fn boundaries_of(
+        &mut self,
+        apply: impl Fn(&Net<D>, Part<'_, D>, &Gains<D>) + Sync,
+    ) -> Vec<Conserved<D>> {
+        let Self {
+            arch,
+            gas,
+            net,
+            quiet,
+            columns,
+            ..
+        } = self;
+        let Columns {
+            states,
+            slopes,
+            held,
+            before,
+            pressures,
+            ..
+        } = columns;
+        let flow = Flow { states, slopes };
+        net.blocks
+            .par_iter()
+            .zip(held.par_chunks_mut(BLOCK))
+            .zip(before.par_chunks_mut(BLOCK))
+            .zip(pressures.par_iter_mut())
+            .zip(&quiet.blocks)
+            .map(|((((block, held), before), pressures), quiet)| {
+                if !quiet.is_awake {
+                    return quiet.boundary;
+                }
+                let gains = arch.dispatch(Exchange {
+                    gas: &*gas,
+                    net: &*net,
+                    block,
+                    flow,
+                    pressures: pressures.as_mut_slice(),
+                });
+                let boundary = gains.boundary;
+                let start = block.cells.start;
+                apply(
+                    net,
+                    Part {
+                        start,
+                        held,
+                        before,
+                    },
+                    &gains,
+                );
+                boundary
+            })
+            .collect()
+    }
+
+    /// Reads the states off what the cells hold; the cells where that is no gas are the error.
+    pub(super) fn find_states(&mut self) -> Result<(), Vec<u32>> {
+        let Self {
+            gas,
+            quiet,
+            columns,
+            ..
+        } = self;
+        let Columns { held, states, .. } = columns;
+        let Quiet { stream, blocks } = quiet;
+        let found: Vec<Found> = states
+            .par_chunks_mut(BLOCK)
+            .zip(held.par_chunks(BLOCK))
+            .zip(blocks.par_iter_mut())
+            .enumerate()
+            .map(|(block, ((states, held), quiet))| {
+                let mut found = Found {
+                    min_density: f64::INFINITY,
+                    min_energy: f64::INFINITY,
+                    ..Found::default()
+                };
+                if !quiet.is_awake {
+                    return found;
+                }
+                for (k, (state, held)) in states.iter_mut().zip(held).enumerate() {
+                    *state = held.primitive(gas);
+                    if !state.makes_sense() {
+                        found.bad.push((block * BLOCK + k) as u32);
+                    }
+                    found.min_density = found.min_density.min(state.density);
+                    let energy = state.pressure / state.density;
+                    found.min_energy = found.min_energy.min(energy);
+                }
+                quiet.is_quiet = stream.as_ref().is_some_and(|stream| stream.is_in(states));
+                found
+            })
+            .collect();
+        let bad: Vec<u32> = found.iter().flat_map(|found| &found.bad).copied().collect();
+        if !bad.is_empty() {
+            return Err(bad);
+        }
+        for found in found {
+            self.tally.min_density = self.tally.min_density.min(found.min_density);
+            let energy = found.min_energy / self.gas.heat();
+            self.tally.min_energy = self.tally.min_energy.min(energy);
+        }
+        Ok(())
+    }
+}
