@@ -100,6 +100,7 @@ fn what_points_that_stay_cannot_do_is_refused_by_name() {
         ("equations", "paper"),
         ("shifting", "true"),
         ("precision", "mixed"),
+        ("skip_undisturbed", "false"),
     ] {
         let setting = format!("scheme.{key}={value}");
         Workplace::new()
@@ -112,6 +113,35 @@ fn what_points_that_stay_cannot_do_is_refused_by_name() {
             .run(BOX, &["--set", setting])
             .refuses(&[key, "scheme.motion = \"fixed\""]);
     }
+}
+
+#[test]
+fn the_courant_number_of_a_scene_is_that_of_its_steps() {
+    let scene = BOX.replace("[domain]\n", "[scheme]\nmotion = \"fixed\"\n\n[domain]\n");
+    let steps = |cfl: &str| {
+        let place = Workplace::new();
+        let cfl = format!("scheme.cfl={cfl}");
+        let settings = [
+            "--set",
+            "end_time=0.4",
+            "--set",
+            "output.frames=1",
+            "--set",
+            &cfl,
+        ];
+        place.run(&scene, &settings).succeeds();
+        place.json("results/summary.json")["steps"]
+            .as_f64()
+            .unwrap()
+    };
+    let ratio = steps("0.2") / steps("0.8");
+    assert!((3.0..5.0).contains(&ratio), "{ratio}");
+    Workplace::new()
+        .run(
+            &scene,
+            &["--set", "scheme.cfl=0.4", "--set", "scheme.time=settle"],
+        )
+        .refuses(&["scheme.cfl", "scheme.time = \"accurate\""]);
 }
 
 /// Sides of a hexahedron as VTK counts its corners, seen from without.
