@@ -34,6 +34,7 @@ mod outlines;
 mod panels;
 mod part;
 mod passes;
+mod pieces;
 mod plot;
 mod polytope;
 mod quiet;

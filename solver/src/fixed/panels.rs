@@ -1,118 +1,92 @@
 //! The surfaces themselves with the pressure on them: each piece shows what presses the wall of the cell that it belongs to.
 
-use aero_geometry::kernel::{QuinticSpline, SMOOTHING_RATIO, SUPPORT};
-use aero_geometry::{Pencils, Vector};
+use aero_geometry::Vector;
+use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use rayon::prelude::*;
 
 use super::FixedSimulation;
-use super::cells::Matrix;
 use super::gas::Gas;
+use super::pieces::{Nearby, Piece};
 use super::state::dot;
 use super::walls::Wall;
 use crate::frame::{Load, PanelFrame};
 use crate::panels::fit::Fit;
-use crate::panels::{Panel, Panels, Pressed};
+use crate::panels::{Panels, Pressed};
 use crate::problem::{Motion, Problem};
-use crate::rings::Rings;
 use crate::walls::rigid::Pose;
-
-/// Part of the kernel's reach that a panel looks about, at first.
-const LOOK: f64 = 0.25;
-
-/// So often it looks twice as far.
-const FARTHER: usize = 8;
-
-/// Part of the panels' spread of directions that counts as none.
-const LEVEL: f64 = 1e-4;
 
 /// Cosine below which walls face another way.
 const ASKEW: f64 = 0.7;
 
-/// The same for the wall of the cell that a place belongs to, which may go round an edge.
-const ROUND: f64 = 0.2;
+/// A wall is larger or smaller than what of the surfaces belongs to it by this part at most, as chords are than arcs.
+const UNLIKE: f64 = 0.1;
 
-/// Pieces of a segment that are looked at by themselves; of a triangle four.
-const PIECES: usize = 4;
-
-/// The walls of all cells, to look for those near a place.
-struct Nearby<'a, const D: usize> {
-    walls: Vec<(&'a Wall<D>, f64)>,
-    by_foot: Pencils<D>,
-    look: f64,
-}
-
-/// A piece of a panel.
-#[derive(Clone, Copy, Debug)]
-struct Piece<const D: usize> {
-    /// Its middle.
-    place: Vector<D>,
-    /// Number of the wall that it belongs to.
-    wall: usize,
+/// What of the surfaces belongs to a wall.
+struct Patch<const D: usize> {
+    /// Its middle, as seen along the wall's normal.
+    middle: Vector<D>,
+    /// The wall's area over its own, as seen along it.
+    ratio: f64,
+    /// How the pressure on the walls around rises there.
+    fit: Fit<D>,
 }
 
 impl<const D: usize> FixedSimulation<D> {
     /// The surfaces that the domain holds with the pressure on them now, bodies in scene order and wall sides after.
     pub fn panels(&self) -> PanelFrame {
         let panels = self.shown.panels.get_or_init(|| Panels::new(&self.problem));
-        let nearby = Nearby::new(self);
+        let walls: Vec<(&Wall<D>, f64)> = self.walls().collect();
+        let nearby = Nearby::new(&walls, &self.points, self.problem.spacing);
         let pieces: Vec<Vec<Piece<D>>> = panels
             .all()
             .par_iter()
             .map(|panel| nearby.pieces(panel))
             .collect();
-        let middles = nearby.middles(&self.problem, panels, &pieces);
-        let mut pressed: Vec<Pressed<D>> = panels
-            .all()
-            .par_iter()
-            .zip(&pieces)
-            .map(|(panel, pieces)| nearby.pressed(self, panel, pieces, &middles))
+        let extents = extents(&self.problem, panels, &pieces, &walls);
+        let patches: Vec<Patch<D>> = (walls.par_iter().zip(&extents))
+            .map(|((wall, _), extent)| Patch::new(&nearby, wall, extent))
             .collect();
-        self.balance(panels, &mut pressed);
+        let pressed: Vec<Pressed<D>> = pieces
+            .par_iter()
+            .map(|pieces| self.pressed(pieces, &walls, &patches))
+            .collect();
         let still = Pose::new(&Motion::none(), 0.0);
         panels.frame(&self.problem, self.tally.time, &pressed, |_| still)
-    }
-
-    /// Presses each body's panels more, evenly for each unit of their normals, for the force on it to be that on the walls of its
-    /// cells: what interpolation and the panels' straightness have lost.
-    fn balance(&self, panels: &Panels<D>, pressed: &mut [Pressed<D>]) {
-        let bodies = self.problem.bodies.len();
-        let rings = Rings::new(&self.problem);
-        let bounds = &self.problem.domain.bounds;
-        let mut lacking = vec![Vector::<D>::zeros(); bodies];
-        let mut moments = vec![Matrix::<D>::zeros(); bodies];
-        let around = self.around();
-        for (wall, pressure) in self.walls() {
-            if let Some(lacking) = lacking.get_mut(wall.owner as usize) {
-                *lacking += wall.image.area() * (pressure * around);
-            }
-        }
-        let owned = |owner: u32| (owner as usize) < bodies;
-        let shown = |centre: &Vector<D>| bounds.contains(centre);
-        for (panel, pressed) in panels.all().iter().zip(&*pressed) {
-            if owned(panel.owner) && shown(&panel.centre) {
-                let area = panel.size * rings.circumference(&panel.centre);
-                // Walls point out of the gas, panels into it.
-                lacking[panel.owner as usize] += panel.normal * (pressed.pressure * area);
-                moments[panel.owner as usize] += panel.normal * panel.normal.transpose() * area;
-            }
-        }
-        let solve = |(moment, lacking): (&Matrix<D>, &Vector<D>)| {
-            let stiffened = moment + Matrix::identity() * (LEVEL * moment.trace());
-            let inverse = stiffened.try_inverse();
-            inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking)
-        };
-        let more: Vec<Vector<D>> = moments.iter().zip(&lacking).map(solve).collect();
-        for (panel, pressed) in panels.all().iter().zip(pressed) {
-            if owned(panel.owner) {
-                pressed.pressure -= more[panel.owner as usize].dot(&panel.normal);
-            }
-        }
     }
 
     /// Loads of a pressure of one everywhere: on bodies, then on wall sides.
     pub fn uniform_loads(&self) -> Vec<Load> {
         let panels = self.shown.panels.get_or_init(|| Panels::new(&self.problem));
         panels.uniform_loads(&self.problem)
+    }
+
+    /// What presses a panel: the mean over its pieces of the pressure on their walls, which is spread over what belongs to a wall
+    /// as the pressure around rises. Neither is any of a wall's load lost nor shown twice; what it has over the stream's pressure,
+    /// which is of no force on all of a body, is shown on the wall's area.
+    fn pressed(
+        &self,
+        pieces: &[Piece<D>],
+        walls: &[(&Wall<D>, f64)],
+        patches: &[Patch<D>],
+    ) -> Pressed<D> {
+        let calm = self.problem.free_stream.pressure;
+        let mut pressed = Pressed {
+            pressure: calm,
+            friction: Vector::zeros(),
+            mach: 0.0,
+        };
+        if pieces.is_empty() {
+            return pressed;
+        }
+        pressed.pressure = 0.0;
+        for piece in pieces {
+            let (wall, pressure) = &walls[piece.wall];
+            let patch = &patches[piece.wall];
+            let shown = calm + patch.ratio * (patch.pressure(*pressure, &piece.place) - calm);
+            pressed.pressure += piece.part * shown;
+            pressed.mach += piece.part * self.mach(wall.i as usize);
+        }
+        pressed
     }
 
     fn mach(&self, cell: usize) -> f64 {
@@ -122,160 +96,79 @@ impl<const D: usize> FixedSimulation<D> {
     }
 }
 
-impl<'a, const D: usize> Nearby<'a, D> {
-    fn new(simulation: &'a FixedSimulation<D>) -> Self {
-        let walls: Vec<_> = simulation.walls().collect();
-        let feet: Vec<Vector<D>> = walls.iter().map(|(wall, _)| wall.foot).collect();
-        let look = LOOK * SMOOTHING_RATIO * SUPPORT * simulation.problem.spacing;
-        Self {
-            by_foot: Pencils::new(&feet, look),
-            walls,
-            look,
-        }
-    }
+/// Sums over what belongs to a wall.
+#[derive(Clone, Copy)]
+struct Extent<const D: usize> {
+    /// Of areas as seen along the wall's normal; of lengths in the plane.
+    size: f64,
+    /// Of these areas times places.
+    moment: Vector<D>,
+}
 
-    /// The pieces of a panel, each with the wall of the cell that it belongs to; none where there is none far and wide.
-    fn pieces(&self, panel: &Panel<D>) -> Vec<Piece<D>> {
-        let places = pieces(panel);
-        let mut reach = self.look;
-        for _ in 0..FARTHER {
-            let found: Vec<Piece<D>> = places
-                .iter()
-                .filter_map(|place| {
-                    let wall = self.owner(panel, place, reach)?;
-                    Some(Piece {
-                        place: *place,
-                        wall,
-                    })
-                })
-                .collect();
-            if found.len() == places.len() {
-                return found;
-            }
-            reach *= 2.0;
-        }
-        Vec::new()
-    }
-
-    /// The middle of what belongs to each wall.
-    fn middles(
-        &self,
-        problem: &Problem<D>,
-        panels: &Panels<D>,
-        pieces: &[Vec<Piece<D>>],
-    ) -> Vec<Vector<D>> {
-        let mut sums = vec![(0.0, Vector::<D>::zeros()); self.walls.len()];
-        let bounds = &problem.domain.bounds;
-        for (panel, pieces) in panels.all().iter().zip(pieces) {
-            // A cell ends where the domain does.
-            if bounds.contains(&panel.centre) {
-                for piece in pieces {
-                    let size = panel.size / pieces.len() as f64;
-                    sums[piece.wall].0 += size;
-                    sums[piece.wall].1 += piece.place * size;
-                }
-            }
-        }
-        let both = sums.iter().zip(&self.walls);
-        both.map(
-            |(&(size, moment), (wall, _))| {
-                if size > 0.0 { moment / size } else { wall.foot }
-            },
-        )
-        .collect()
-    }
-
-    /// What presses a panel: the mean over its pieces of the pressure on their walls, which is spread over what belongs to a wall
-    /// as the pressure around rises. Neither is any of a wall's load lost nor shown twice.
-    fn pressed(
-        &self,
-        simulation: &FixedSimulation<D>,
-        panel: &Panel<D>,
-        pieces: &[Piece<D>],
-        middles: &[Vector<D>],
-    ) -> Pressed<D> {
-        let mut pressed = Pressed {
-            pressure: simulation.problem.free_stream.pressure,
-            friction: Vector::zeros(),
-            mach: 0.0,
-        };
-        if pieces.is_empty() {
-            return pressed;
-        }
-        pressed.pressure = 0.0;
-        let fit = self.fit(panel, self.look);
+/// By wall. A cell ends where the domain does.
+fn extents<const D: usize>(
+    problem: &Problem<D>,
+    panels: &Panels<D>,
+    pieces: &[Vec<Piece<D>>],
+    walls: &[(&Wall<D>, f64)],
+) -> Vec<Extent<D>> {
+    let none = Extent {
+        size: 0.0,
+        moment: Vector::zeros(),
+    };
+    let mut extents = vec![none; walls.len()];
+    let bounds = &problem.domain.bounds;
+    let shown = panels.all().iter().zip(pieces);
+    for (panel, pieces) in shown.filter(|(panel, _)| bounds.contains(&panel.centre)) {
         for piece in pieces {
-            let (wall, pressure) = &self.walls[piece.wall];
-            let rise = fit.slope().dot(&(piece.place - middles[piece.wall]));
-            let part = 1.0 / pieces.len() as f64;
-            pressed.pressure += part * fit.bounded(*pressure, pressure + rise);
-            pressed.mach += part * simulation.mach(wall.i as usize);
+            let extent = &mut extents[piece.wall];
+            // Walls point out of the gas, panels into it.
+            let normal = -Vector::from(walls[piece.wall].0.image.normal);
+            let size = panel.size * piece.part * panel.normal.dot(&normal);
+            extent.size += size;
+            extent.moment += piece.place * size;
         }
-        pressed
+    }
+    extents
+}
+
+impl<const D: usize> Patch<D> {
+    fn new(nearby: &Nearby<'_, D>, wall: &Wall<D>, extent: &Extent<D>) -> Self {
+        let middle = if extent.size > 0.0 {
+            extent.moment / extent.size
+        } else {
+            wall.foot
+        };
+        let ratio = wall.image.share / extent.size;
+        Self {
+            middle,
+            ratio: if (ratio - 1.0).abs() < UNLIKE {
+                ratio
+            } else {
+                1.0
+            },
+            fit: fit(nearby, wall, &middle),
+        }
     }
 
-    /// How the pressure on the walls around rises.
-    fn fit(&self, panel: &Panel<D>, reach: f64) -> Fit<D> {
-        let mut fit = Fit::new();
-        let centre = &panel.centre;
-        self.by_foot
-            .for_each_run_near(centre, centre, reach, |run| {
-                for &n in &self.by_foot.order()[run] {
-                    let (wall, pressure) = &self.walls[n as usize];
-                    let arm = wall.foot - centre;
-                    let kernel = QuinticSpline::<D>::value(arm.norm(), reach / SUPPORT);
-                    if kernel > 0.0 && facing(wall, panel) > ASKEW {
-                        fit.add(kernel * wall.image.size, &arm, *pressure);
-                    }
-                }
-            });
-        fit
-    }
-
-    /// Number of the wall that a place on a panel belongs to: that with the nearest foot.
-    fn owner(&self, panel: &Panel<D>, place: &Vector<D>, reach: f64) -> Option<usize> {
-        let mut best: Option<(f64, f64, usize)> = None;
-        self.by_foot.for_each_run_near(place, place, reach, |run| {
-            for &n in &self.by_foot.order()[run] {
-                let wall = self.walls[n as usize].0;
-                let facing = facing(wall, panel);
-                let apart = (wall.foot - place).norm_squared();
-                let is_nearer = best.is_none_or(|(least, most, _)| {
-                    apart < least || apart == least && facing > most
-                });
-                if facing > ROUND && apart <= reach * reach && is_nearer {
-                    best = Some((apart, facing, n as usize));
-                }
-            }
-        });
-        best.map(|(.., n)| n)
+    /// Pressure at a place on it, where that on the wall is `pressure`.
+    fn pressure(&self, pressure: f64, place: &Vector<D>) -> f64 {
+        let rise = self.fit.slope().dot(&(place - self.middle));
+        self.fit.bounded(pressure, pressure + rise)
     }
 }
 
-/// Cosine between the directions that a wall and a panel look in; below any where they are not of the same body.
-fn facing<const D: usize>(wall: &Wall<D>, panel: &Panel<D>) -> f64 {
-    if wall.owner == panel.owner {
-        -panel.normal.dot(&Vector::from(wall.image.normal))
-    } else {
-        f64::NEG_INFINITY
-    }
-}
-
-/// The middles of a panel's pieces, all of one size.
-fn pieces<const D: usize>(panel: &Panel<D>) -> Vec<Vector<D>> {
-    let corners = &panel.corners;
-    match D {
-        1 => vec![panel.centre],
-        2 => {
-            let part = |n: usize| (n as f64 + 0.5) / PIECES as f64;
-            let along = corners[1] - corners[0];
-            (0..PIECES).map(|n| corners[0] + along * part(n)).collect()
+/// How the pressure on the walls around a `wall` rises at its `middle`.
+fn fit<const D: usize>(nearby: &Nearby<'_, D>, wall: &Wall<D>, middle: &Vector<D>) -> Fit<D> {
+    let mut fit = Fit::new();
+    let look = nearby.look();
+    nearby.for_each(middle, look, |_, (other, pressure)| {
+        let arm = other.foot - middle;
+        let kernel = QuinticSpline::<D>::value(arm.norm(), look / SUPPORT);
+        let facing = dot(&wall.image.normal, &other.image.normal);
+        if kernel > 0.0 && facing > ASKEW && other.owner == wall.owner {
+            fit.add(kernel * other.image.size, &arm, *pressure);
         }
-        _ => {
-            let towards = |corner: &Vector<D>| (panel.centre + corner) * 0.5;
-            let mut middles: Vec<_> = corners.iter().map(towards).collect();
-            middles.push(panel.centre);
-            middles
-        }
-    }
+    });
+    fit
 }

@@ -1,0 +1,188 @@
+//! Panels in pieces, each of which belongs to one wall.
+
+use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
+use aero_geometry::{Pencils, Vector};
+
+use super::walls::Wall;
+use crate::panels::Panel;
+
+/// Part of the kernel's reach that a panel looks about, at first.
+const LOOK: f64 = 0.25;
+
+/// So often it looks twice as far.
+const FARTHER: usize = 8;
+
+/// Cosine between the directions of a panel and of a wall that it may belong to, which may go round an edge.
+const ROUND: f64 = 0.2;
+
+/// Pieces of a panel are no longer than this part of the wall that they belong to.
+const FINE: f64 = 0.5;
+
+/// The same of pieces that walls meet in: on lines, and on surfaces, where what is too much here is too little there.
+const FINEST: [f64; 2] = [1.0 / 256.0, 1.0 / 16.0];
+
+/// No piece is a smaller part of its panel.
+const LEAST: f64 = 1e-5;
+
+/// A piece of a panel.
+#[derive(Clone, Copy, Debug)]
+pub struct Piece<const D: usize> {
+    /// Its middle.
+    pub place: Vector<D>,
+    /// What it is of the panel.
+    pub part: f64,
+    /// Number of the wall that it belongs to.
+    pub wall: usize,
+}
+
+/// The walls of all cells with the pressure on them, to look for those near a place.
+pub struct Nearby<'a, const D: usize> {
+    walls: &'a [(&'a Wall<D>, f64)],
+    points: &'a [Vector<D>],
+    by_foot: Pencils<D>,
+    look: f64,
+}
+
+impl<'a, const D: usize> Nearby<'a, D> {
+    /// Of `walls` of the cells about `points`, in gas of this spacing.
+    pub fn new(walls: &'a [(&'a Wall<D>, f64)], points: &'a [Vector<D>], spacing: f64) -> Self {
+        let feet: Vec<Vector<D>> = walls.iter().map(|(wall, _)| wall.foot).collect();
+        let look = LOOK * SMOOTHING_RATIO * SUPPORT * spacing;
+        Self {
+            walls,
+            points,
+            by_foot: Pencils::new(&feet, look),
+            look,
+        }
+    }
+
+    /// How far is near, m.
+    pub fn look(&self) -> f64 {
+        self.look
+    }
+
+    /// Hands out the number of each wall that may have its foot within `reach` of a place, and the wall.
+    pub fn for_each(
+        &self,
+        place: &Vector<D>,
+        reach: f64,
+        mut take: impl FnMut(usize, &(&Wall<D>, f64)),
+    ) {
+        self.by_foot.for_each_run_near(place, place, reach, |run| {
+            for &n in &self.by_foot.order()[run] {
+                take(n as usize, &self.walls[n as usize]);
+            }
+        });
+    }
+
+    /// The pieces of a panel, each with the wall of the cell that it belongs to; none where there is none far and wide.
+    pub fn pieces(&self, panel: &Panel<D>) -> Vec<Piece<D>> {
+        let mut reach = self.look;
+        for _ in 0..FARTHER {
+            if let Some(found) = self.pieces_within(panel, reach) {
+                return found;
+            }
+            reach *= 2.0;
+        }
+        Vec::new()
+    }
+
+    /// The same of walls that are no farther than `reach`; none where a piece has none.
+    fn pieces_within(&self, panel: &Panel<D>, reach: f64) -> Option<Vec<Piece<D>>> {
+        let mut found = Vec::new();
+        let mut left = vec![(panel.corners, 1.0)];
+        while let Some((corners, part)) = left.pop() {
+            let place = corners.iter().sum::<Vector<D>>() / D as f64;
+            let wall = self.owner(panel, &place, reach)?;
+            let same = |corner| self.owner(panel, corner, reach) == Some(wall);
+            let fine = if corners.iter().all(same) {
+                FINE
+            } else {
+                FINEST[usize::from(D == 3)]
+            };
+            let longest = fine * length(self.walls[wall].0);
+            match longest_edge(&corners) {
+                Some((a, b, long)) if long > longest && part > LEAST => {
+                    let middle = (corners[a] + corners[b]) * 0.5;
+                    for end in [a, b] {
+                        let mut half = corners;
+                        half[end] = middle;
+                        left.push((half, 0.5 * part));
+                    }
+                }
+                _ => found.push(Piece { place, part, wall }),
+            }
+        }
+        Some(found)
+    }
+
+    /// Number of the wall that a place on a panel belongs to: as cells are divided, of the cell whose point is nearest; of its walls
+    /// the one that faces the panel most.
+    fn owner(&self, panel: &Panel<D>, place: &Vector<D>, reach: f64) -> Option<usize> {
+        let mut best: Option<Candidate> = None;
+        self.for_each(place, reach, |n, (wall, _)| {
+            let facing = facing(wall, panel);
+            if facing <= ROUND || (wall.foot - place).norm_squared() > reach * reach {
+                return;
+            }
+            let found = Candidate {
+                n,
+                cell: wall.i,
+                from_point: (self.points[wall.i as usize] - place).norm_squared(),
+                facing,
+            };
+            if best.is_none_or(|best| found.is_before(&best)) {
+                best = Some(found);
+            }
+        });
+        best.map(|found| found.n)
+    }
+}
+
+/// A wall that a place may belong to.
+#[derive(Clone, Copy)]
+struct Candidate {
+    /// Its number.
+    n: usize,
+    /// Its cell.
+    cell: u32,
+    /// Square of the distance of that cell's point from the place.
+    from_point: f64,
+    /// Cosine between the directions of the wall and of the panel.
+    facing: f64,
+}
+
+impl Candidate {
+    fn is_before(&self, other: &Self) -> bool {
+        if self.cell == other.cell || self.from_point == other.from_point {
+            self.facing > other.facing
+        } else {
+            self.from_point < other.from_point
+        }
+    }
+}
+
+/// Cosine between the directions that a wall and a panel look in; below any where they are not of the same body.
+fn facing<const D: usize>(wall: &Wall<D>, panel: &Panel<D>) -> f64 {
+    if wall.owner == panel.owner {
+        -panel.normal.dot(&Vector::from(wall.image.normal))
+    } else {
+        f64::NEG_INFINITY
+    }
+}
+
+/// Length of a wall's side, as if it were a square.
+fn length<const D: usize>(wall: &Wall<D>) -> f64 {
+    if D == 3 {
+        wall.image.share.sqrt()
+    } else {
+        wall.image.share
+    }
+}
+
+/// The ends and the length of the longest edge; none of a point.
+fn longest_edge<const D: usize>(corners: &[Vector<D>; D]) -> Option<(usize, usize, f64)> {
+    let edges = (0..D).flat_map(|a| (a + 1..D).map(move |b| (a, b)));
+    let long = edges.map(|(a, b)| (a, b, (corners[a] - corners[b]).norm()));
+    long.max_by(|x, y| x.2.total_cmp(&y.2))
+}
