@@ -2,6 +2,8 @@
 
 use aero_geometry::Bounds;
 use aero_packer::Warning;
+
+use crate::sample::{Lattice, Quantity, View};
 use aero_solver::problem::{Body, Problem};
 
 /// A scene, checked and packed, in `D` dimensions.
@@ -108,6 +110,10 @@ pub struct OutputPlan<const D: usize> {
     pub region: Option<Bounds<D>>,
     /// The cells about points that stay are written, too.
     pub has_cells: bool,
+    /// The gas on a lattice is written, too.
+    pub field: Option<FieldPlan<D>>,
+    /// A plane of the flow is drawn, too.
+    pub picture: Option<PicturePlan>,
     /// Frames are compressed.
     pub is_compressed: bool,
     /// The pressure that coefficients are made of.
@@ -116,4 +122,31 @@ pub struct OutputPlan<const D: usize> {
     pub history_every: usize,
     /// Longest wall time between checkpoints, s.
     pub checkpoint_seconds: f64,
+}
+
+/// The gas on a lattice, beside every frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldPlan<const D: usize> {
+    /// Its points.
+    pub lattice: Lattice<D>,
+}
+
+/// A plane of the flow, drawn beside every frame; of a flow on a line a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PicturePlan {
+    /// What it shows.
+    pub quantity: Quantity,
+    /// Values at the ends of the colours; those of each picture if none.
+    pub range: Option<[f64; 2]>,
+    /// Where.
+    pub stretch: Stretch,
+}
+
+/// What a picture shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stretch {
+    /// A line, from and to.
+    Line([f64; 2]),
+    /// Pixels of a plane.
+    Plane(View),
 }

@@ -9,4 +9,5 @@ pub mod fly;
 pub mod output;
 pub mod pack;
 pub mod run;
+pub mod sample;
 pub mod scene;

@@ -7,12 +7,14 @@ mod cells;
 mod check_picture;
 mod checkpoint;
 mod error;
+mod field;
 mod ghosts;
 mod history;
 mod memory;
 mod packing;
 mod packing_picture;
 mod particles;
+mod picture;
 mod pvd;
 mod reference;
 mod summary;
@@ -29,10 +31,12 @@ pub use checkpoint::{
     read_checkpoint, remove_checkpoints, reopen_checkpoint, write_checkpoint,
 };
 pub use error::{OutputError, make_folder};
+pub use field::write_field;
 pub use history::{History, HistoryRow};
 pub use memory::peak_memory;
 pub use packing::write_packing;
 pub use particles::write_frame;
+pub use picture::{Caption, draw_curve, draw_plane};
 pub use pvd::Collection;
 pub use reference::Reference;
 pub use summary::{BodyCoefficients, BodySummary, Conservation, Particles, Summary};

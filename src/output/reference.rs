@@ -1,5 +1,7 @@
 //! What a run is measured by, for the field data of its files.
 
+use crate::sample::{Scale, State};
+
 /// The undisturbed stream and the gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Reference {
@@ -36,23 +38,45 @@ impl Reference {
         fields
     }
 
-    /// Temperatures, `p / (rho R)`, in K, where there is a gas constant.
-    pub(super) fn temperatures(&self, pressure: &[f64], density: &[f64]) -> Option<Vec<f64>> {
-        let constant = self.gas_constant?;
-        let pairs = pressure.iter().zip(density);
-        Some(pairs.map(|(p, rho)| number(p / (rho * constant))).collect())
+    /// True where the scene's units are SI: a gas constant has no other.
+    pub fn is_si(&self) -> bool {
+        self.gas_constant.is_some()
     }
 
-    /// Entropies over that of the free stream, in heat capacities at constant volume: `ln((p / p_inf) (rho_inf / rho)^gamma)`.
+    /// What numbers that follow from the state are measured by.
+    pub fn scale(&self) -> Scale {
+        let speed = self.velocity.iter().map(|u| u * u).sum::<f64>();
+        Scale {
+            gamma: self.gamma,
+            gas_constant: self.gas_constant,
+            stream: [self.pressure, self.density],
+            dynamic_pressure: 0.5 * self.density * speed,
+        }
+    }
+
+    /// Temperatures in K, where there is a gas constant.
+    pub(super) fn temperatures(&self, pressure: &[f64], density: &[f64]) -> Option<Vec<f64>> {
+        let scale = self.scale();
+        self.gas_constant?;
+        states(pressure, density)
+            .map(|state| scale.temperature(&state))
+            .collect()
+    }
+
+    /// Entropies over that of the free stream.
     pub(super) fn entropies(&self, pressure: &[f64], density: &[f64]) -> Vec<f64> {
-        let pairs = pressure.iter().zip(density);
-        let rise =
-            |p: &f64, rho: &f64| (p / self.pressure).ln() - self.gamma * (rho / self.density).ln();
-        pairs.map(|(p, rho)| number(rise(p, rho))).collect()
+        let scale = self.scale();
+        let states = states(pressure, density);
+        states.map(|state| scale.entropy(&state)).collect()
     }
 }
 
-/// `value`, zero where a vacuum leaves none.
-fn number(value: f64) -> f64 {
-    if value.is_finite() { value } else { 0.0 }
+/// Gas of which no more is known.
+fn states(pressure: &[f64], density: &[f64]) -> impl Iterator<Item = State> {
+    let pairs = pressure.iter().zip(density);
+    pairs.map(|(&pressure, &density)| State {
+        density,
+        pressure,
+        ..State::default()
+    })
 }

@@ -17,6 +17,7 @@ mod swing;
 mod tally;
 mod to_folder;
 mod under_way;
+mod views;
 
 pub use burst::{Burst, burst};
 pub use claim::is_of;

@@ -11,6 +11,7 @@ use super::checkpoint::{Checkpoint, Written};
 use super::coefficients::Coefficients;
 use super::progress::Progress;
 use super::under_way::settles;
+use super::views::Views;
 use crate::case::{Case, RunPlan};
 use crate::output::{self, Background, Collection, History, HistoryRow, OutputError, Reference};
 use aero_solver::gas::{Gas, IdealGas};
@@ -49,6 +50,7 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     particles: Collection,
     surfaces: Option<Collection>,
     cells: Option<Collection>,
+    views: Views<D>,
     reference: Reference,
     background: Background,
     region: Option<Bounds<D>>,
@@ -112,6 +114,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             if let Some(cells) = &mut recorder.cells {
                 cells.note(time, &cells_name(number));
             }
+            recorder.views.note(number, time);
         }
         recorder.written = written;
         Ok(recorder)
@@ -134,6 +137,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             cells: plan
                 .has_cells
                 .then(|| Collection::new(folder.join("cells.pvd"))),
+            views: Views::new(folder, &case.plan, reference(case)),
             reference: reference(case),
             background: Background::default(),
             region: case.plan.output.region,
@@ -173,6 +177,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         let reference = self.reference;
         self.written.times.push(time);
         let is_compressed = self.is_compressed;
+        let views = self.views.take(simulation, number, time);
         self.background.hand(move || {
             output::write_frame(&path, &frame, Some(&reference), is_compressed)?;
             particles.write()?;
@@ -184,7 +189,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
                 output::write_cells(&path, &cells, &frame, &reference, is_compressed)?;
                 collection.write()?;
             }
-            Ok(())
+            views.into_iter().try_for_each(|write| write())
         })?;
         self.history.flush()
     }

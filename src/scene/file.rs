@@ -10,10 +10,12 @@ use super::number::{
     Altitude, Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
     StreamAngle,
 };
+use super::picture::PictureEntry;
 use super::refine::RefineEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::{SideEntry, WallWord};
 use super::spin::Spin;
+use super::views::LatticeEntry;
 use super::words::{
     ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName, StopWord, TimeWord,
 };
@@ -275,6 +277,10 @@ pub struct OutputEntry {
     pub region: Option<RegionEntry>,
     /// The cells about points that stay, beside every frame; off unless given.
     pub cells: Option<bool>,
+    /// The gas on a lattice, beside every frame; none unless given, `{}` for one as fine as the gas.
+    pub field: Option<LatticeEntry>,
+    /// A picture of a plane of the flow, beside every frame; none unless given, `{}` for Mach numbers.
+    pub picture: Option<PictureEntry>,
     /// Compressed frames; off unless given.
     pub compress: Option<bool>,
     /// The pressure that force coefficients are made of; `gauge` unless given.
