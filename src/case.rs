@@ -1,6 +1,6 @@
 //! What a scene meant: the flow problem that the solver reads, and how it is run.
 
-use aero_geometry::Bounds;
+use aero_geometry::{Bounds, Vector};
 use aero_packer::Warning;
 
 use crate::sample::{Lattice, Quantity, View};
@@ -80,6 +80,8 @@ pub struct RunPlan<const D: usize> {
     pub warnings: Option<Vec<Warning>>,
     /// When to write what.
     pub output: OutputPlan<D>,
+    /// Where values of the gas are recorded.
+    pub probes: Vec<Probe<D>>,
 }
 
 /// When a run ends.
@@ -149,4 +151,38 @@ pub enum Stretch {
     Line([f64; 2]),
     /// Pixels of a plane.
     Plane(View),
+}
+
+/// Where values of the gas are recorded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Probe<const D: usize> {
+    /// Name, unique among probes.
+    pub name: String,
+    /// Where it is.
+    pub reach: Reach<D>,
+}
+
+/// Where a probe is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reach<const D: usize> {
+    /// At a point.
+    Point(Vector<D>),
+    /// Along a line, from its first end to its second, at so many points.
+    Line([Vector<D>; 2], usize),
+    /// Through a section across that axis, at the middles of its parts.
+    Section(usize, Lattice<D>),
+}
+
+impl<const D: usize> Reach<D> {
+    /// All its places.
+    pub fn places(&self) -> Vec<Vector<D>> {
+        match self {
+            Self::Point(point) => vec![*point],
+            Self::Line([from, to], points) => {
+                let part = |n: usize| n as f64 / (points - 1) as f64;
+                (0..*points).map(|n| from + (to - from) * part(n)).collect()
+            }
+            Self::Section(_, lattice) => (0..lattice.count()).map(|n| lattice.place(n)).collect(),
+        }
+    }
 }

@@ -8,6 +8,7 @@ mod coefficients;
 mod destination;
 mod error;
 mod outcome;
+mod probes;
 mod progress;
 mod recorder;
 mod settle;

@@ -9,6 +9,7 @@ use aero_geometry::Bounds;
 
 use super::checkpoint::{Checkpoint, Written};
 use super::coefficients::Coefficients;
+use super::probes::Probes;
 use super::progress::Progress;
 use super::under_way::settles;
 use super::views::Views;
@@ -51,6 +52,7 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     surfaces: Option<Collection>,
     cells: Option<Collection>,
     views: Views<D>,
+    probes: Probes<D>,
     reference: Reference,
     background: Background,
     region: Option<Bounds<D>>,
@@ -92,7 +94,8 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
         let names = load_names(case);
         let bodies = case.problem.bodies.len();
         let history = History::create(&folder.join("history.csv"), &names, bodies)?;
-        Ok(Self::new(folder, case, scene, history, watch))
+        let probes = Probes::new(folder, &case.plan.probes, &reference(case), None)?;
+        Ok(Self::new((folder, case, scene), history, probes, watch))
     }
 
     /// Goes on recording after what has been `written`.
@@ -105,7 +108,9 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
     ) -> Result<Self, OutputError> {
         let counts = [load_names(case).len(), case.problem.bodies.len()];
         let history = History::resume(&folder.join("history.csv"), counts, written.history)?;
-        let mut recorder = Self::new(folder, case, scene, history, watch);
+        let bytes = Some(written.probes);
+        let probes = Probes::new(folder, &case.plan.probes, &reference(case), bytes)?;
+        let mut recorder = Self::new((folder, case, scene), history, probes, watch);
         for (number, &time) in written.times.iter().enumerate() {
             recorder.particles.note(time, &frame_name(number));
             if let Some(surfaces) = &mut recorder.surfaces {
@@ -121,10 +126,9 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
     }
 
     fn new(
-        folder: &Path,
-        case: &Case<D>,
-        scene: &str,
+        (folder, case, scene): (&Path, &Case<D>, &str),
         history: History,
+        probes: Probes<D>,
         watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Self {
         let plan = &case.plan.output;
@@ -137,6 +141,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             cells: plan
                 .has_cells
                 .then(|| Collection::new(folder.join("cells.pvd"))),
+            probes,
             views: Views::new(folder, &case.plan, reference(case)),
             reference: reference(case),
             background: Background::default(),
@@ -177,7 +182,8 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         let reference = self.reference;
         self.written.times.push(time);
         let is_compressed = self.is_compressed;
-        let views = self.views.take(simulation, number, time);
+        let mut views = self.views.take(simulation, number, time);
+        views.extend(self.probes.lines(&self.folder, simulation, number));
         self.background.hand(move || {
             output::write_frame(&path, &frame, Some(&reference), is_compressed)?;
             particles.write()?;
@@ -191,6 +197,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             }
             views.into_iter().try_for_each(|write| write())
         })?;
+        self.probes.flush()?;
         self.history.flush()
     }
 
@@ -213,6 +220,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
                 totals: simulation.totals(),
                 coefficients: &coefficients,
             })?;
+            self.probes.add(simulation)?;
         }
         Ok((self.watch)(Progress {
             steps: step,
@@ -228,7 +236,9 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
 
     fn checkpoint(&mut self, run: Checkpoint<'_, D>) -> Result<(), OutputError> {
         self.history.flush()?;
+        self.probes.flush()?;
         self.written.history = self.history.bytes();
+        self.written.probes = self.probes.bytes();
         let content = (&self.scene, &self.written, run);
         let bytes = output::checkpoint_bytes(&self.folder, &content)?;
         let folder = self.folder.clone();

@@ -18,7 +18,7 @@ const FURTHER: [f64; 2] = [1.0, 2.0];
 /// Values at a place, and whether it lies in a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Near<const D: usize, const N: usize> {
-    /// The values; those of the gas beside it carried on where the place lies in a body; none where no gas is near.
+    /// The values; means of the gas beside it where the place lies in a body; none where no gas is near.
     pub found: Option<Found<D, N>>,
     /// The place lies in a body.
     pub is_solid: bool,
@@ -115,6 +115,10 @@ impl<'a, const D: usize, const N: usize> Cloud<'a, D, N> {
                 });
             }
             found = fit.solved().or(found);
+        }
+        // Carried on into a body, a plane would leave what the gas can be.
+        if let Some(found) = found.as_mut().filter(|_| is_solid) {
+            found.values = found.means;
         }
         Near { found, is_solid }
     }

@@ -26,6 +26,19 @@ impl<const D: usize> Lattice<D> {
         }
     }
 
+    /// The middles of equal parts of `region`, each about `spacing` wide; one part along an axis without width.
+    pub fn middles(region: &Bounds<D>, spacing: f64) -> Self {
+        let size = region.size();
+        let parts: [usize; D] =
+            std::array::from_fn(|k| ((size[k] / spacing).round() as usize).max(1));
+        let spacing = Vector::from_fn(|k, _| size[k] / parts[k] as f64);
+        Self {
+            origin: region.min + spacing * 0.5,
+            spacing,
+            cells: parts.map(|n| n - 1),
+        }
+    }
+
     /// Number of points.
     pub fn count(&self) -> usize {
         self.cells.iter().map(|n| n + 1).product()

@@ -11,6 +11,7 @@ use super::number::{
     StreamAngle,
 };
 use super::picture::PictureEntry;
+use super::probe::ProbeEntry;
 use super::refine::RefineEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::{SideEntry, WallWord};
@@ -55,6 +56,9 @@ pub struct SceneFile {
     /// When to write what.
     #[serde(default)]
     pub output: OutputEntry,
+    /// Where values of the gas are recorded.
+    #[serde(default)]
+    pub probe: Vec<ProbeEntry>,
 }
 
 /// `[gas]`

@@ -57,6 +57,7 @@ mod output;
 mod overrides;
 mod packed;
 mod picture;
+mod probe;
 mod reference;
 mod refine;
 pub mod shapes;
@@ -219,6 +220,7 @@ impl Scene {
             .map(|plan| plan.body(&domain, &free_stream, method))
             .collect::<Result<Vec<_>, _>>()?;
         packed::check(&bodies, &domain, spacing)?;
+        let probes = probe::probes(&file.probe, &domain, &bodies, spacing)?;
         let problem = Problem {
             spacing,
             gas: Gas::ideal(flow::gamma(file)),
@@ -251,6 +253,7 @@ impl Scene {
                 gas_constant,
                 warnings: None,
                 output,
+                probes,
             },
         })
     }
