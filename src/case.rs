@@ -112,11 +112,15 @@ pub struct OutputPlan<const D: usize> {
     pub region: Option<Bounds<D>>,
     /// The cells about points that stay are written, too.
     pub has_cells: bool,
+    /// Ghosts and buffers are written, too.
+    pub has_ghosts: bool,
+    /// Planes `(axis, place)` that what is written is mirrored at.
+    pub mirrors: Vec<(usize, f64)>,
     /// The gas on a lattice is written, too.
     pub field: Option<FieldPlan<D>>,
     /// A plane of the flow is drawn, too.
     pub picture: Option<PicturePlan>,
-    /// Frames are compressed.
+    /// Files are compressed.
     pub is_compressed: bool,
     /// The pressure that coefficients are made of.
     pub coefficients: Pressure,

@@ -2,7 +2,7 @@
 
 mod support;
 
-use support::{BOX, Workplace, appended, box_with};
+use support::{BOX, Workplace, appended, box_with, read_surface, read_vtp};
 
 /// A wedge in a box of gas whose state is linear in place.
 const LINEAR: &str = r#"
@@ -92,6 +92,39 @@ fn a_linear_flow_is_met_to_round_off_by_particles_and_by_points() {
 }
 
 #[test]
+fn the_two_sides_of_a_thin_plate_do_not_see_each_other() {
+    // A third of a spacing thick, between gas twice as dense above it as below.
+    let scene = LINEAR
+        .replace(
+            "1 + 0.5 * x - 0.25 * y",
+            "1.5 + 0.5 * tanh(1e4 * (y - 0.4))",
+        )
+        .replace(
+            "[[0.3, 0.3], [0.7, 0.3], [0.7, 0.5], [0.3, 0.5]]",
+            "[[0.1, 0.392], [0.9, 0.392], [0.9, 0.408], [0.1, 0.408]]",
+        )
+        .replace("spacing = 0.033", "spacing = 0.02");
+    for motion in ["with-the-gas", "fixed"] {
+        let place = Workplace::new();
+        let motion = format!("scheme.motion=\"{motion}\"");
+        place.run(&scene, &["--set", &motion]).succeeds();
+        let density =
+            appended(&place.path("results/field-000000.vti"), "density").expect("densities");
+        let columns = 51;
+        for (n, density) in density.iter().enumerate() {
+            let (x, y) = ((n % columns) as f64 * 0.02, (n / columns) as f64 * 0.02);
+            if (0.25..0.75).contains(&x) && (y - 0.4).abs() > 0.01 {
+                let wanted = if y > 0.4 { 2.0 } else { 1.0 };
+                assert!(
+                    (density - wanted).abs() < 1e-9,
+                    "{density} at {x}, {y}, {motion}"
+                );
+            }
+        }
+    }
+}
+
+#[test]
 fn the_field_has_the_same_bits_for_any_number_of_threads_and_after_a_stop() {
     let place = Workplace::new();
     let field = || std::fs::read(place.path("results/field-000001.vti")).expect("a field");
@@ -175,4 +208,122 @@ fn what_cannot_be_shown_is_refused_with_the_mend() {
     ] {
         place.run(&with(line), &[]).refuses(&words);
     }
+}
+
+/// `LINEAR` with a mirror below, and the body on it.
+fn halved() -> String {
+    LINEAR
+        .replace("y_min = \"wall\"", "y_min = \"symmetry\"")
+        .replace(
+            "[[0.3, 0.3], [0.7, 0.3], [0.7, 0.5], [0.3, 0.5]]",
+            "[[0.31, -0.21], [0.69, -0.21], [0.69, 0.21], [0.31, 0.21]]",
+        )
+        .replace("end_time = 1e-6", "end_time = 1e-3")
+}
+
+#[test]
+fn the_other_half_is_shown_and_forces_stay_what_they_are() {
+    let place = Workplace::new();
+    let file = |name: &str| place.path("results").join(name);
+    let motion = "scheme.motion=fixed";
+    let run = |more: &[&str]| {
+        let settings = [&["--set", motion, "--set", "output.cells=true"], more].concat();
+        place.run(&halved(), &settings).succeeds();
+        let history = std::fs::read_to_string(file("history.csv")).expect("a history");
+        let (count, _) = read_vtp(&file("frame-000001.vtp"));
+        let surface = read_surface(&file("surface-000001.vtp"));
+        let cells = appended(&file("cells-000001.vtu"), "id")
+            .expect("ids")
+            .len();
+        let field = appended(&file("field-000001.vti"), "velocity").expect("velocities");
+        (history, count, surface, cells, field)
+    };
+    let (history, half, half_surface, half_cells, half_field) = run(&[]);
+    let (again, whole, surface, cells, field) = run(&["--set", "output.mirror=true"]);
+    assert!(history == again);
+    assert_eq!((whole, cells), (2 * half, 2 * half_cells));
+    assert_eq!(surface.cells.len(), 2 * half_surface.cells.len());
+    // The forces across the mirror cancel, those along it are twice what they were.
+    let force = |surface: &support::Surface, k: usize| -> f64 {
+        let panels = surface.arrays["pressure"]
+            .iter()
+            .zip(&surface.arrays["area"]);
+        let normals = surface.arrays["normal"].iter().skip(k).step_by(3);
+        panels.zip(normals).map(|((p, a), n)| p * a * n).sum()
+    };
+    assert!(force(&surface, 1).abs() < 1e-12);
+    let [one, two] = [&half_surface, &surface].map(|surface| force(surface, 0));
+    assert!((two - 2.0 * one).abs() < 1e-12);
+    // Segments still go round with the gas on the same side of each.
+    for (cell, normal) in surface.cells.iter().zip(surface.arrays["normal"].chunks(3)) {
+        let [a, b] = [cell[0], cell[1]];
+        let across = [b[1] - a[1], a[0] - b[0]];
+        let first = half_surface.cells[0].clone();
+        let way = half_surface.arrays["normal"][0] * (first[1][1] - first[0][1])
+            + half_surface.arrays["normal"][1] * (first[0][0] - first[1][0]);
+        let here = across[0] * normal[0] + across[1] * normal[1];
+        assert!(here * way > 0.0, "{cell:?}");
+    }
+    // Row by row from below: the image's velocity along the second axis points the other way.
+    let row = 3 * 31;
+    let rows = field.len() / row;
+    assert_eq!((field.len() - row) / 2, half_field.len() - row);
+    for n in 0..rows {
+        let (below, above) = (
+            &field[n * row..][..row],
+            &field[(rows - 1 - n) * row..][..row],
+        );
+        for (k, (a, b)) in below.iter().zip(above).enumerate() {
+            let wanted = if k % 3 == 1 { -b } else { *b };
+            assert!((a - wanted).abs() < 1e-12, "row {n}: {a} {b}");
+        }
+    }
+    let whole = LINEAR.replace("field =", "mirror = true\nfield =");
+    place
+        .run(&whole, &[])
+        .refuses(&["output.mirror", "no symmetry side", "leave it out"]);
+}
+
+#[test]
+fn files_say_what_they_are_measured_by() {
+    let place = Workplace::new();
+    place
+        .run(LINEAR, &["--set", "body.plate.reference_area=0.7"])
+        .succeeds();
+    for name in ["frame-000001.vtp", "surface-000001.vtp", "field-000001.vti"] {
+        let path = place.path("results").join(name);
+        assert_eq!(appended(&path, "gamma"), Some(vec![1.4]), "{name}");
+        assert_eq!(appended(&path, "reference_area"), Some(vec![0.7]), "{name}");
+        assert_eq!(appended(&path, "TimeValue").map(|t| t.len()), Some(1));
+        let bytes = std::fs::read(&path).expect("a file");
+        let text = String::from_utf8_lossy(&bytes);
+        // `those of the scene`.
+        assert!(
+            text.contains("Name=\"units\"") && text.contains("116 104 111 115 101 32"),
+            "{name}"
+        );
+    }
+}
+
+#[test]
+fn ghosts_and_buffers_have_files_of_their_own_where_they_are_asked_for() {
+    let place = Workplace::new();
+    place.run(LINEAR, &[]).succeeds();
+    assert!(!place.path("results/ghosts-000001.vtp").exists());
+    let kinds = |name: &str| appended(&place.path("results").join(name), "kind").expect("kinds");
+    assert!(kinds("frame-000001.vtp").iter().all(|kind| *kind == 0.0));
+    place
+        .run(LINEAR, &["--set", "output.ghosts=true"])
+        .succeeds();
+    let others = kinds("ghosts-000001.vtp");
+    assert!(others.contains(&1.0) && others.contains(&3.0) && !others.contains(&0.0));
+    let settings = [
+        "--set",
+        "output.ghosts=true",
+        "--set",
+        "scheme.motion=fixed",
+    ];
+    place
+        .run(LINEAR, &settings)
+        .refuses(&["output.ghosts", "leave it out"]);
 }

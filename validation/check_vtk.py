@@ -10,8 +10,8 @@ command is wrong or there is nothing to check.
 Checked for every file: VTK reads it without an error; there are points, all finite; every point of a
 cloud has a vertex cell (ParaView shows nothing otherwise); every array is finite and has a value for
 each point, of surfaces for each cell.
-Checked by the file's name (frame-*.vtp, surface-*.vtp, *-ghosts.vtp): the arrays that aero promises,
-with their number of components, and values that make sense. Checked for cells-*.vtu: every cell is
+Checked by the file's name (frame-*.vtp, ghosts-*.vtp, surface-*.vtp, *-ghosts.vtp): the arrays that aero promises,
+with their number of components, values that make sense, and the field data of a run with its units. Checked for cells-*.vtu: every cell is
 closed, its corners give the volume that it says (of rings about an axis, all of it or none), and the
 cells are those of the points of the frame beside it. Checked for field-*.vti: the arrays, finite everywhere
 and positive in the gas; points are masked where the cells about them are hidden, and not all of them are;
@@ -59,7 +59,7 @@ FLUID, OUTLET, LAST_KIND = 0, 2, 3
 def expected_arrays(path):
     """The arrays that a file of this name must have."""
     name = path.name
-    if name.startswith("frame-"):
+    if name.startswith(("frame-", "ghosts-")):
         return FRAME
     if name.startswith("surface-"):
         return SURFACE
@@ -129,6 +129,8 @@ def check_file(path):
     of_cells = path.name.startswith("surface-")
     if not of_cells and data.GetNumberOfVerts() != count:
         faults.append(f"{data.GetNumberOfVerts()} vertex cells for {count} points; write one each")
+    if path.name.startswith(("frame-", "ghosts-", "surface-")):
+        faults += missing_fields(data)
     point_data = data.GetCellData() if of_cells else data.GetPointData()
     count = data.GetNumberOfCells() if of_cells else count
     arrays = {}
@@ -157,6 +159,16 @@ def check_file(path):
     return faults, f"{count} {'cells' if of_cells else 'points'}; {', '.join(sorted(arrays)) or 'no arrays'}"
 
 
+def missing_fields(data):
+    """What a file does not say of the whole, and units that are no text."""
+    fields = data.GetFieldData()
+    faults = [f"field `{name}` is missing" for name in FIELDS if fields.GetArray(name) is None]
+    units = fields.GetAbstractArray("units")
+    if units is None or not str(units.GetVariantValue(0).ToString()).isprintable() or not units.GetVariantValue(0).ToString():
+        faults.append("field `units` is missing or no text")
+    return faults
+
+
 def named_arrays(attributes, wanted):
     """The arrays that must be there, with what is wrong with them."""
     faults, arrays = [], {}
@@ -181,7 +193,7 @@ def check_field(path):
     if complaints:
         return complaints, ""
     faults, arrays = named_arrays(data.GetPointData(), FIELD)
-    faults += [f"field `{name}` is missing" for name in FIELDS if data.GetFieldData().GetArray(name) is None]
+    faults += missing_fields(data)
     ghosts = data.GetCellData().GetArray("vtkGhostType")
     if ghosts is None or data.GetCellGhostArray() is None:
         faults.append("`vtkGhostType` of the cells is missing, or VTK does not take it for that")
@@ -207,20 +219,22 @@ def check_field(path):
 
 
 def check_gradient(arrays, gas, shape, axis, spacing, letter):
-    """Whether the gradient of the density is that of its values, where these are steepest: a shock is thinner than differences over two cells."""
+    """Whether the gradient of the density is that of its values, where these rise evenly: shocks of finer gas fall between points."""
     if shape[axis] < 3:
         return []
     density = arrays["density"].reshape(shape)
     found = arrays["density_gradient"].reshape(*shape, 3)[..., "xyz".index(letter)]
     part = lambda values, first, last: numpy.take(values, range(first, shape[axis] - last), axis)
-    rise = (part(density, 2, 0) - part(density, 0, 2)) / (2 * spacing)
+    before, after = part(density, 1, 1) - part(density, 0, 2), part(density, 2, 0) - part(density, 1, 1)
+    rise = (before + after) / (2 * spacing)
     inside = part(gas, 2, 0) & part(gas, 0, 2) & part(gas, 1, 1)
-    steep = inside & (numpy.abs(rise) > 0.5 * numpy.abs(rise[inside]).max(initial=0)) & (numpy.abs(rise) > 1e-9 * density.max() / spacing)
-    if not steep.any():
+    even = inside & (numpy.abs(after - before) < 0.3 * spacing * numpy.abs(rise))
+    even &= numpy.abs(rise) > max(0.02 * numpy.abs(rise[inside]).max(initial=0), 1e-9 * density.max() / spacing)
+    if numpy.count_nonzero(even) < 10:
         return []
-    ratio = numpy.median(part(found, 1, 1)[steep] / rise[steep])
-    if not 0.4 < ratio < 2.5:
-        return [f"`density_gradient` along {letter} is not that of the density"]
+    ratio = numpy.median(part(found, 1, 1)[even] / rise[even])
+    if not 0.7 < ratio < 1.4:
+        return [f"`density_gradient` along {letter} is {ratio:.2f} times that of the density"]
     return []
 
 
@@ -262,7 +276,7 @@ def check_cells(path):
     if count == 0:
         return ["there are no cells"], ""
     faults, arrays = named_arrays(data.GetCellData(), CELLS)
-    faults += [f"field `{name}` is missing" for name in FIELDS if data.GetFieldData().GetArray(name) is None]
+    faults += missing_fields(data)
     if faults:
         return faults, ""
     points = vtk_to_numpy(data.GetPoints().GetData())

@@ -26,14 +26,14 @@ pub fn write_field(
         list(&field.spacing)
     );
     let mut document = Document::new("ImageData", &attributes, is_compressed);
-    document.field_data(&reference.fields(time));
+    document.field_data(&reference.told(time, is_compressed));
     document.open(&format!("Piece Extent=\"{extent}\""));
     document.open("PointData Scalars=\"pressure\" Vectors=\"velocity\"");
     let scale = reference.scale();
     let states = || field.states.iter();
     let mut scalars = |name: &str, value: &dyn Fn(&State) -> f64| {
         let values: Vec<f64> = states().map(value).collect();
-        document.array(name, 1, &Numbers::Real(&values));
+        document.array(name, 1, Numbers::Real(&values));
     };
     scalars("density", &|state| state.density);
     scalars("pressure", &|state| state.pressure);
@@ -45,26 +45,26 @@ pub fn write_field(
         });
     }
     let velocity: Vec<[f64; 3]> = states().map(|state| state.velocity).collect();
-    document.array("velocity", 3, &Numbers::Real(velocity.as_flattened()));
+    document.array("velocity", 3, Numbers::Real(velocity.as_flattened()));
     let gradient: Vec<[f64; 3]> = states().map(|state| state.density_gradient).collect();
     document.array(
         "density_gradient",
         3,
-        &Numbers::Real(gradient.as_flattened()),
+        Numbers::Real(gradient.as_flattened()),
     );
     let mask: Vec<u8> = field
         .is_gas
         .iter()
         .map(|&is_gas| u8::from(is_gas))
         .collect();
-    document.array("vtkValidPointMask", 1, &Numbers::Byte(&mask));
+    document.array("vtkValidPointMask", 1, Numbers::Byte(&mask));
     document.close("PointData");
     document.open("CellData");
     let hidden = field.hidden_cells().into_iter();
     let hidden: Vec<u8> = hidden
         .map(|is_hidden| if is_hidden { HIDDEN_CELL } else { 0 })
         .collect();
-    document.array("vtkGhostType", 1, &Numbers::Byte(&hidden));
+    document.array("vtkGhostType", 1, Numbers::Byte(&hidden));
     document.close("CellData");
     document.close("Piece");
     document.write(path)

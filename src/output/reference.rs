@@ -1,9 +1,10 @@
 //! What a run is measured by, for the field data of its files.
 
+use super::vtk_xml::Told;
 use crate::sample::{Scale, State};
 
 /// The undisturbed stream and the gas.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     /// Pressure of the free stream.
     pub pressure: f64,
@@ -17,11 +18,26 @@ pub struct Reference {
     pub gas_constant: Option<f64>,
     /// Spacing of particles or of the lattice.
     pub spacing: f64,
+    /// Areas and lengths that coefficients of the bodies refer to, in scene order.
+    pub bodies: Vec<[f64; 2]>,
 }
 
 impl Reference {
+    /// What a file of a frame says of the whole.
+    pub(super) fn told(&self, time: f64, is_compressed: bool) -> Told {
+        Told {
+            fields: self.fields(time),
+            units: if self.is_si() {
+                "SI: m, kg, s, K"
+            } else {
+                "those of the scene"
+            },
+            is_compressed,
+        }
+    }
+
     /// By name, with the time of a frame.
-    pub(super) fn fields(&self, time: f64) -> Vec<(&'static str, Vec<f64>)> {
+    fn fields(&self, time: f64) -> Vec<(&'static str, Vec<f64>)> {
         let mut fields = vec![
             // What ParaView takes for the time.
             ("TimeValue", vec![time]),
@@ -31,6 +47,15 @@ impl Reference {
             ("gamma", vec![self.gamma]),
             ("spacing", vec![self.spacing]),
         ];
+        for (k, name) in ["reference_area", "reference_length"]
+            .into_iter()
+            .enumerate()
+        {
+            let all: Vec<f64> = self.bodies.iter().map(|body| body[k]).collect();
+            if !all.is_empty() {
+                fields.push((name, all));
+            }
+        }
         fields.extend(
             self.gas_constant
                 .map(|constant| ("gas_constant", vec![constant])),

@@ -9,12 +9,16 @@ use aero_geometry::Bounds;
 
 use super::checkpoint::{Checkpoint, Written};
 use super::coefficients::Coefficients;
+use super::outcome::chosen;
 use super::probes::Probes;
 use super::progress::Progress;
 use super::under_way::settles;
 use super::views::Views;
 use crate::case::{Case, RunPlan};
-use crate::output::{self, Background, Collection, History, HistoryRow, OutputError, Reference};
+use crate::output::{
+    self, Background, Collection, History, HistoryRow, Mirrors, OutputError, Reference,
+};
+use aero_solver::frame::Kind;
 use aero_solver::gas::{Gas, IdealGas};
 use aero_solver::{Flow, wall_sides};
 
@@ -57,6 +61,8 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     background: Background,
     region: Option<Bounds<D>>,
     is_compressed: bool,
+    has_ghosts: bool,
+    mirrors: Mirrors,
     history: History,
     plan: RunPlan<D>,
     coefficients: Option<Coefficients>,
@@ -147,6 +153,8 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             background: Background::default(),
             region: case.plan.output.region,
             is_compressed: case.plan.output.is_compressed,
+            has_ghosts: case.plan.output.has_ghosts,
+            mirrors: Mirrors(case.plan.output.mirrors.clone()),
             history,
             plan: case.plan.clone(),
             coefficients: None,
@@ -179,16 +187,28 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             let path = self.folder.join(cells_name(number));
             Some((path, simulation.cells()?, collection.clone()))
         });
-        let reference = self.reference;
+        let reference = self.reference.clone();
         self.written.times.push(time);
         let is_compressed = self.is_compressed;
+        let mirrors = self.mirrors.clone();
+        let ghosts = self.has_ghosts.then(|| {
+            let path = self.folder.join(ghosts_name(number));
+            (path, chosen(&frame, |kind| kind != Kind::Fluid as u8))
+        });
+        let mut frame = chosen(&frame, |kind| kind == Kind::Fluid as u8);
         let mut views = self.views.take(simulation, number, time);
         views.extend(self.probes.lines(&self.folder, simulation, number));
         self.background.hand(move || {
+            if let Some((path, ghosts)) = ghosts {
+                output::write_frame(&path, &ghosts, Some(&reference), is_compressed)?;
+            }
+            let mut cells = cells;
+            mirrors.apply(&mut frame, cells.as_mut().map(|(_, cells, _)| cells));
             output::write_frame(&path, &frame, Some(&reference), is_compressed)?;
             particles.write()?;
-            if let Some((path, surface, surfaces)) = surface {
-                output::write_surface(&path, &surface)?;
+            if let Some((path, mut surface, surfaces)) = surface {
+                mirrors.surface(&mut surface);
+                output::write_surface(&path, &surface, &reference, is_compressed)?;
                 surfaces.write()?;
             }
             if let Some((path, cells, collection)) = cells {
@@ -257,6 +277,10 @@ fn frame_name(number: usize) -> String {
     format!("frame-{number:06}.vtp")
 }
 
+fn ghosts_name(number: usize) -> String {
+    format!("ghosts-{number:06}.vtp")
+}
+
 fn surface_name(number: usize) -> String {
     format!("surface-{number:06}.vtp")
 }
@@ -286,6 +310,11 @@ fn reference<const D: usize>(case: &Case<D>) -> Reference {
         gamma,
         gas_constant: case.plan.gas_constant,
         spacing: problem.spacing,
+        bodies: problem
+            .bodies
+            .iter()
+            .map(|body| [body.reference_area, body.reference_length])
+            .collect(),
     }
 }
 

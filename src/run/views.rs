@@ -51,7 +51,10 @@ impl<const D: usize> Views<D> {
         }
         let problem = flow.problem();
         let solids = Solids::new(&problem.bodies, flow.time());
-        let gas = Gas::new(&flow.frame(), problem, &solids);
+        // Cells that a surface cuts are shown, with all their corners.
+        let field = self.plan.field.as_ref();
+        let across = field.map_or(0.0, |plan| plan.lattice.spacing.norm());
+        let gas = Gas::new(&flow.frame(), problem, &solids).carried_on(across);
         let field = self.field(&gas, number, time);
         let picture = self.picture(&gas, flow, number);
         [field, picture].into_iter().flatten().collect()
@@ -60,7 +63,7 @@ impl<const D: usize> Views<D> {
     fn field(&self, gas: &Gas<'_, D>, number: usize, time: f64) -> Option<Job> {
         let field = Field::new(gas, &self.plan.field.as_ref()?.lattice);
         let path = self.folder.join(field_name(number));
-        let (reference, fields) = (self.reference, self.fields.clone());
+        let (reference, fields) = (self.reference.clone(), self.fields.clone());
         let is_compressed = self.plan.is_compressed;
         Some(Box::new(move || {
             output::write_field(&path, &field, time, &reference, is_compressed)?;

@@ -12,8 +12,9 @@ const WIDTH: f64 = 0.62;
 /// Widths beyond which it counts nothing.
 const REACH: f64 = 2.6;
 
-/// How much further is looked where too little lies within reach.
-const FURTHER: [f64; 2] = [1.0, 2.0];
+/// How much further is looked where too little lies within reach; and from bodies into which the gas is carried on.
+const FURTHER: f64 = 2.0;
+const FURTHEST: f64 = 64.0;
 
 /// Values at a place, and whether it lies in a body.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -50,6 +51,8 @@ pub struct Cloud<'a, const D: usize, const N: usize> {
     solids: &'a Solids<'a, D>,
     /// The largest width of all.
     width: f64,
+    /// How deep into bodies the gas is carried on whatever its spacing.
+    carried: f64,
 }
 
 /// How far a point of that spacing counts.
@@ -96,18 +99,26 @@ impl<'a, const D: usize, const N: usize> Cloud<'a, D, N> {
             levels: levels.map(|points| Level::new(&points, solids)).collect(),
             solids,
             width,
+            carried: 0.0,
         }
+    }
+
+    /// Carries the gas so far on into bodies, however fine it is.
+    #[must_use]
+    pub fn carried_on(self, carried: f64) -> Self {
+        Self { carried, ..self }
     }
 
     /// The values at a place.
     pub fn at(&self, place: &Vector<D>) -> Near<D, N> {
         let contact = self.solids.contact(place, 2.0 * REACH * self.width);
         let is_solid = contact.is_some_and(|contact| contact.distance < 0.0);
+        let is_carried =
+            contact.is_some_and(|contact| is_solid && -contact.distance <= self.carried);
+        let most = if is_carried { FURTHEST } else { FURTHER };
+        let mut further = 1.0;
         let mut found: Option<Found<D, N>> = None;
-        for further in FURTHER {
-            if found.is_some_and(|found| found.is_plane) {
-                break;
-            }
+        while further <= most && !found.is_some_and(|found| found.is_plane || is_solid) {
             let mut fit = Fit::new();
             for level in &self.levels {
                 level.add_to(&mut fit, place, further, |there, other| {
@@ -115,6 +126,7 @@ impl<'a, const D: usize, const N: usize> Cloud<'a, D, N> {
                 });
             }
             found = fit.solved().or(found);
+            further *= 2.0;
         }
         // Carried on into a body, a plane would leave what the gas can be.
         if let Some(found) = found.as_mut().filter(|_| is_solid) {

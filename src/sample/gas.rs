@@ -68,6 +68,15 @@ impl<'a, const D: usize> Gas<'a, D> {
         }
     }
 
+    /// Carries the gas so far on into bodies, however fine it is.
+    #[must_use]
+    pub fn carried_on(self, carried: f64) -> Self {
+        Self {
+            cloud: self.cloud.carried_on(carried),
+            ..self
+        }
+    }
+
     /// The undisturbed gas.
     pub fn stream(&self) -> State {
         self.stream

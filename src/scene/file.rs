@@ -285,7 +285,11 @@ pub struct OutputEntry {
     pub field: Option<LatticeEntry>,
     /// A picture of a plane of the flow, beside every frame; none unless given, `{}` for Mach numbers.
     pub picture: Option<PictureEntry>,
-    /// Compressed frames; off unless given.
+    /// Ghosts and buffers, beside every frame; off unless given, of particles alone.
+    pub ghosts: Option<bool>,
+    /// The other half of a scene with symmetry sides or an axis, in all that shows the flow; off unless given. Forces stay what they are.
+    pub mirror: Option<bool>,
+    /// Compressed files; on unless given.
     pub compress: Option<bool>,
     /// The pressure that force coefficients are made of; `gauge` unless given.
     pub coefficients: Option<PressureWord>,

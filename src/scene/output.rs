@@ -50,19 +50,32 @@ pub(super) fn plan<const D: usize>(
             "is of points that stay, in the plane or in space; leave it out, or set `scheme.motion = \"fixed\"`",
         ));
     }
+    let has_ghosts = entry.ghosts.unwrap_or(false);
+    if has_ghosts && is_fixed {
+        return Err(SceneError::value(
+            "output.ghosts",
+            "points that stay have none; leave it out",
+        ));
+    }
+    let mirrors = if entry.mirror.unwrap_or(false) {
+        views::mirrors(scene.domain)?
+    } else {
+        Vec::new()
+    };
     let shown = entry.region.as_ref().map(|shown| region("output", shown));
     let field = entry.field.as_ref();
-    let field = field.map(|field| views::field(field, scene.domain, scene.spacing));
+    let field = field.map(|field| views::field(field, (scene.domain, &mirrors), scene.spacing));
     let picture = entry.picture.as_ref();
-    let picture = picture
-        .map(|picture| picture::picture(picture, scene.domain, scene.stream, scene.gas_constant));
+    let picture = picture.map(|picture| picture::picture(picture, scene, &mirrors));
     Ok(OutputPlan {
         frame_interval,
         has_cells,
+        has_ghosts,
         region: shown.transpose()?,
         field: field.transpose()?,
         picture: picture.transpose()?,
-        is_compressed: entry.compress.unwrap_or(false),
+        mirrors,
+        is_compressed: entry.compress.unwrap_or(true),
         coefficients: entry.coefficients.map_or(Pressure::Gauge, Into::into),
         history_every: entry.history_every.map_or(1, Count::get),
         checkpoint_seconds: entry

@@ -1,16 +1,16 @@
 //! From `output.picture` to a plane of pixels.
 
 use aero_geometry::{Bounds, Vector};
-use aero_solver::problem::{Domain, State};
+use aero_solver::problem::Domain;
 use nalgebra::Vector3;
 use serde::Deserialize;
 
 use super::error::SceneError;
 use super::file::RegionEntry;
 use super::number::{Count, Finite};
-use super::output::region;
+use super::output::{Surroundings, region};
 use super::vector::vector;
-use super::views::within;
+use super::views::{mirrored, within};
 use super::words::QuantityWord;
 use crate::case::{PicturePlan, Stretch};
 use crate::sample::{Quantity, View};
@@ -39,22 +39,22 @@ pub struct PictureEntry {
     pub width: Option<Count>,
 }
 
-/// What is drawn of a scene with that undisturbed gas, whose gas constant is known or not.
+/// What is drawn of a scene, its images at `mirrors` included.
 pub(super) fn picture<const D: usize>(
     entry: &PictureEntry,
-    domain: &Domain<D>,
-    free_stream: &State<D>,
-    gas_constant: Option<f64>,
+    scene: &Surroundings<'_, D>,
+    mirrors: &[(usize, f64)],
 ) -> Result<PicturePlan, SceneError> {
+    let domain = scene.domain;
     let fail = |key: &str, message: &str| Err(SceneError::value(format!("{PLACE}{key}"), message));
     let quantity: Quantity = entry.quantity.map_or(Quantity::Mach, Into::into);
-    if quantity == Quantity::Temperature && gas_constant.is_none() {
+    if quantity == Quantity::Temperature && scene.gas_constant.is_none() {
         return fail(
             ".quantity",
             "the temperature follows from no gas constant; give `free_stream.temperature` or `altitude`, or show `pressure`",
         );
     }
-    if quantity == Quantity::PressureCoefficient && free_stream.velocity == Vector::<D>::zeros() {
+    if quantity == Quantity::PressureCoefficient && scene.stream.velocity == Vector::<D>::zeros() {
         return fail(
             ".quantity",
             "gas at rest has no dynamic pressure; show `pressure`",
@@ -68,6 +68,7 @@ pub(super) fn picture<const D: usize>(
         Some(entry) => within("output.picture.region", region(PLACE, entry)?, domain)?,
         None => domain.bounds,
     };
+    let shown = mirrored(shown, mirrors);
     if D < 3 && (entry.normal.is_some() || entry.offset.is_some()) {
         return fail(
             "",

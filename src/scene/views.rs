@@ -28,7 +28,7 @@ const MOST: f64 = 1e8;
 /// The field of a scene whose gas is `spacing` apart.
 pub(super) fn field<const D: usize>(
     entry: &LatticeEntry,
-    domain: &Domain<D>,
+    (domain, mirrors): (&Domain<D>, &[(usize, f64)]),
     spacing: f64,
 ) -> Result<FieldPlan<D>, SceneError> {
     const PLACE: &str = "output.field";
@@ -51,9 +51,51 @@ pub(super) fn field<const D: usize>(
             ),
         ));
     }
-    Ok(FieldPlan {
-        lattice: Lattice::new(&region, spacing),
-    })
+    let mut lattice = Lattice::new(&region, spacing);
+    let whole = mirrored(region, mirrors);
+    for k in 0..D {
+        if whole.size()[k] > region.size()[k] {
+            lattice.cells[k] *= 2;
+        }
+    }
+    lattice.origin = whole.min;
+    Ok(FieldPlan { lattice })
+}
+
+/// The planes that a scene is mirrored at, `(axis, place)`.
+pub(super) fn mirrors<const D: usize>(domain: &Domain<D>) -> Result<Vec<(usize, f64)>, SceneError> {
+    let sides = domain
+        .each_side()
+        .filter(|(_, _, side, _)| side.is_mirror());
+    let mirrors: Vec<(usize, f64)> = sides.map(|(axis, _, _, face)| (axis, face)).collect();
+    if mirrors.is_empty() {
+        return Err(SceneError::value(
+            "output.mirror",
+            "the scene has no symmetry side and no axis, and is whole already; leave it out",
+        ));
+    }
+    if mirrors.windows(2).any(|pair| pair[0].0 == pair[1].0) {
+        return Err(SceneError::value(
+            "output.mirror",
+            "both sides of an axis are mirrors, and images would have no end; leave it out",
+        ));
+    }
+    Ok(mirrors)
+}
+
+/// A box with its images at those of `mirrors` that it touches.
+pub(super) fn mirrored<const D: usize>(
+    mut bounds: Bounds<D>,
+    mirrors: &[(usize, f64)],
+) -> Bounds<D> {
+    for &(axis, face) in mirrors {
+        if bounds.min[axis] == face {
+            bounds.min[axis] = 2.0 * face - bounds.max[axis];
+        } else if bounds.max[axis] == face {
+            bounds.max[axis] = 2.0 * face - bounds.min[axis];
+        }
+    }
+    bounds
 }
 
 /// `bounds`, which must lie in the domain.
