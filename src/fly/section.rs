@@ -14,6 +14,9 @@ const NEARLY_ALL: [f64; 2] = [0.002, 0.998];
 /// What is steeper is as dark as can be.
 const STEEPEST: [f64; 2] = [0.0, 0.99];
 
+/// Spacings to a mirror within which points count beyond it.
+const NEAR: f64 = 4.0;
+
 /// A plane across an axis, and the part of it that is shown.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Plane {
@@ -75,7 +78,7 @@ impl Plane {
         shape: Option<&dyn Shape<3>>,
     ) -> Field {
         let column = |name: &str| gas.arrays.get(name).map_or(&[][..], Vec::as_slice);
-        let spacing: Vec<f64> = match column("spacing") {
+        let mut spacing: Vec<f64> = match column("spacing") {
             [] => {
                 let lengths = column("smoothing_length").iter();
                 lengths.map(|h| h / SMOOTHING_RATIO).collect()
@@ -83,8 +86,20 @@ impl Plane {
             spacing => spacing.to_vec(),
         };
         let vector = |place: &[f64; 3]| Vector::<D>::from_fn(|k, _| place[k]);
-        let positions: Vec<Vector<D>> = gas.position.iter().map(vector).collect();
-        let values: Vec<[f64; 1]> = column(array).iter().map(|&value| [value]).collect();
+        let mut positions: Vec<Vector<D>> = gas.position.iter().map(vector).collect();
+        let mut values: Vec<[f64; 1]> = column(array).iter().map(|&value| [value]).collect();
+        for axis in (0..D).filter(|&axis| self.mirrored[axis]) {
+            let count = positions.len().min(values.len()).min(spacing.len());
+            for n in 0..count {
+                if positions[n][axis] < NEAR * spacing[n] {
+                    let mut image = positions[n];
+                    image[axis] = -image[axis];
+                    positions.push(image);
+                    spacing.push(spacing[n]);
+                    values.push(values[n]);
+                }
+            }
+        }
         let solids = shape.map_or_else(Solids::none, Solids::section);
         let cloud = Cloud::new(&solids, &positions, &spacing, &values);
         let at = |mut place: [f64; 3]| {
