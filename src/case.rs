@@ -1,7 +1,9 @@
 //! What a scene meant: the flow problem that the solver reads, and how it is run.
 
-use aero_geometry::Bounds;
+use aero_geometry::{Bounds, Vector};
 use aero_packer::Warning;
+
+use crate::sample::{Lattice, Quantity, View};
 use aero_solver::problem::{Body, Problem};
 
 /// A scene, checked and packed, in `D` dimensions.
@@ -78,6 +80,8 @@ pub struct RunPlan<const D: usize> {
     pub warnings: Option<Vec<Warning>>,
     /// When to write what.
     pub output: OutputPlan<D>,
+    /// Where values of the gas are recorded.
+    pub probes: Vec<Probe<D>>,
 }
 
 /// When a run ends.
@@ -108,7 +112,15 @@ pub struct OutputPlan<const D: usize> {
     pub region: Option<Bounds<D>>,
     /// The cells about points that stay are written, too.
     pub has_cells: bool,
-    /// Frames are compressed.
+    /// Ghosts and buffers are written, too.
+    pub has_ghosts: bool,
+    /// Planes `(axis, place)` that what is written is mirrored at.
+    pub mirrors: Vec<(usize, f64)>,
+    /// The gas on a lattice is written, too.
+    pub field: Option<FieldPlan<D>>,
+    /// A plane of the flow is drawn, too.
+    pub picture: Option<PicturePlan>,
+    /// Files are compressed.
     pub is_compressed: bool,
     /// The pressure that coefficients are made of.
     pub coefficients: Pressure,
@@ -116,4 +128,65 @@ pub struct OutputPlan<const D: usize> {
     pub history_every: usize,
     /// Longest wall time between checkpoints, s.
     pub checkpoint_seconds: f64,
+}
+
+/// The gas on a lattice, beside every frame.
+#[derive(Clone, Debug, PartialEq)]
+pub struct FieldPlan<const D: usize> {
+    /// Its points.
+    pub lattice: Lattice<D>,
+}
+
+/// A plane of the flow, drawn beside every frame; of a flow on a line a curve.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PicturePlan {
+    /// What it shows.
+    pub quantity: Quantity,
+    /// Values at the ends of the colours; those of each picture if none.
+    pub range: Option<[f64; 2]>,
+    /// Where.
+    pub stretch: Stretch,
+}
+
+/// What a picture shows.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Stretch {
+    /// A line, from and to.
+    Line([f64; 2]),
+    /// Pixels of a plane.
+    Plane(View),
+}
+
+/// Where values of the gas are recorded.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Probe<const D: usize> {
+    /// Name, unique among probes.
+    pub name: String,
+    /// Where it is.
+    pub reach: Reach<D>,
+}
+
+/// Where a probe is.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Reach<const D: usize> {
+    /// At a point.
+    Point(Vector<D>),
+    /// Along a line, from its first end to its second, at so many points.
+    Line([Vector<D>; 2], usize),
+    /// Through a section across that axis, at the middles of its parts.
+    Section(usize, Lattice<D>),
+}
+
+impl<const D: usize> Reach<D> {
+    /// All its places.
+    pub fn places(&self) -> Vec<Vector<D>> {
+        match self {
+            Self::Point(point) => vec![*point],
+            Self::Line([from, to], points) => {
+                let part = |n: usize| n as f64 / (points - 1) as f64;
+                (0..*points).map(|n| from + (to - from) * part(n)).collect()
+            }
+            Self::Section(_, lattice) => (0..lattice.count()).map(|n| lattice.place(n)).collect(),
+        }
+    }
 }

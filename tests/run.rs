@@ -48,7 +48,7 @@ fn frames_hold_every_array_for_every_particle() {
     place.run(BOX, &[]).succeeds();
     for number in 0..3 {
         let (points, arrays) = read_vtp(&place.path(&format!("results/frame-00000{number}.vtp")));
-        assert!(points > 200, "{points} particles");
+        assert_eq!(points, 200);
         let names: Vec<&str> = arrays.iter().map(|(name, _)| name.as_str()).collect();
         assert_eq!(names, PARTICLE_ARRAYS);
         for (name, length) in &arrays {
@@ -264,7 +264,7 @@ fn check_failed(place: &Workplace, answer: &Answer, words: &[&str]) {
     let last = format!("frame-{:06}.vtp", text.matches("<DataSet").count() - 1);
     assert!(text.contains(&last));
     let (points, _) = read_vtp(&place.path(&format!("results/{last}")));
-    assert!(points > 200);
+    assert_eq!(points, 200);
 }
 
 #[test]
@@ -339,6 +339,6 @@ fn compressed_frames_are_smaller() {
         let path = place.path("results/frame-000000.vtp");
         std::fs::metadata(path).unwrap().len()
     };
-    let (plain, compressed) = (size(&[]), size(&["--set", "output.compress=true"]));
+    let (plain, compressed) = (size(&["--set", "output.compress=false"]), size(&[]));
     assert!(2 * compressed < plain, "{compressed} of {plain} bytes");
 }

@@ -3,17 +3,19 @@
 
     check_vtk.py PATH...
 
-PATH is a folder (its .pvd, .vtp and .vtu files), a .pvd collection (the files it lists) or a .vtp or .vtu file.
+PATH is a folder (its .pvd, .vtp, .vtu and .vti files), a .pvd collection (the files it lists) or one such file.
 Needs the `vtk` package (pip install vtk). Exit status: 0 all good, 1 a fault was found, 2 the
 command is wrong or there is nothing to check.
 
 Checked for every file: VTK reads it without an error; there are points, all finite; every point of a
 cloud has a vertex cell (ParaView shows nothing otherwise); every array is finite and has a value for
 each point, of surfaces for each cell.
-Checked by the file's name (frame-*.vtp, surface-*.vtp, *-ghosts.vtp): the arrays that aero promises,
-with their number of components, and values that make sense. Checked for cells-*.vtu: every cell is
+Checked by the file's name (frame-*.vtp, ghosts-*.vtp, surface-*.vtp, *-ghosts.vtp): the arrays that aero promises,
+with their number of components, values that make sense, and the field data of a run with its units. Checked for cells-*.vtu: every cell is
 closed, its corners give the volume that it says (of rings about an axis, all of it or none), and the
-cells are those of the points of the frame beside it. Checked for a collection: its files exist and
+cells are those of the points of the frame beside it. Checked for field-*.vti: the arrays, finite everywhere
+and positive in the gas; points are masked where the cells about them are hidden, and not all of them are;
+the gradient of the density is the one that its values have. Checked for a collection: its files exist and
 its times rise.
 """
 
@@ -26,7 +28,7 @@ try:
     from vtkmodules.util.numpy_support import vtk_to_numpy
     from vtkmodules.vtkCommonCore import vtkLogger, vtkOutputWindow, vtkStringOutputWindow
     from vtkmodules.vtkCommonCore import vtkIdList
-    from vtkmodules.vtkIOXML import vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
+    from vtkmodules.vtkIOXML import vtkXMLImageDataReader, vtkXMLPolyDataReader, vtkXMLUnstructuredGridReader
 except ImportError as error:
     print(f"check_vtk.py: {error}; install with: pip install vtk", file=sys.stderr)
     sys.exit(2)
@@ -46,6 +48,7 @@ FRAME = {
 }
 GHOSTS = {"normal": 3, "distance": 1, "volume": 1, "layer": 1, "body": 1}
 CELLS = {"velocity": 3, "density": 1, "pressure": 1, "mach": 1, "volume": 1, "entropy": 1, "id": 1}
+FIELD = {"velocity": 3, "density": 1, "pressure": 1, "mach": 1, "entropy": 1, "density_gradient": 3, "vtkValidPointMask": 1}
 FIELDS = ("TimeValue", "free_stream_pressure", "free_stream_density", "free_stream_velocity", "gamma", "spacing")
 SURFACE = {"normal": 3, "pressure": 1, "pressure_coefficient": 1, "body": 1}
 
@@ -56,7 +59,7 @@ FLUID, OUTLET, LAST_KIND = 0, 2, 3
 def expected_arrays(path):
     """The arrays that a file of this name must have."""
     name = path.name
-    if name.startswith("frame-"):
+    if name.startswith(("frame-", "ghosts-")):
         return FRAME
     if name.startswith("surface-"):
         return SURFACE
@@ -98,17 +101,25 @@ def check_values(arrays):
     return faults
 
 
-def check_file(path):
-    """What is wrong with one .vtp file, and a line that describes it."""
+READERS = {".vtp": vtkXMLPolyDataReader, ".vtu": vtkXMLUnstructuredGridReader, ".vti": vtkXMLImageDataReader}
+
+
+def read(path):
+    """What VTK makes of a file, and what it complains of."""
     window = vtkStringOutputWindow()
     vtkOutputWindow.SetInstance(window)
-    reader = vtkXMLPolyDataReader()
+    reader = READERS[path.suffix]()
     reader.SetFileName(str(path))
     reader.Update()
     complaints = window.GetOutput().strip()
+    return reader.GetOutput(), [f"VTK complains: {' '.join(complaints.split())}"] if complaints else []
+
+
+def check_file(path):
+    """What is wrong with one .vtp file, and a line that describes it."""
+    data, complaints = read(path)
     if complaints:
-        return [f"VTK complains: {' '.join(complaints.split())}"], ""
-    data = reader.GetOutput()
+        return complaints, ""
     count = data.GetNumberOfPoints()
     if count == 0:
         return ["there are no points"], ""
@@ -118,6 +129,8 @@ def check_file(path):
     of_cells = path.name.startswith("surface-")
     if not of_cells and data.GetNumberOfVerts() != count:
         faults.append(f"{data.GetNumberOfVerts()} vertex cells for {count} points; write one each")
+    if path.name.startswith(("frame-", "ghosts-", "surface-")):
+        faults += missing_fields(data)
     point_data = data.GetCellData() if of_cells else data.GetPointData()
     count = data.GetNumberOfCells() if of_cells else count
     arrays = {}
@@ -144,6 +157,85 @@ def check_file(path):
             arrays.pop(name, None)
     faults += check_values(arrays)
     return faults, f"{count} {'cells' if of_cells else 'points'}; {', '.join(sorted(arrays)) or 'no arrays'}"
+
+
+def missing_fields(data):
+    """What a file does not say of the whole, and units that are no text."""
+    fields = data.GetFieldData()
+    faults = [f"field `{name}` is missing" for name in FIELDS if fields.GetArray(name) is None]
+    units = fields.GetAbstractArray("units")
+    if units is None or not str(units.GetVariantValue(0).ToString()).isprintable() or not units.GetVariantValue(0).ToString():
+        faults.append("field `units` is missing or no text")
+    return faults
+
+
+def named_arrays(attributes, wanted):
+    """The arrays that must be there, with what is wrong with them."""
+    faults, arrays = [], {}
+    for name, components in wanted.items():
+        array = attributes.GetArray(name)
+        if array is None or array.GetNumberOfComponents() != components:
+            faults.append(f"`{name}` is missing or has not {components} components")
+            continue
+        arrays[name] = vtk_to_numpy(array)
+        if not numpy.isfinite(arrays[name]).all():
+            faults.append(f"`{name}` has values that are not finite")
+    return faults, arrays
+
+
+# Cells that `vtkGhostType` hides.
+HIDDEN = 32
+
+
+def check_field(path):
+    """What is wrong with one field on a lattice, and a line that describes it."""
+    data, complaints = read(path)
+    if complaints:
+        return complaints, ""
+    faults, arrays = named_arrays(data.GetPointData(), FIELD)
+    faults += missing_fields(data)
+    ghosts = data.GetCellData().GetArray("vtkGhostType")
+    if ghosts is None or data.GetCellGhostArray() is None:
+        faults.append("`vtkGhostType` of the cells is missing, or VTK does not take it for that")
+    if faults:
+        return faults, ""
+    shape = data.GetDimensions()[::-1]
+    gas = arrays["vtkValidPointMask"].reshape(shape) == 1
+    if not gas.any():
+        return ["no point lies in the gas"], ""
+    for name in ("density", "pressure"):
+        if (arrays[name].reshape(shape)[gas] <= 0).any():
+            faults.append(f"`{name}` is not positive")
+    # A cell is hidden where none of its corners is in the gas.
+    shows = gas
+    for axis in range(3):
+        if shape[axis] > 1:
+            shows = numpy.take(shows, range(1, shows.shape[axis]), axis) | numpy.take(shows, range(shows.shape[axis] - 1), axis)
+    if ((vtk_to_numpy(ghosts) != HIDDEN) != shows.ravel()).any():
+        faults.append("hidden cells are not those that lie in bodies")
+    for axis in range(3):
+        faults += check_gradient(arrays, gas, shape, 2 - axis, data.GetSpacing()[axis], "xyz"[axis])
+    return faults, f"{' x '.join(map(str, data.GetDimensions()))} points, {gas.mean():.1%} in the gas"
+
+
+def check_gradient(arrays, gas, shape, axis, spacing, letter):
+    """Whether the gradient of the density is that of its values, where these rise evenly: shocks of finer gas fall between points."""
+    if shape[axis] < 3:
+        return []
+    density = arrays["density"].reshape(shape)
+    found = arrays["density_gradient"].reshape(*shape, 3)[..., "xyz".index(letter)]
+    part = lambda values, first, last: numpy.take(values, range(first, shape[axis] - last), axis)
+    before, after = part(density, 1, 1) - part(density, 0, 2), part(density, 2, 0) - part(density, 1, 1)
+    rise = (before + after) / (2 * spacing)
+    inside = part(gas, 2, 0) & part(gas, 0, 2) & part(gas, 1, 1)
+    even = inside & (numpy.abs(after - before) < 0.3 * spacing * numpy.abs(rise))
+    even &= numpy.abs(rise) > max(0.02 * numpy.abs(rise[inside]).max(initial=0), 1e-9 * density.max() / spacing)
+    if numpy.count_nonzero(even) < 10:
+        return []
+    ratio = numpy.median(part(found, 1, 1)[even] / rise[even])
+    if not 0.7 < ratio < 1.4:
+        return [f"`density_gradient` along {letter} is {ratio:.2f} times that of the density"]
+    return []
 
 
 # Faces of a hexahedron, seen from without.
@@ -177,28 +269,14 @@ def cell_volume(points, kind, corners, faces):
 
 def check_cells(path):
     """What is wrong with one file of cells, and a line that describes it."""
-    window = vtkStringOutputWindow()
-    vtkOutputWindow.SetInstance(window)
-    reader = vtkXMLUnstructuredGridReader()
-    reader.SetFileName(str(path))
-    reader.Update()
-    complaints = window.GetOutput().strip()
+    data, complaints = read(path)
     if complaints:
-        return [f"VTK complains: {' '.join(complaints.split())}"], ""
-    data = reader.GetOutput()
+        return complaints, ""
     count = data.GetNumberOfCells()
     if count == 0:
         return ["there are no cells"], ""
-    faults, arrays = [], {}
-    for name, components in CELLS.items():
-        array = data.GetCellData().GetArray(name)
-        if array is None or array.GetNumberOfComponents() != components:
-            faults.append(f"`{name}` is missing or has not {components} components")
-            continue
-        arrays[name] = vtk_to_numpy(array)
-        if not numpy.isfinite(arrays[name]).all():
-            faults.append(f"`{name}` has values that are not finite")
-    faults += [f"field `{name}` is missing" for name in FIELDS if data.GetFieldData().GetArray(name) is None]
+    faults, arrays = named_arrays(data.GetCellData(), CELLS)
+    faults += missing_fields(data)
     if faults:
         return faults, ""
     points = vtk_to_numpy(data.GetPoints().GetData())
@@ -232,14 +310,14 @@ def check_cells(path):
     if not is_flat and numpy.abs(ratio - 1).min() < 1e-9:
         faults.append(f"a cell's corners give {100 * numpy.abs(ratio - 1).max():.1e} % of another volume than it says")
     if frame.is_file():
-        reader = vtkXMLPolyDataReader()
-        reader.SetFileName(str(frame))
-        reader.Update()
-        there = vtk_to_numpy(reader.GetOutput().GetPointData().GetArray("id"))
+        there = vtk_to_numpy(read(frame)[0].GetPointData().GetArray("id"))
         if set(there) != set(ids):
             faults.append(f"{len(set(ids))} cells for the {len(there)} points of `{frame.name}`")
     note = f"{count} cells of {len(said)} points; volume {total:.9g}"
     return faults, note if is_flat else f"{note}, of rings {told:.9g}"
+
+
+CHECKS = {".vtp": check_file, ".vtu": check_cells, ".vti": check_field}
 
 
 def check_collection(path):
@@ -289,7 +367,7 @@ def main(arguments):
     for path in map(pathlib.Path, arguments):
         if path.is_dir():
             collections += sorted(path.glob("*.pvd"))
-            files += sorted(path.glob("*.vtp")) + sorted(path.glob("*.vtu"))
+            files += [file for suffix in READERS for file in sorted(path.glob(f"*{suffix}"))]
         elif not path.is_file():
             print(f"check_vtk.py: `{path}` does not exist", file=sys.stderr)
             return 2
@@ -312,10 +390,10 @@ def main(arguments):
         files += listed
     unique = list(dict.fromkeys(path.resolve() for path in files))
     for path in unique:
-        report(path, *(check_cells if path.suffix == ".vtu" else check_file)(path))
+        report(path, *CHECKS.get(path.suffix, check_file)(path))
     total = len(collections) + len(unique)
     if total == 0:
-        print("check_vtk.py: no .pvd, .vtp or .vtu files to check", file=sys.stderr)
+        print("check_vtk.py: no .pvd, .vtp, .vtu or .vti files to check", file=sys.stderr)
         return 2
     print(f"{total - faulty} of {total} files are good")
     return 1 if faulty else 0

@@ -45,7 +45,7 @@ pub fn write_cells(
         rows.collect::<Vec<[f64; 3]>>()
     };
     let mut document = Document::new("UnstructuredGrid", "", is_compressed);
-    document.field_data(&reference.fields(frame.time));
+    document.field_data(&reference.told(frame.time, is_compressed));
     document.open(&format!(
         "Piece NumberOfPoints=\"{}\" NumberOfCells=\"{}\"",
         mesh.points.len(),
@@ -54,7 +54,7 @@ pub fn write_cells(
     mesh.write(&mut document);
     document.open("CellData Scalars=\"pressure\" Vectors=\"velocity\"");
     let velocity = vectors(&frame.velocity);
-    document.array("velocity", 3, &Numbers::Real(velocity.as_flattened()));
+    document.array("velocity", 3, Numbers::Real(velocity.as_flattened()));
     let temperature = reference.temperatures(&frame.pressure, &frame.density);
     let entropy = reference.entropies(&frame.pressure, &frame.density);
     let arrays = [
@@ -67,11 +67,11 @@ pub fn write_cells(
     ];
     for (name, values) in arrays {
         if let Some(values) = values {
-            document.array(name, 1, &Numbers::Real(&scalars(values)));
+            document.array(name, 1, Numbers::Real(&scalars(values)));
         }
     }
     let ids: Vec<i64> = chosen.iter().map(|&n| frame.id[n] as i64).collect();
-    document.array("id", 1, &Numbers::Whole(&ids));
+    document.array("id", 1, Numbers::Whole(&ids));
     document.close("CellData");
     document.close("Piece");
     document.write(path)
@@ -175,16 +175,16 @@ impl Mesh {
 
     fn write(&self, document: &mut Document) {
         document.open("Points");
-        let points = Numbers::Real(self.points.as_flattened());
-        document.array("Points", 3, &points);
+        let points = self.points.as_flattened();
+        document.array("Points", 3, points);
         document.close("Points");
         document.open("Cells");
-        document.array("connectivity", 1, &Numbers::Whole(&self.connectivity));
-        document.array("offsets", 1, &Numbers::Whole(&self.offsets));
-        document.array("types", 1, &Numbers::Byte(&self.types));
+        document.array("connectivity", 1, Numbers::Whole(&self.connectivity));
+        document.array("offsets", 1, Numbers::Whole(&self.offsets));
+        document.array("types", 1, Numbers::Byte(&self.types));
         if !self.faces.is_empty() {
-            document.array("faces", 1, &Numbers::Whole(&self.faces));
-            document.array("faceoffsets", 1, &Numbers::Whole(&self.face_offsets));
+            document.array("faces", 1, Numbers::Whole(&self.faces));
+            document.array("faceoffsets", 1, Numbers::Whole(&self.face_offsets));
         }
         document.close("Cells");
     }

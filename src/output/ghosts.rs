@@ -6,6 +6,7 @@ use aero_geometry::Vector;
 use aero_packer::Ghosts;
 
 use super::error::OutputError;
+use super::vtk_xml::Told;
 use super::vtp::Cloud;
 
 /// Writes what was packed for several bodies, ghosts or conforming fluid, into one file, with the
@@ -35,14 +36,17 @@ pub fn write_ghosts<const D: usize>(path: &Path, bodies: &[&Ghosts<D>]) -> Resul
         .copied()
         .collect();
     let numbers = numbers(bodies.iter().map(|ghosts| ghosts.position.len()));
-    Cloud::new(&positions.map(in_space).collect::<Vec<_>>())
-        .vectors("normal", &normals)
-        .scalars("distance", &joined(|ghosts| &ghosts.distance)[..])
-        .scalars("volume", &joined(|ghosts| &ghosts.volume)[..])
-        .scalars("layer", &layers[..])
-        .scalars("body", &numbers[..])
-        .scalars("face", &faces[..])
-        .write(path)
+    Cloud::new(
+        &positions.map(in_space).collect::<Vec<_>>(),
+        &Told::default(),
+    )
+    .vectors("normal", &normals)
+    .scalars("distance", &joined(|ghosts| &ghosts.distance)[..])
+    .scalars("volume", &joined(|ghosts| &ghosts.volume)[..])
+    .scalars("layer", &layers[..])
+    .scalars("body", &numbers[..])
+    .scalars("face", &faces[..])
+    .write(path)
 }
 
 /// The number of the body, once per point of it.

@@ -1,11 +1,10 @@
 //! `history.csv`: step, time, loads and conserved totals, one row per so many steps.
 
 use std::fmt::Write as _;
-use std::fs::File;
-use std::io::{self, BufWriter, Seek, SeekFrom, Write as _};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use super::error::OutputError;
+use super::rows::Rows;
 use super::summary::BodyCoefficients;
 use aero_solver::frame::{Load, Totals};
 
@@ -26,22 +25,17 @@ pub struct HistoryRow<'a> {
     pub coefficients: &'a [Option<BodyCoefficients>],
 }
 
-/// A history being written. It grows in place, so that it can be followed while the run goes on;
-/// after a crash its last line may be cut short.
+/// A history being written, as [`Rows`] are.
 #[derive(Debug)]
 pub struct History {
-    path: PathBuf,
-    writer: BufWriter<File>,
+    rows: Rows,
     loads: usize,
     bodies: usize,
-    bytes: u64,
 }
 
 impl History {
     /// Starts the file with its header; `names` are those of whatever carries a load, the `bodies` first.
     pub fn create(path: &Path, names: &[String], bodies: usize) -> Result<Self, OutputError> {
-        let fail = |source| OutputError::new(path, source);
-        let mut writer = BufWriter::new(File::create(path).map_err(fail)?);
         let mut header = String::from("step,time,dt");
         for name in names {
             for column in ["fx", "fy", "fz", "mx", "my", "mz"] {
@@ -53,14 +47,10 @@ impl History {
         for name in &names[..bodies] {
             let _ = write!(header, ",{name}.cd,{name}.cl,{name}.cm");
         }
-        header.push('\n');
-        writer.write_all(header.as_bytes()).map_err(fail)?;
         Ok(Self {
-            path: path.to_owned(),
-            writer,
+            rows: Rows::create(path, &header)?,
             loads: names.len(),
             bodies,
-            bytes: header.len() as u64,
         })
     }
 
@@ -70,30 +60,16 @@ impl History {
         [loads, bodies]: [usize; 2],
         bytes: u64,
     ) -> Result<Self, OutputError> {
-        let open = || {
-            let mut file = File::options().write(true).open(path)?;
-            if file.metadata()?.len() < bytes {
-                return Err(io::Error::other(
-                    "it is shorter than it was at the checkpoint",
-                ));
-            }
-            file.set_len(bytes)?;
-            file.seek(SeekFrom::End(0))?;
-            Ok(file)
-        };
-        let file = open().map_err(|source| OutputError::new(path, source))?;
         Ok(Self {
-            path: path.to_owned(),
-            writer: BufWriter::new(file),
+            rows: Rows::resume(path, bytes)?,
             loads,
             bodies,
-            bytes,
         })
     }
 
     /// Length of the file once all rows so far are on disk.
     pub fn bytes(&self) -> u64 {
-        self.bytes
+        self.rows.bytes()
     }
 
     /// Adds a row.
@@ -119,15 +95,11 @@ impl History {
                 _ => line.push_str(",,,"),
             }
         }
-        line.push('\n');
-        self.bytes += line.len() as u64;
-        let written = self.writer.write_all(line.as_bytes());
-        written.map_err(|source| OutputError::new(&self.path, source))
+        self.rows.add(&line)
     }
 
     /// Brings all rows so far to disk.
     pub fn flush(&mut self) -> Result<(), OutputError> {
-        let flushed = self.writer.flush();
-        flushed.map_err(|source| OutputError::new(&self.path, source))
+        self.rows.flush()
     }
 }

@@ -1,13 +1,14 @@
-//! `frame-NNNNNN.vtp`: all particles at one time.
+//! `frame-NNNNNN.vtp`: the gas at one time; `ghosts-NNNNNN.vtp`: what else the solver carries.
 
 use std::path::Path;
 
 use super::error::OutputError;
 use super::reference::Reference;
+use super::vtk_xml::Told;
 use super::vtp::Cloud;
 use aero_solver::frame::Frame;
 
-/// Writes a snapshot of all particles, with what follows from their state by `reference`, compressed if so wished.
+/// Writes a snapshot of particles, with what follows from their state by `reference`, compressed if so wished.
 pub fn write_frame(
     path: &Path,
     frame: &Frame,
@@ -17,7 +18,14 @@ pub fn write_frame(
     let Frame {
         density, pressure, ..
     } = frame;
-    let mut cloud = Cloud::new(&frame.position)
+    let told = reference.map_or_else(
+        || Told {
+            is_compressed,
+            ..Told::default()
+        },
+        |reference| reference.told(frame.time, is_compressed),
+    );
+    let mut cloud = Cloud::new(&frame.position, &told)
         .vectors("velocity", &frame.velocity)
         .scalars("density", &frame.density[..])
         .scalars("pressure", &frame.pressure[..])
@@ -37,9 +45,9 @@ pub fn write_frame(
     if !frame.spacing.is_empty() {
         cloud = cloud.scalars("spacing", &frame.spacing[..]);
     }
+    let ids: Vec<i64> = frame.id.iter().map(|&id| id as i64).collect();
     cloud
         .scalars("kind", &frame.kind[..])
-        .scalars("id", &frame.id[..])
-        .compressed(is_compressed)
+        .scalars("id", &ids[..])
         .write(path)
 }

@@ -1,7 +1,10 @@
 //! What a run is measured by, for the field data of its files.
 
+use super::vtk_xml::Told;
+use crate::sample::{Scale, State};
+
 /// The undisturbed stream and the gas.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Reference {
     /// Pressure of the free stream.
     pub pressure: f64,
@@ -15,11 +18,26 @@ pub struct Reference {
     pub gas_constant: Option<f64>,
     /// Spacing of particles or of the lattice.
     pub spacing: f64,
+    /// Areas and lengths that coefficients of the bodies refer to, in scene order.
+    pub bodies: Vec<[f64; 2]>,
 }
 
 impl Reference {
+    /// What a file of a frame says of the whole.
+    pub(super) fn told(&self, time: f64, is_compressed: bool) -> Told {
+        Told {
+            fields: self.fields(time),
+            units: if self.is_si() {
+                "SI: m, kg, s, K"
+            } else {
+                "those of the scene"
+            },
+            is_compressed,
+        }
+    }
+
     /// By name, with the time of a frame.
-    pub(super) fn fields(&self, time: f64) -> Vec<(&'static str, Vec<f64>)> {
+    fn fields(&self, time: f64) -> Vec<(&'static str, Vec<f64>)> {
         let mut fields = vec![
             // What ParaView takes for the time.
             ("TimeValue", vec![time]),
@@ -29,6 +47,15 @@ impl Reference {
             ("gamma", vec![self.gamma]),
             ("spacing", vec![self.spacing]),
         ];
+        for (k, name) in ["reference_area", "reference_length"]
+            .into_iter()
+            .enumerate()
+        {
+            let all: Vec<f64> = self.bodies.iter().map(|body| body[k]).collect();
+            if !all.is_empty() {
+                fields.push((name, all));
+            }
+        }
         fields.extend(
             self.gas_constant
                 .map(|constant| ("gas_constant", vec![constant])),
@@ -36,23 +63,45 @@ impl Reference {
         fields
     }
 
-    /// Temperatures, `p / (rho R)`, in K, where there is a gas constant.
-    pub(super) fn temperatures(&self, pressure: &[f64], density: &[f64]) -> Option<Vec<f64>> {
-        let constant = self.gas_constant?;
-        let pairs = pressure.iter().zip(density);
-        Some(pairs.map(|(p, rho)| number(p / (rho * constant))).collect())
+    /// True where the scene's units are SI: a gas constant has no other.
+    pub fn is_si(&self) -> bool {
+        self.gas_constant.is_some()
     }
 
-    /// Entropies over that of the free stream, in heat capacities at constant volume: `ln((p / p_inf) (rho_inf / rho)^gamma)`.
+    /// What numbers that follow from the state are measured by.
+    pub fn scale(&self) -> Scale {
+        let speed = self.velocity.iter().map(|u| u * u).sum::<f64>();
+        Scale {
+            gamma: self.gamma,
+            gas_constant: self.gas_constant,
+            stream: [self.pressure, self.density],
+            dynamic_pressure: 0.5 * self.density * speed,
+        }
+    }
+
+    /// Temperatures in K, where there is a gas constant.
+    pub(super) fn temperatures(&self, pressure: &[f64], density: &[f64]) -> Option<Vec<f64>> {
+        let scale = self.scale();
+        self.gas_constant?;
+        states(pressure, density)
+            .map(|state| scale.temperature(&state))
+            .collect()
+    }
+
+    /// Entropies over that of the free stream.
     pub(super) fn entropies(&self, pressure: &[f64], density: &[f64]) -> Vec<f64> {
-        let pairs = pressure.iter().zip(density);
-        let rise =
-            |p: &f64, rho: &f64| (p / self.pressure).ln() - self.gamma * (rho / self.density).ln();
-        pairs.map(|(p, rho)| number(rise(p, rho))).collect()
+        let scale = self.scale();
+        let states = states(pressure, density);
+        states.map(|state| scale.entropy(&state)).collect()
     }
 }
 
-/// `value`, zero where a vacuum leaves none.
-fn number(value: f64) -> f64 {
-    if value.is_finite() { value } else { 0.0 }
+/// Gas of which no more is known.
+fn states(pressure: &[f64], density: &[f64]) -> impl Iterator<Item = State> {
+    let pairs = pressure.iter().zip(density);
+    pairs.map(|(&pressure, &density)| State {
+        density,
+        pressure,
+        ..State::default()
+    })
 }

@@ -3,12 +3,19 @@
 use std::path::Path;
 
 use super::error::OutputError;
+use super::reference::Reference;
 use super::vtp::Cloud;
 use aero_solver::frame::PanelFrame;
 
 /// Writes the surfaces; the force on each body is the sum of `(friction - pressure normal) area` over its cells.
-pub fn write_surface(path: &Path, surface: &PanelFrame) -> Result<(), OutputError> {
-    Cloud::of_cells(surface.corners, &surface.points)
+pub fn write_surface(
+    path: &Path,
+    surface: &PanelFrame,
+    reference: &Reference,
+    is_compressed: bool,
+) -> Result<(), OutputError> {
+    let told = reference.told(surface.time, is_compressed);
+    Cloud::of_cells(surface.corners, &surface.points, &told)
         .vectors("normal", &surface.normal)
         .scalars("pressure", &surface.pressure[..])
         .scalars("pressure_coefficient", &surface.pressure_coefficient[..])

@@ -2,45 +2,28 @@
 //! segments or triangles, whose arrays belong to the cells.
 
 use std::collections::HashMap;
-use std::io;
 use std::path::Path;
 
-use vtkio::IOBuffer;
-use vtkio::model::{
-    Attribute, Attributes, ByteOrder, DataArray, DataSet, ElementType, PolyDataPiece, Version,
-    VertexNumbers, Vtk,
-};
-use vtkio::xml::Compressor;
-
-use super::atomic;
 use super::error::OutputError;
+use super::vtk_xml::{Document, Numbers, Told};
 
-/// Effort that zlib spends, of 9: more takes longer and hardly saves.
-const LEVEL: u32 = 4;
-
-/// Points, or what spans them, with arrays, ready to be written.
+/// Points, or what spans them, with arrays, as they are put together.
 pub(super) struct Cloud {
-    points: Vec<f64>,
-    /// Corners of each cell, and all of them cell by cell; none of a cloud.
-    cells: Option<(usize, Vec<u64>)>,
-    arrays: Vec<Attribute>,
-    compressor: Compressor,
+    document: Document,
+    /// Where arrays go.
+    section: &'static str,
 }
 
 impl Cloud {
     /// Points without arrays yet.
-    pub(super) fn new(points: &[[f64; 3]]) -> Self {
-        Self {
-            points: points.as_flattened().to_vec(),
-            cells: None,
-            arrays: Vec::new(),
-            compressor: Compressor::None,
-        }
+    pub(super) fn new(points: &[[f64; 3]], told: &Told) -> Self {
+        let numbers: Vec<i64> = (0..points.len() as i64).collect();
+        Self::begin(points, ("Verts", 1), &numbers, told)
     }
 
     /// Cells of so many corners each, without arrays yet: points, segments or triangles. Corners at the same place are one
     /// point.
-    pub(super) fn of_cells(each: usize, corners: &[[f64; 3]]) -> Self {
+    pub(super) fn of_cells(each: usize, corners: &[[f64; 3]], told: &Told) -> Self {
         let mut known = HashMap::new();
         let mut points = Vec::new();
         let mut numbers = Vec::with_capacity(corners.len());
@@ -49,94 +32,74 @@ impl Cloud {
             let place = corner.map(|x| (x + 0.0).to_bits());
             let number = *known.entry(place).or_insert_with(|| {
                 points.push(*corner);
-                points.len() as u64 - 1
+                points.len() as i64 - 1
             });
             numbers.push(number);
         }
+        let kind = match each {
+            0 | 1 => "Verts",
+            2 => "Lines",
+            _ => "Polys",
+        };
+        let mut cloud = Self::begin(&points, (kind, each.max(1)), &numbers, told);
+        cloud.turn_to("CellData");
+        cloud
+    }
+
+    fn begin(
+        points: &[[f64; 3]],
+        (kind, each): (&str, usize),
+        connectivity: &[i64],
+        told: &Told,
+    ) -> Self {
+        let cells = connectivity.len() / each;
+        let mut document = Document::new("PolyData", "", told.is_compressed);
+        document.field_data(told);
+        let count = |name: &str| if name == kind { cells } else { 0 };
+        document.open(&format!(
+            "Piece NumberOfPoints=\"{}\" NumberOfVerts=\"{}\" NumberOfLines=\"{}\" NumberOfStrips=\"0\" NumberOfPolys=\"{}\"",
+            points.len(),
+            count("Verts"),
+            count("Lines"),
+            count("Polys")
+        ));
+        document.open("Points");
+        document.array("Points", 3, Numbers::Real(points.as_flattened()));
+        document.close("Points");
+        document.open(kind);
+        document.array("connectivity", 1, connectivity);
+        let offsets: Vec<i64> = (1..=cells).map(|n| (n * each) as i64).collect();
+        document.array("offsets", 1, &offsets[..]);
+        document.close(kind);
+        document.open("PointData");
         Self {
-            cells: Some((each, numbers)),
-            ..Self::new(&points)
+            document,
+            section: "PointData",
         }
+    }
+
+    fn turn_to(&mut self, section: &'static str) {
+        self.document.close(self.section);
+        self.document.open(section);
+        self.section = section;
     }
 
     /// Adds an array of vectors.
     pub(super) fn vectors(mut self, name: &str, values: &[[f64; 3]]) -> Self {
-        self.push(name, ElementType::Vectors, values.as_flattened().to_vec());
+        self.document.array(name, 3, values.as_flattened());
         self
     }
 
     /// Adds an array of numbers.
-    pub(super) fn scalars<T: Clone>(mut self, name: &str, values: &[T]) -> Self
-    where
-        Vec<T>: Into<IOBuffer>,
-    {
-        let element = ElementType::Scalars {
-            num_comp: 1,
-            lookup_table: None,
-        };
-        self.push(name, element, values.to_vec());
-        self
-    }
-
-    fn push(&mut self, name: &str, elem: ElementType, data: impl Into<IOBuffer>) {
-        self.arrays.push(Attribute::DataArray(DataArray {
-            name: name.to_owned(),
-            elem,
-            data: data.into(),
-        }));
-    }
-
-    /// Has the file compressed, if so wished: smaller, and slower to write.
-    pub(super) fn compressed(mut self, is_compressed: bool) -> Self {
-        if is_compressed {
-            self.compressor = Compressor::ZLib;
-        }
+    pub(super) fn scalars<'a>(mut self, name: &str, values: impl Into<Numbers<'a>>) -> Self {
+        self.document.array(name, 1, values);
         self
     }
 
     /// Writes the file.
-    pub(super) fn write(self, path: &Path) -> Result<(), OutputError> {
-        let count = (self.points.len() / 3) as u64;
-        let (each, connectivity) = self.cells.unwrap_or_else(|| (0, (0..count).collect()));
-        let corners = each.max(1);
-        let offsets = 1..=connectivity.len() / corners;
-        let topology = Some(VertexNumbers::XML {
-            offsets: offsets.map(|n| (n * corners) as u64).collect(),
-            connectivity,
-        });
-        let [mut verts, mut lines, mut polys] = [None, None, None];
-        match each {
-            0 | 1 => verts = topology,
-            2 => lines = topology,
-            _ => polys = topology,
-        }
-        let (point, cell) = match each {
-            0 => (self.arrays, Vec::new()),
-            _ => (Vec::new(), self.arrays),
-        };
-        let vtk = Vtk {
-            version: Version::new_xml(1, 0),
-            byte_order: ByteOrder::LittleEndian,
-            title: String::new(),
-            file_path: None,
-            data: DataSet::inline(PolyDataPiece {
-                points: self.points.into(),
-                verts,
-                lines,
-                polys,
-                data: Attributes { point, cell },
-                ..Default::default()
-            }),
-        };
-        let broken = |error: &dyn std::fmt::Display| io::Error::other(error.to_string());
-        atomic::write(path, |writer| {
-            let file = vtk
-                .try_into_xml_format(self.compressor, LEVEL)
-                .map_err(|error| broken(&error))?;
-            file.write(writer).map_err(|error| match error {
-                vtkio::xml::Error::IO(source) => source,
-                other => broken(&other),
-            })
-        })
+    pub(super) fn write(mut self, path: &Path) -> Result<(), OutputError> {
+        self.document.close(self.section);
+        self.document.close("Piece");
+        self.document.write(path)
     }
 }

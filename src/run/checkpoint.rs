@@ -28,6 +28,8 @@ pub(super) struct Written {
     pub(super) times: Vec<f64>,
     /// Length of the history.
     pub(super) history: u64,
+    /// Length of the probes' table.
+    pub(super) probes: u64,
 }
 
 /// How far the loop over the steps is.

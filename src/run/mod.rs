@@ -8,6 +8,7 @@ mod coefficients;
 mod destination;
 mod error;
 mod outcome;
+mod probes;
 mod progress;
 mod recorder;
 mod settle;
@@ -17,6 +18,7 @@ mod swing;
 mod tally;
 mod to_folder;
 mod under_way;
+mod views;
 
 pub use burst::{Burst, burst};
 pub use claim::is_of;

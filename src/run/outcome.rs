@@ -73,7 +73,7 @@ fn finish<const D: usize>(
     };
     let (simulation, summary) = simulate(case, &mut keeper, stopwatch)?;
     let frame = simulation.frame();
-    let gas = gas(&frame);
+    let gas = chosen(&frame, |kind| kind == Kind::Fluid as u8);
     Ok(Outcome {
         gas,
         frame,
@@ -83,10 +83,10 @@ fn finish<const D: usize>(
     })
 }
 
-/// The fluid particles of a frame.
-fn gas(frame: &Frame) -> Frame {
+/// The particles of a frame that are of a kind.
+pub(super) fn chosen(frame: &Frame, is_chosen: impl Fn(u8) -> bool) -> Frame {
     let chosen: Vec<usize> = (0..frame.kind.len())
-        .filter(|&i| frame.kind[i] == Kind::Fluid as u8)
+        .filter(|&i| is_chosen(frame.kind[i]))
         .collect();
     Frame {
         time: frame.time,

@@ -9,10 +9,16 @@ use aero_geometry::Bounds;
 
 use super::checkpoint::{Checkpoint, Written};
 use super::coefficients::Coefficients;
+use super::outcome::chosen;
+use super::probes::Probes;
 use super::progress::Progress;
 use super::under_way::settles;
+use super::views::Views;
 use crate::case::{Case, RunPlan};
-use crate::output::{self, Background, Collection, History, HistoryRow, OutputError, Reference};
+use crate::output::{
+    self, Background, Collection, History, HistoryRow, Mirrors, OutputError, Reference,
+};
+use aero_solver::frame::Kind;
 use aero_solver::gas::{Gas, IdealGas};
 use aero_solver::{Flow, wall_sides};
 
@@ -49,10 +55,14 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     particles: Collection,
     surfaces: Option<Collection>,
     cells: Option<Collection>,
+    views: Views<D>,
+    probes: Probes<D>,
     reference: Reference,
     background: Background,
     region: Option<Bounds<D>>,
     is_compressed: bool,
+    has_ghosts: bool,
+    mirrors: Mirrors,
     history: History,
     plan: RunPlan<D>,
     coefficients: Option<Coefficients>,
@@ -90,7 +100,8 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
         let names = load_names(case);
         let bodies = case.problem.bodies.len();
         let history = History::create(&folder.join("history.csv"), &names, bodies)?;
-        Ok(Self::new(folder, case, scene, history, watch))
+        let probes = Probes::new(folder, &case.plan.probes, &reference(case), None)?;
+        Ok(Self::new((folder, case, scene), history, probes, watch))
     }
 
     /// Goes on recording after what has been `written`.
@@ -103,7 +114,9 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
     ) -> Result<Self, OutputError> {
         let counts = [load_names(case).len(), case.problem.bodies.len()];
         let history = History::resume(&folder.join("history.csv"), counts, written.history)?;
-        let mut recorder = Self::new(folder, case, scene, history, watch);
+        let bytes = Some(written.probes);
+        let probes = Probes::new(folder, &case.plan.probes, &reference(case), bytes)?;
+        let mut recorder = Self::new((folder, case, scene), history, probes, watch);
         for (number, &time) in written.times.iter().enumerate() {
             recorder.particles.note(time, &frame_name(number));
             if let Some(surfaces) = &mut recorder.surfaces {
@@ -112,16 +125,16 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             if let Some(cells) = &mut recorder.cells {
                 cells.note(time, &cells_name(number));
             }
+            recorder.views.note(number, time);
         }
         recorder.written = written;
         Ok(recorder)
     }
 
     fn new(
-        folder: &Path,
-        case: &Case<D>,
-        scene: &str,
+        (folder, case, scene): (&Path, &Case<D>, &str),
         history: History,
+        probes: Probes<D>,
         watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Self {
         let plan = &case.plan.output;
@@ -134,10 +147,14 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             cells: plan
                 .has_cells
                 .then(|| Collection::new(folder.join("cells.pvd"))),
+            probes,
+            views: Views::new(folder, &case.plan, reference(case)),
             reference: reference(case),
             background: Background::default(),
             region: case.plan.output.region,
             is_compressed: case.plan.output.is_compressed,
+            has_ghosts: case.plan.output.has_ghosts,
+            mirrors: Mirrors(case.plan.output.mirrors.clone()),
             history,
             plan: case.plan.clone(),
             coefficients: None,
@@ -170,22 +187,37 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             let path = self.folder.join(cells_name(number));
             Some((path, simulation.cells()?, collection.clone()))
         });
-        let reference = self.reference;
+        let reference = self.reference.clone();
         self.written.times.push(time);
         let is_compressed = self.is_compressed;
+        let mirrors = self.mirrors.clone();
+        let ghosts = self.has_ghosts.then(|| {
+            let path = self.folder.join(ghosts_name(number));
+            (path, chosen(&frame, |kind| kind != Kind::Fluid as u8))
+        });
+        let mut frame = chosen(&frame, |kind| kind == Kind::Fluid as u8);
+        let mut views = self.views.take(simulation, number, time);
+        views.extend(self.probes.lines(&self.folder, simulation, number));
         self.background.hand(move || {
+            if let Some((path, ghosts)) = ghosts {
+                output::write_frame(&path, &ghosts, Some(&reference), is_compressed)?;
+            }
+            let mut cells = cells;
+            mirrors.apply(&mut frame, cells.as_mut().map(|(_, cells, _)| cells));
             output::write_frame(&path, &frame, Some(&reference), is_compressed)?;
             particles.write()?;
-            if let Some((path, surface, surfaces)) = surface {
-                output::write_surface(&path, &surface)?;
+            if let Some((path, mut surface, surfaces)) = surface {
+                mirrors.surface(&mut surface);
+                output::write_surface(&path, &surface, &reference, is_compressed)?;
                 surfaces.write()?;
             }
             if let Some((path, cells, collection)) = cells {
                 output::write_cells(&path, &cells, &frame, &reference, is_compressed)?;
                 collection.write()?;
             }
-            Ok(())
+            views.into_iter().try_for_each(|write| write())
         })?;
+        self.probes.flush()?;
         self.history.flush()
     }
 
@@ -208,6 +240,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
                 totals: simulation.totals(),
                 coefficients: &coefficients,
             })?;
+            self.probes.add(simulation)?;
         }
         Ok((self.watch)(Progress {
             steps: step,
@@ -223,7 +256,9 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
 
     fn checkpoint(&mut self, run: Checkpoint<'_, D>) -> Result<(), OutputError> {
         self.history.flush()?;
+        self.probes.flush()?;
         self.written.history = self.history.bytes();
+        self.written.probes = self.probes.bytes();
         let content = (&self.scene, &self.written, run);
         let bytes = output::checkpoint_bytes(&self.folder, &content)?;
         let folder = self.folder.clone();
@@ -240,6 +275,10 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
 
 fn frame_name(number: usize) -> String {
     format!("frame-{number:06}.vtp")
+}
+
+fn ghosts_name(number: usize) -> String {
+    format!("ghosts-{number:06}.vtp")
 }
 
 fn surface_name(number: usize) -> String {
@@ -271,6 +310,11 @@ fn reference<const D: usize>(case: &Case<D>) -> Reference {
         gamma,
         gas_constant: case.plan.gas_constant,
         spacing: problem.spacing,
+        bodies: problem
+            .bodies
+            .iter()
+            .map(|body| [body.reference_area, body.reference_length])
+            .collect(),
     }
 }
 

@@ -10,10 +10,13 @@ use super::number::{
     Altitude, Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
     StreamAngle,
 };
+use super::picture::PictureEntry;
+use super::probe::ProbeEntry;
 use super::refine::RefineEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::{SideEntry, WallWord};
 use super::spin::Spin;
+use super::views::LatticeEntry;
 use super::words::{
     ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName, StopWord, TimeWord,
 };
@@ -53,6 +56,9 @@ pub struct SceneFile {
     /// When to write what.
     #[serde(default)]
     pub output: OutputEntry,
+    /// Where values of the gas are recorded.
+    #[serde(default)]
+    pub probe: Vec<ProbeEntry>,
 }
 
 /// `[gas]`
@@ -275,7 +281,15 @@ pub struct OutputEntry {
     pub region: Option<RegionEntry>,
     /// The cells about points that stay, beside every frame; off unless given.
     pub cells: Option<bool>,
-    /// Compressed frames; off unless given.
+    /// The gas on a lattice, beside every frame; none unless given, `{}` for one as fine as the gas.
+    pub field: Option<LatticeEntry>,
+    /// A picture of a plane of the flow, beside every frame; none unless given, `{}` for Mach numbers.
+    pub picture: Option<PictureEntry>,
+    /// Ghosts and buffers, beside every frame; off unless given, of particles alone.
+    pub ghosts: Option<bool>,
+    /// The other half of a scene with symmetry sides or an axis, in all that shows the flow; off unless given. Forces stay what they are.
+    pub mirror: Option<bool>,
+    /// Compressed files; on unless given.
     pub compress: Option<bool>,
     /// The pressure that force coefficients are made of; `gauge` unless given.
     pub coefficients: Option<PressureWord>,

@@ -56,6 +56,8 @@ pub mod number;
 mod output;
 mod overrides;
 mod packed;
+mod picture;
+mod probe;
 mod reference;
 mod refine;
 pub mod shapes;
@@ -63,6 +65,7 @@ pub mod side;
 pub mod spin;
 mod stream;
 mod vector;
+mod views;
 mod words;
 
 pub use bodies::{BodyPlan, PackWishes};
@@ -201,7 +204,15 @@ impl Scene {
         let stop = file.stop.map_or(Stop::EndTime, Into::into);
         let end_time = flow::end_time(file, stop, &domain, &free_stream)?;
         let method = method::method(&file.scheme, stop)?;
-        let output = output::plan(&file.output, end_time, method.fixed().is_some())?;
+        let gas_constant = file.free_stream.as_ref().and_then(stream::gas_constant);
+        let surroundings = output::Surroundings {
+            domain: &domain,
+            spacing,
+            stream: &free_stream,
+            gas_constant,
+        };
+        let is_fixed = method.fixed().is_some();
+        let output = output::plan(&file.output, end_time, is_fixed, &surroundings)?;
         budget::check(&domain::region(&domain, spacing), spacing, "spacing")?;
         let plans = bodies::plans(file, &domain, &self.folder, &PackWishes::default())?;
         let bodies = plans
@@ -209,6 +220,7 @@ impl Scene {
             .map(|plan| plan.body(&domain, &free_stream, method))
             .collect::<Result<Vec<_>, _>>()?;
         packed::check(&bodies, &domain, spacing)?;
+        let probes = probe::probes(&file.probe, &domain, &bodies, spacing)?;
         let problem = Problem {
             spacing,
             gas: Gas::ideal(flow::gamma(file)),
@@ -238,9 +250,10 @@ impl Scene {
                 end_time,
                 stop,
                 incidence: incidence(file),
-                gas_constant: file.free_stream.as_ref().and_then(stream::gas_constant),
+                gas_constant,
                 warnings: None,
                 output,
+                probes,
             },
         })
     }

@@ -5,15 +5,27 @@ use aero_geometry::Bounds;
 use super::error::SceneError;
 use super::file::{OutputEntry, RegionEntry};
 use super::number::Count;
+use super::picture;
 use super::vector::AXES;
 use super::vector::vector;
+use super::views;
 use crate::case::{OutputPlan, Pressure};
+use aero_solver::problem::{Domain, State};
+
+/// What outputs are to fit.
+pub(super) struct Surroundings<'a, const D: usize> {
+    pub(super) domain: &'a Domain<D>,
+    pub(super) spacing: f64,
+    pub(super) stream: &'a State<D>,
+    pub(super) gas_constant: Option<f64>,
+}
 
 /// What a run of that length writes, about points that stay or not.
 pub(super) fn plan<const D: usize>(
     entry: &OutputEntry,
     end_time: f64,
     is_fixed: bool,
+    scene: &Surroundings<'_, D>,
 ) -> Result<OutputPlan<D>, SceneError> {
     /// Enough for a smooth film of a few seconds.
     const FRAMES: usize = 20;
@@ -38,11 +50,32 @@ pub(super) fn plan<const D: usize>(
             "is of points that stay, in the plane or in space; leave it out, or set `scheme.motion = \"fixed\"`",
         ));
     }
+    let has_ghosts = entry.ghosts.unwrap_or(false);
+    if has_ghosts && is_fixed {
+        return Err(SceneError::value(
+            "output.ghosts",
+            "points that stay have none; leave it out",
+        ));
+    }
+    let mirrors = if entry.mirror.unwrap_or(false) {
+        views::mirrors(scene.domain)?
+    } else {
+        Vec::new()
+    };
+    let shown = entry.region.as_ref().map(|shown| region("output", shown));
+    let field = entry.field.as_ref();
+    let field = field.map(|field| views::field(field, (scene.domain, &mirrors), scene.spacing));
+    let picture = entry.picture.as_ref();
+    let picture = picture.map(|picture| picture::picture(picture, scene, &mirrors));
     Ok(OutputPlan {
         frame_interval,
         has_cells,
-        region: entry.region.as_ref().map(region).transpose()?,
-        is_compressed: entry.compress.unwrap_or(false),
+        has_ghosts,
+        region: shown.transpose()?,
+        field: field.transpose()?,
+        picture: picture.transpose()?,
+        mirrors,
+        is_compressed: entry.compress.unwrap_or(true),
         coefficients: entry.coefficients.map_or(Pressure::Gauge, Into::into),
         history_every: entry.history_every.map_or(1, Count::get),
         checkpoint_seconds: entry
@@ -51,15 +84,19 @@ pub(super) fn plan<const D: usize>(
     })
 }
 
-fn region<const D: usize>(entry: &RegionEntry) -> Result<Bounds<D>, SceneError> {
+/// The box that `place.region` gives.
+pub(super) fn region<const D: usize>(
+    place: &str,
+    entry: &RegionEntry,
+) -> Result<Bounds<D>, SceneError> {
     let bounds = Bounds::new(
-        vector("output.region.min", &entry.min)?,
-        vector("output.region.max", &entry.max)?,
+        vector(&format!("{place}.region.min"), &entry.min)?,
+        vector(&format!("{place}.region.max"), &entry.max)?,
     );
     match (0..D).find(|&k| bounds.min[k] >= bounds.max[k]) {
         None => Ok(bounds),
         Some(k) => Err(SceneError::value(
-            "output.region",
+            format!("{place}.region"),
             format!("is empty along {}; give a `max` above its `min`", AXES[k]),
         )),
     }

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 
 use crate::case::{Pressure, Stop};
+use crate::sample::Quantity;
 use aero_solver::method::Time;
 use aero_solver::scheme::{Extrapolation, Precision, Scheme};
 
@@ -50,6 +51,43 @@ impl From<StopWord> for Stop {
         match word {
             StopWord::EndTime => Self::EndTime,
             StopWord::Steady => Self::Steady,
+        }
+    }
+}
+
+/// What colours show, as a scene spells it.
+#[derive(Clone, Copy, Debug, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum QuantityWord {
+    /// Mach number.
+    Mach,
+    /// Pressure.
+    Pressure,
+    /// Pressure over that of the free stream, in its dynamic pressures.
+    PressureCoefficient,
+    /// Density.
+    Density,
+    /// Temperature.
+    Temperature,
+    /// Entropy over that of the free stream.
+    Entropy,
+    /// Speed.
+    Speed,
+    /// Size of the density's gradient, darker where it is larger.
+    Schlieren,
+}
+
+impl From<QuantityWord> for Quantity {
+    fn from(word: QuantityWord) -> Self {
+        match word {
+            QuantityWord::Mach => Self::Mach,
+            QuantityWord::Pressure => Self::Pressure,
+            QuantityWord::PressureCoefficient => Self::PressureCoefficient,
+            QuantityWord::Density => Self::Density,
+            QuantityWord::Temperature => Self::Temperature,
+            QuantityWord::Entropy => Self::Entropy,
+            QuantityWord::Speed => Self::Speed,
+            QuantityWord::Schlieren => Self::Schlieren,
         }
     }
 }

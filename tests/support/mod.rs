@@ -196,15 +196,18 @@ pub struct Surface {
     pub arrays: std::collections::BTreeMap<String, Vec<f64>>,
 }
 
-/// The numbers of an array that lies in an XML file of VTK as it does in memory, uncompressed; `None` where there is none.
+/// The numbers of an array that an XML file of VTK has appended, as it lies in memory or in letters, compressed or not; `None` where
+/// there is none.
 pub fn appended(path: &Path, name: &str) -> Option<Vec<f64>> {
     let bytes = std::fs::read(path).expect("a file");
-    let begin = b"<AppendedData encoding=\"raw\">\n_";
+    let begin = b"<AppendedData encoding=\"";
     let at = bytes
         .windows(begin.len())
         .position(|window| window == begin);
     let at = at.expect("appended data");
     let text = std::str::from_utf8(&bytes[..at]).expect("text");
+    let is_lettered = bytes[at + begin.len()..].starts_with(b"base64");
+    let start = at + bytes[at..].iter().position(|b| *b == b'_').expect("data") + 1;
     let line = text
         .lines()
         .find(|line| line.contains(&format!("Name=\"{name}\"")))?;
@@ -215,20 +218,67 @@ pub fn appended(path: &Path, name: &str) -> Option<Vec<f64>> {
             .expect("an attribute");
         rest.split('"').next().expect("its value").to_owned()
     };
-    let from = at + begin.len() + value("offset").parse::<usize>().expect("an offset");
-    let word = |at: usize| -> [u8; 8] { bytes[at..at + 8].try_into().expect("eight bytes") };
-    let length = u64::from_le_bytes(word(from)) as usize;
-    let words = (from + 8..from + 8 + length).step_by(8);
+    let mut from = start + value("offset").parse::<usize>().expect("an offset");
+    // So many bytes of what begins at `from`.
+    let read = |from: usize, count: usize| -> Vec<u8> {
+        if is_lettered {
+            let mut all = unlettered(&bytes[from..from + count.div_ceil(3) * 4]);
+            all.truncate(count);
+            all
+        } else {
+            bytes[from..from + count].to_vec()
+        }
+    };
+    let word = |bytes: &[u8], n: usize| -> usize {
+        u64::from_le_bytes(bytes[8 * n..8 * n + 8].try_into().expect("eight bytes")) as usize
+    };
+    let first = word(&read(from, 8), 0);
+    let content = if text.contains("vtkZLibDataCompressor") {
+        // Number of blocks, their size, that of the last, and what each takes.
+        let length = 8 * (3 + first);
+        let header = read(from, length);
+        from += if is_lettered {
+            length.div_ceil(3) * 4
+        } else {
+            length
+        };
+        let sizes: Vec<usize> = (0..first).map(|block| word(&header, 3 + block)).collect();
+        let packed = read(from, sizes.iter().sum());
+        let (mut at, mut content) = (0, Vec::new());
+        for size in sizes {
+            let mut reader = flate2::read::ZlibDecoder::new(&packed[at..at + size]);
+            std::io::Read::read_to_end(&mut reader, &mut content).expect("a block");
+            at += size;
+        }
+        content
+    } else {
+        read(from, 8 + first)[8..].to_vec()
+    };
+    let words = content.as_chunks::<8>().0.iter();
     Some(match value("type").as_str() {
-        "Float64" => words.map(|at| f64::from_le_bytes(word(at))).collect(),
-        "Int64" => words
-            .map(|at| i64::from_le_bytes(word(at)) as f64)
-            .collect(),
-        _ => bytes[from + 8..from + 8 + length]
-            .iter()
-            .map(|&b| f64::from(b))
-            .collect(),
+        "Float64" => words.map(|word| f64::from_le_bytes(*word)).collect(),
+        "Int64" => words.map(|word| i64::from_le_bytes(*word) as f64).collect(),
+        _ => content.iter().map(|&b| f64::from(b)).collect(),
     })
+}
+
+/// What letters stand for [RFC 4648, 4]; zeros for what fills them up.
+fn unlettered(letters: &[u8]) -> Vec<u8> {
+    let six = |letter: &u8| match letter {
+        b'A'..=b'Z' => letter - b'A',
+        b'a'..=b'z' => letter - b'a' + 26,
+        b'0'..=b'9' => letter - b'0' + 52,
+        b'+' => 62,
+        b'/' => 63,
+        _ => 0,
+    };
+    let four = letters.as_chunks::<4>().0.iter();
+    let bits = four.map(|four| {
+        four.iter()
+            .fold(0_u32, |sum, l| sum << 6 | u32::from(six(l)))
+    });
+    bits.flat_map(|bits| [(bits >> 16) as u8, (bits >> 8) as u8, bits as u8])
+        .collect()
 }
 
 /// Reads a surface.

@@ -5,6 +5,8 @@ use std::sync::Arc;
 use aero_geometry::{Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 
+use crate::walls::rigid::Pose;
+
 /// Condition on the velocity at a wall.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum WallKind {
@@ -47,6 +49,15 @@ impl<const D: usize> Body<D> {
         self.packed_fluid
             .as_ref()
             .map_or(bare, |packed| packed.lattice_begins)
+    }
+
+    /// Position at time zero of what is at `position` at `time` and moves with the body: where `shape` is asked about it.
+    pub fn origin(&self, position: &Vector<D>, time: f64) -> Vector<D> {
+        if self.motion.is_moving() {
+            Pose::new(&self.motion, time).origin(position)
+        } else {
+            *position
+        }
     }
 }
 

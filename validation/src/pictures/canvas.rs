@@ -8,7 +8,7 @@ use super::{Format, PictureError, format_of};
 use plotters::backend::{BitMapBackend, DrawingBackend, SVGBackend};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
-use plotters::element::{Circle, PathElement, Rectangle, Text};
+use plotters::element::{BitMapElement, Circle, PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color as _, FontTransform, ShapeStyle, TextStyle};
 use std::path::Path;
@@ -161,6 +161,31 @@ impl<DB: DrawingBackend> Pen<'_, DB> {
     ) -> Result<(), String> {
         let shape = Rectangle::new([fine(&from), fine(&to)], rgb(colour).filled());
         self.area.draw(&shape).map_err(|e| e.to_string())
+    }
+
+    /// Pixels, a point wide each, row by row from the top, from a corner on.
+    pub(super) fn pixels(
+        &self,
+        corner: [f64; 2],
+        [columns, rows]: [usize; 2],
+        colours: &[Colour],
+    ) -> Result<(), String> {
+        let n = FINE as usize;
+        let mut buffer = Vec::with_capacity(3 * n * n * colours.len());
+        for row in colours.chunks(columns.max(1)) {
+            let line: Vec<u8> = row
+                .iter()
+                .flat_map(|c| std::iter::repeat_n(*c, n))
+                .flatten()
+                .collect();
+            for _ in 0..n {
+                buffer.extend(&line);
+            }
+        }
+        let size = ((n * columns) as u32, (n * rows) as u32);
+        let bitmap = BitMapElement::with_owned_buffer(fine(&corner), size, buffer);
+        let bitmap = bitmap.ok_or("the pixels do not fill the picture")?;
+        self.area.draw(&bitmap).map_err(|e| e.to_string())
     }
 
     /// A filled disc.

@@ -48,6 +48,13 @@ const VIRIDIS: [Colour; 11] = [
     [253, 231, 37],
 ];
 
+/// Grey of a share from 0 (white) to 1 (dark), as schlieren show it.
+pub fn schlieren(share: f64) -> Colour {
+    /// What a share of one is darkened by.
+    const DARK: f64 = 2.2;
+    [(255.0 * (-DARK * share.max(0.0)).exp()) as u8; 3]
+}
+
 /// Colour of a share from 0 (dark blue) to 1 (yellow); shares outside take the ends' colours, and
 /// what is not a number is grey.
 pub fn viridis(share: f64) -> Colour {

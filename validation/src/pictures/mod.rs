@@ -5,6 +5,7 @@
 //! on every machine and needs nothing installed.
 
 mod axes;
+mod bar;
 mod canvas;
 mod colour;
 mod curve_page;
@@ -15,10 +16,11 @@ mod legend;
 pub mod mosaic;
 mod particle_page;
 pub mod particles;
+pub mod raster;
 pub mod speed;
 mod ticks;
 
-pub use colour::{BLACK, Colour, viridis};
+pub use colour::{BLACK, Colour, schlieren, viridis};
 
 use std::path::{Path, PathBuf};
 

@@ -1,13 +1,12 @@
 //! Lays a particle picture out and draws it: discs, the frame, the colour bar, lines over the particles.
 
 use super::PictureError;
-use super::axes::{Axis, Frame, HEADING, MEDIUM, SMALL, range_of};
+use super::axes::{Axis, Frame, HEADING, range_of};
+use super::bar::Bar;
 use super::canvas::{Anchor, Drawing, Pen, Stroke, save};
-use super::colour::{BLACK, WHITE, viridis};
-use super::font::Font;
+use super::colour::{WHITE, viridis};
 use super::legend::{Entry, draw_legend, legend_size};
 use super::particles::ParticlePicture;
-use super::ticks;
 use plotters::backend::DrawingBackend;
 use std::path::Path;
 
@@ -134,48 +133,13 @@ struct Page<'p, 'a> {
 }
 
 impl Page<'_, '_> {
-    fn draw_bar<DB: DrawingBackend>(&self, pen: &Pen<'_, DB>) -> Result<(), String> {
-        let (left, right) = (self.frame.right + 24.0, self.frame.right + 46.0);
-        let (top, bottom) = (self.frame.top, self.frame.bottom);
-        let bands = 256;
-        for k in 0..bands {
-            let place = |share: f64| bottom - share * (bottom - top);
-            let (from, to) = (
-                f64::from(k) / f64::from(bands),
-                f64::from(k + 1) / f64::from(bands),
-            );
-            let colour = viridis(0.5 * (from + to));
-            pen.fill_box([left, place(to)], [right, place(from)], colour)?;
+    fn bar(&self) -> Bar<'_> {
+        Bar {
+            frame: &self.frame,
+            range: self.colours,
+            label: self.picture.value_label,
+            colour: viridis,
         }
-        let edge = Stroke {
-            colour: BLACK,
-            width: 1.0,
-            dashed: false,
-        };
-        let corners = [
-            [left, top],
-            [right, top],
-            [right, bottom],
-            [left, bottom],
-            [left, top],
-        ];
-        pen.line(&corners, edge)?;
-        let number = Font::plain(SMALL);
-        let mut widest: f64 = 0.0;
-        for tick in self.bar_ticks() {
-            let share = (tick.value - self.colours[0]) / (self.colours[1] - self.colours[0]);
-            let y = bottom - share * (bottom - top);
-            pen.line(&[[right, y], [right + 5.0, y]], edge)?;
-            pen.text(&tick.label, [right + 10.0, y], number, Anchor::Left)?;
-            widest = widest.max(number.width(&tick.label));
-        }
-        let label = [right + widest + 28.0, 0.5 * (top + bottom)];
-        pen.text(
-            self.picture.value_label,
-            label,
-            Font::plain(MEDIUM),
-            Anchor::Upwards,
-        )
     }
 
     /// Whitens what discs at the edge have left outside the frame.
@@ -197,23 +161,12 @@ impl Page<'_, '_> {
         }
         Ok(())
     }
-
-    fn bar_ticks(&self) -> Vec<ticks::Tick> {
-        let count = ((self.frame.bottom - self.frame.top) / 60.0).max(2.0) as usize;
-        ticks::linear(self.colours, count)
-    }
 }
 
 impl Drawing for Page<'_, '_> {
     fn size(&self) -> [f64; 2] {
-        let number = Font::plain(SMALL);
-        let widest = self
-            .bar_ticks()
-            .iter()
-            .map(|t| number.width(&t.label))
-            .fold(0.0, f64::max);
         let title = HEADING.width(self.picture.title) + 2.0 * self.frame.left;
-        let width = self.frame.right + 46.0 + widest + 48.0;
+        let width = self.frame.right + self.bar().width();
         [width.max(title), self.frame.bottom + 64.0]
     }
 
@@ -245,7 +198,7 @@ impl Drawing for Page<'_, '_> {
             Anchor::Left,
         )?;
         self.frame.draw_axes(pen)?;
-        self.draw_bar(pen)?;
+        self.bar().draw(pen)?;
         let mut x = self.frame.left;
         for entry in self.picture.legend() {
             let entry = [entry];
