@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::error::SceneError;
-use super::file::{SceneFile, StateEntry};
+use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::manufactured::Manufactured;
 use super::number::Gamma;
 use super::vector::{AXES, vector_or_zero};
@@ -158,7 +158,19 @@ pub(super) fn initial<const D: usize>(
         return Err(SceneError::value("initial", message));
     }
     if let Some(frame) = &file.initial.frame {
-        return earlier::initial(&folder.join(frame));
+        let initial = &file.initial;
+        let turned = |place, frame: &Path, stream: Option<&FreeStreamEntry>| {
+            let stream = stream.map(|entry| stream::state(entry, gamma(file)));
+            let stream = stream.transpose()?;
+            let streams = stream.as_ref().map(|before| [before, free_stream]);
+            earlier::Turned::new(place, &folder.join(frame), streams)
+        };
+        let flow = turned("initial.frame", frame, initial.stream.as_ref())?;
+        let trend = initial.trend.as_ref().map(|trend| {
+            let before = turned("initial.trend.frame", &trend.frame, trend.stream.as_ref())?;
+            Ok((before, trend.part.get()))
+        });
+        return Ok(earlier::initial(flow, trend.transpose()?));
     }
     if let Some(entry) = &file.initial.field {
         return field::initial(entry, free_stream, file.spacing.get());
