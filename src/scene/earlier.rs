@@ -400,6 +400,37 @@ mod tests {
     }
 
     #[test]
+    fn a_flow_is_turned_and_sped_up_with_its_stream() {
+        let stream = |mach: f64, degrees: f64| State {
+            density: 1.4,
+            velocity: Vector::<2>::new(degrees.to_radians().cos(), degrees.to_radians().sin())
+                * mach,
+            pressure: 1.0,
+        };
+        let (from, to) = (stream(2.0, 3.0), stream(3.0, 8.0));
+        let turn = Turn::new(&from, &to);
+        assert!((turn.of(&from).velocity - to.velocity).norm() < 1e-14);
+        // What flows at ten degrees to the one flows at ten degrees to the other.
+        let aside = turn.of(&stream(1.0, 13.0));
+        assert!((aside.velocity - stream(1.5, 18.0).velocity).norm() < 1e-14);
+        assert_eq!((aside.density, aside.pressure), (1.4, 1.0));
+    }
+
+    #[test]
+    fn a_trend_goes_on_unless_a_shock_has_passed() {
+        let state = |density: f64, speed: f64| State {
+            density,
+            velocity: Vector::<2>::new(speed, 0.0),
+            pressure: density,
+        };
+        let on = beyond(&state(1.1, 2.0), &state(1.0, 1.5), 0.5);
+        assert!((on.density - 1.1 * 1.1_f64.sqrt()).abs() < 1e-14);
+        assert_eq!(on.velocity[0], 2.25);
+        let now = state(2.0, 1.0);
+        assert_eq!(beyond(&now, &state(1.0, 1.5), 1.0), now);
+    }
+
+    #[test]
     fn far_from_all_gas_the_nearest_particle_is_asked() {
         let flow = Flow::<2>::new(&columns(0.05)).expect("a flow");
         let state = flow.at(&Vector::<2>::new(50.0, 0.5));
