@@ -40,7 +40,7 @@ pub(super) fn initial<const D: usize>(
     };
     Initial::Earlier(Earlier {
         field: Field(Arc::new(state)),
-        spacing: spacing,
+        spacing,
         split: split.into(),
     })
 }
