@@ -116,6 +116,12 @@ fn a_sweep_makes_a_polar_and_keeps_what_is_done() {
         "{first}"
     );
 
+    // Two degrees on, a point starts from the last one; a Mach number on, it does not, and that is said.
+    assert!(!answer.err.contains("free stream"), "{}", answer.err);
+    let far = place.aero(&["sweep", "lens.toml", "--mach", "3,4", "--out", "far"]);
+    far.succeeds();
+    assert!(far.err.contains("starts in the free stream"), "{}", far.err);
+
     let again = place.aero(&command);
     assert!(!again.err.contains("iteration"), "{}", again.err);
     // The processor time tells that nothing was flown again.

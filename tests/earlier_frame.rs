@@ -76,3 +76,24 @@ fn a_scene_starts_in_one_way_only() {
         .run(&scene, &[])
         .refuses(&["`initial`", "one of riemann, field and frame"]);
 }
+
+#[test]
+fn another_stream_and_a_trend_go_with_a_frame_and_are_checked_as_such() {
+    let place = Workplace::new();
+    earlier(&place, &[]);
+    let refused = |settings: &[&str], words: &[&str]| {
+        let stream = "free_stream={ density = 1.0, pressure = 1.0, velocity = [1.0, 0.0] }";
+        let sets = settings.iter().flat_map(|setting| ["--set", setting]);
+        let more: Vec<&str> = ["--set", stream].into_iter().chain(sets).collect();
+        place.run(BOX, &more).refuses(words);
+    };
+    let alone = "initial={ stream = { mach = 2.0, density = 1.0, pressure = 1.0 } }";
+    refused(&[alone], &["`initial.stream`", "`initial.frame`"]);
+    let frame = "initial={ frame = \"earlier/frame-000002.vtp\", ";
+    let bad = format!("{frame}stream = {{ density = 1.0, pressure = 1.0 }} }}");
+    refused(&[&bad], &["`initial.stream`", "mach, speed and velocity"]);
+    let far = format!("{frame}trend = {{ frame = \"x.vtp\", part = 2.0 }} }}");
+    refused(&[&far], &["at most 1"]);
+    let gone = format!("{frame}trend = {{ frame = \"x.vtp\", part = 1.0 }} }}");
+    refused(&[&gone], &["`initial.trend.frame`", "cannot be read"]);
+}

@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use crate::problem::{Initial, Problem, State};
+use crate::problem::{Earlier, Initial, Problem, State};
 
 impl<const D: usize> Problem<D> {
     /// State of the gas at `position` and time zero; none in a vacuum, where the density is zero.
@@ -36,7 +36,7 @@ impl<const D: usize> Problem<D> {
     fn state_at_start(&self, position: &Vector<D>) -> State<D> {
         match &self.initial {
             Initial::FreeStream => self.free_stream,
-            Initial::Field(field) => field.0(position),
+            Initial::Field(field) | Initial::Earlier(Earlier { field, .. }) => field.0(position),
             Initial::Riemann {
                 left,
                 right,

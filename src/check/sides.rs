@@ -93,10 +93,15 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
                 .map(|panel| -depth(&panel.centre))
                 .fold(f64::INFINITY, f64::min);
             let gap = nearest / spacing;
-            if side.is_open() && gap < NEAR {
+            let stays = problem.method.fixed().is_some();
+            let (near, why) = if stays {
+                (NARROW, "too near for gas to flow between them")
+            } else {
+                (NEAR, "nearer than a particle feels")
+            };
+            if side.is_open() && gap < near {
                 found.warnings.push(Warning::new(About::Scene, format!(
-                    "body `{}`: is {gap:.1} spacings from the side `{name}`, nearer than a particle feels; \
-                     move the side away",
+                    "body `{}`: is {gap:.1} spacings from the side `{name}`, {why}; move the side away",
                     body.name
                 )));
             } else if !side.is_open() && ON_IT < gap && gap < NARROW {

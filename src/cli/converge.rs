@@ -3,7 +3,7 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use aero::fly::{self, Extrapolated, extrapolate};
+use aero::fly::{Extrapolated, extrapolate};
 use aero::output::{Summary, make_folder, write_json};
 use aero::run::{Destination, RunError, Stopwatch};
 use aero::scene::Scene;
@@ -12,6 +12,7 @@ use clap::Args;
 use serde::Serialize;
 
 use super::interrupt::Interrupt;
+use super::neighbour::{Neighbour, started};
 use super::scene::{SceneArgs, checked, folder, run_watched, tell};
 use super::{CommandError, on_threads};
 
@@ -71,7 +72,7 @@ pub fn converge(args: &ConvergeArgs) -> Result<(), CommandError> {
     let interrupt = Interrupt::listen()?;
     on_threads(args.scene.threads, || {
         let mut summaries: Vec<Summary> = Vec::new();
-        let mut before = None;
+        let mut before: Option<Neighbour> = None;
         for (number, scene) in scenes.iter().enumerate() {
             let folder = out.join(format!("spacing-{}", number + 1));
             let spacing = scene.file().spacing.get();
@@ -80,8 +81,9 @@ pub fn converge(args: &ConvergeArgs) -> Result<(), CommandError> {
                 number + 1,
                 scenes.len()
             );
-            summaries.push(run(scene.clone(), &folder, before.as_deref(), &interrupt)?);
-            before = fly::last_file(&folder, "frame-");
+            summaries.push(run(scene, &folder, before.as_ref(), &interrupt)?);
+            let scene = scene.clone();
+            before = Some(Neighbour { scene, folder });
         }
         let rows = rows(&summaries);
         if rows.is_empty() {
@@ -123,17 +125,12 @@ fn at(scene: &Scene, factor: f64) -> Result<Scene, CommandError> {
 }
 
 fn run(
-    mut scene: Scene,
+    scene: &Scene,
     folder: &Path,
-    before: Option<&Path>,
+    before: Option<&Neighbour>,
     interrupt: &Interrupt,
 ) -> Result<Summary, CommandError> {
-    let is_steady = scene.file().stop.is_some();
-    if let Some(frame) = before.filter(|_| is_steady && scene.starts_in_the_free_stream()) {
-        let frame = std::path::absolute(frame).map_err(CommandError::failed)?;
-        let setting = format!("initial.frame={:?}", frame.display().to_string());
-        scene.set(&setting).map_err(CommandError::wrong)?;
-    }
+    let scene = started(scene, before, None)?;
     let stopwatch = Stopwatch::start();
     let case = checked(&scene)?;
     tell(&case);

@@ -1,6 +1,9 @@
 //! Runs that go to the steady flow without regard to time.
 
+use aero_solver::Flow;
 use aero_solver::fixed::Settled;
+use aero_solver::frame::Frame;
+use aero_solver::problem::{Problem, Side};
 
 use super::error::RunError;
 use super::recorder::Recorder;
@@ -12,6 +15,10 @@ use crate::output::Summary;
 /// After so many iterations a flow that has not settled will not: from one end of a thousand points to the other it takes some two
 /// thousand.
 const MOST: u64 = 5000;
+
+/// Total enthalpy over the stream's above which a state is none that a steady flow comes to: there it is that of the stream everywhere, and
+/// what a coarse lattice makes of it is off by parts of it.
+const SENSELESS: f64 = 3.0;
 
 impl<const D: usize> UnderWay<D> {
     /// Iterates until the flow has settled, or shows that it will not.
@@ -45,11 +52,50 @@ impl<const D: usize> UnderWay<D> {
                 return Err(self.stop(recorder, format!("interrupted ({})", self.moment())));
             }
         };
+        if let Some(reason) = senseless(&self.simulation) {
+            return Err(self.stop(recorder, reason));
+        }
         recorder.frame(&self.simulation)?;
         recorder.finish()?;
         self.tally.settle(window);
         Ok(self.tally.summary(&self.simulation, &reason))
     }
+}
+
+/// What is wrong with a flow that has come to rest with more energy in a point than a stream brings; none where nothing is, or where energy
+/// comes from elsewhere.
+fn senseless<const D: usize>(flow: &Flow<D>) -> Option<String> {
+    let problem = flow.problem();
+    let mut sides = problem.domain.sides.iter().flatten();
+    if problem.source.is_some() || !sides.any(|side: &Side| side.lets_in()) {
+        return None;
+    }
+    let (most, place) = hottest(&flow.frame())?;
+    let part = most / of_stream(problem);
+    (part.is_nan() || part > SENSELESS).then(|| {
+        format!(
+            "the flow came to rest in a state that makes no sense: the total enthalpy at ({:.4}, {:.4}, {:.4}) is {part:.1e} times \
+             that of the stream; use another `spacing`",
+            place[0], place[1], place[2]
+        )
+    })
+}
+
+/// The largest total enthalpy of a point, `e + p / rho + u^2 / 2`, and where that is.
+fn hottest(frame: &Frame) -> Option<(f64, [f64; 3])> {
+    let total = |n: usize| {
+        let square: f64 = frame.velocity[n].iter().map(|u| u * u).sum();
+        frame.energy[n] + frame.pressure[n] / frame.density[n] + 0.5 * square
+    };
+    let each = (0..frame.position.len()).map(|n| (total(n), frame.position[n]));
+    each.max_by(|a, b| a.0.total_cmp(&b.0))
+}
+
+/// Total enthalpy of the free stream.
+fn of_stream<const D: usize>(problem: &Problem<D>) -> f64 {
+    let stream = &problem.free_stream;
+    let energy = problem.gas.energy(stream.density, stream.pressure);
+    energy + stream.pressure / stream.density + 0.5 * stream.velocity.norm_squared()
 }
 
 /// How the loads came to be steady though the flow swings.
@@ -79,4 +125,24 @@ fn verdict(settled: &Settled) -> String {
         "{word} after {iterations} iterations: forces, mass and its centre change by {change:.1e} at most, \
          residual {residual:.1e}"
     )
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_hottest_point_is_found_even_if_its_state_is_no_number() {
+        let mut frame = Frame {
+            position: vec![[0.0; 3], [1.0, 0.0, 0.0], [2.0, 0.0, 0.0]],
+            velocity: vec![[3.0, 4.0, 0.0], [0.0; 3], [1.0, 0.0, 0.0]],
+            density: vec![1.0, 2.0, 1.0],
+            pressure: vec![1.0, 40.0, 1.0],
+            energy: vec![2.5, 50.0, 2.5],
+            ..Frame::default()
+        };
+        assert_eq!(hottest(&frame), Some((70.0, [1.0, 0.0, 0.0])));
+        frame.density[2] = f64::NAN;
+        assert!(hottest(&frame).is_some_and(|(most, place)| most.is_nan() && place[0] == 2.0));
+    }
 }

@@ -56,6 +56,18 @@ impl SceneError {
         }
     }
 
+    /// The same of a section that is like another one.
+    #[must_use]
+    pub(crate) fn moved(self, from: &str, to: &str) -> Self {
+        match self {
+            Self::Value { place, message } => Self::Value {
+                place: place.replacen(from, to, 1),
+                message,
+            },
+            other => other,
+        }
+    }
+
     /// An error about a body.
     pub(crate) fn body(body: impl Into<String>, message: impl Into<String>) -> Self {
         Self::Body {

@@ -7,8 +7,8 @@ use serde::Deserialize;
 
 use super::formula::{Formula, TimedFormula};
 use super::number::{
-    Altitude, Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Positive,
-    StreamAngle,
+    Altitude, Count, Courant, Dimension, Disorder, Finite, Gamma, Name, NonNegative, Part,
+    Positive, StreamAngle,
 };
 use super::picture::PictureEntry;
 use super::probe::ProbeEntry;
@@ -171,9 +171,25 @@ pub struct InitialEntry {
     pub field: Option<FieldEntry>,
     /// Frame of an earlier run of whatever spacing, whose flow is taken over; relative to the scene's folder.
     pub frame: Option<PathBuf>,
+    /// Free stream of that run where it was another one: its flow is turned, sped up and thinned to go with this scene's.
+    pub stream: Option<FreeStreamEntry>,
+    /// A second run, from which the flow goes on to that of `frame` and beyond.
+    pub trend: Option<TrendEntry>,
     /// Random displacement of the starting lattice, as a fraction of the spacing; none unless
     /// given.
     pub disorder: Option<Disorder>,
+}
+
+/// `[initial.trend]`: what a run before the one of `initial.frame` tells of where the flow goes.
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct TrendEntry {
+    /// Its frame; relative to the scene's folder.
+    pub frame: PathBuf,
+    /// Its free stream where it was another one.
+    pub stream: Option<FreeStreamEntry>,
+    /// Way beyond the flow of `initial.frame`, as a part of the way to there.
+    pub part: Part,
 }
 
 /// `[initial.field]`: numbers or formulas of position; what is left out is that of the free

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use super::error::SceneError;
-use super::file::{SceneFile, StateEntry};
+use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::manufactured::Manufactured;
 use super::number::Gamma;
 use super::vector::{AXES, vector_or_zero};
@@ -136,6 +136,31 @@ pub(super) fn check_reservoir<const D: usize>(
     Ok(())
 }
 
+/// The start from the frame at `path`.
+fn of_frame<const D: usize>(
+    file: &SceneFile,
+    path: &Path,
+    folder: &Path,
+    free_stream: &State<D>,
+) -> Result<Initial<D>, SceneError> {
+    let turned = |section: &str, path: &Path, stream: Option<&FreeStreamEntry>| {
+        let place = format!("{section}.stream");
+        let stream = stream.map(|entry| stream::state(entry, gamma(file)));
+        let stream = stream.transpose();
+        let stream = stream.map_err(|error| error.moved("free_stream", &place))?;
+        let streams = stream.as_ref().map(|before| [before, free_stream]);
+        earlier::Turned::new(&format!("{section}.frame"), path, streams)
+    };
+    let initial = &file.initial;
+    let flow = turned("initial", path, initial.stream.as_ref())?;
+    let trend = initial.trend.as_ref().map(|trend| {
+        let path = folder.join(&trend.frame);
+        let before = turned("initial.trend", &path, trend.stream.as_ref())?;
+        Ok((before, trend.part.get()))
+    });
+    Ok(earlier::initial(flow, trend.transpose()?))
+}
+
 /// State at the start; files are looked for from `folder`.
 pub(super) fn initial<const D: usize>(
     file: &SceneFile,
@@ -158,7 +183,16 @@ pub(super) fn initial<const D: usize>(
         return Err(SceneError::value("initial", message));
     }
     if let Some(frame) = &file.initial.frame {
-        return earlier::initial(&folder.join(frame));
+        return of_frame(file, &folder.join(frame), folder, free_stream);
+    }
+    let of_frames = [
+        ("initial.stream", file.initial.stream.is_some()),
+        ("initial.trend", file.initial.trend.is_some()),
+    ];
+    if let Some((key, _)) = of_frames.into_iter().find(|(_, is_given)| *is_given) {
+        let message =
+            "goes with `initial.frame`, the frame of an earlier run; give that, or leave this out";
+        return Err(SceneError::value(key, message));
     }
     if let Some(entry) = &file.initial.field {
         return field::initial(entry, free_stream, file.spacing.get());

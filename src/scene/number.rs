@@ -52,6 +52,10 @@ ranged!(
     Gamma, |x| x > 1.0, "a ratio of specific heats, which is above 1 (1.4 for air)"
 );
 ranged!(
+    /// A part of the way between two runs that a third goes beyond.
+    Part, |x| x > 0.0 && x <= 1.01, "a part of the way between two runs, which is above 0 and at most 1"
+);
+ranged!(
     /// A Courant number.
     Courant, |x| x > 0.0 && x <= 1.0, "a Courant number, which is above 0 and at most 1 (0.5 is usual)"
 );

@@ -7,10 +7,11 @@ use super::cut_cell::CutCell;
 use super::levels::Levels;
 use super::plot::Plot;
 use super::refine::{Adaption, BodyNeeds, Wish};
+use super::site::Site;
 use super::solids::Solids;
 use super::wishes::wishes;
 use crate::method::{Refine, Time};
-use crate::problem::Problem;
+use crate::problem::{Earlier, Initial, Problem};
 
 /// Points across the thickness of a part of a body.
 const ACROSS: f64 = 4.0;
@@ -50,6 +51,8 @@ pub struct Ground<const D: usize> {
     /// Points at most.
     limit: Option<u64>,
     settles: bool,
+    /// True where the points are those of an earlier flow, which has settled on them.
+    starts_settled: bool,
 }
 
 impl<const D: usize> Ground<D> {
@@ -75,10 +78,20 @@ impl<const D: usize> Ground<D> {
         };
         let most = points.refine.levels();
         let plot = plot(problem, &solids);
-        let (levels, cloud) = around_bodies(&plot, most, limit, problem.disorder)?;
+        let (kept, cloud) = around_bodies(&plot, most, limit, problem.disorder)?;
+        let earlier = match &problem.initial {
+            Initial::Earlier(earlier) if settles => as_earlier(earlier, &kept, &plot, most),
+            _ => None,
+        };
+        let earlier = earlier
+            .map(|levels| (Cloud::lattice(&plot, &levels, problem.disorder), levels))
+            .filter(|(cloud, _)| limit.is_none_or(|limit| cloud.places.len() as u64 <= limit));
+        let starts_settled = earlier.is_some();
+        let (cloud, levels) = earlier.unwrap_or_else(|| (cloud, kept.clone()));
         let built = built(&plot, &cloud);
         let ground = Self {
-            kept: levels.clone(),
+            kept,
+            starts_settled,
             cut: if settles || most == 0 {
                 Vec::new()
             } else {
@@ -97,6 +110,11 @@ impl<const D: usize> Ground<D> {
     /// True where points may come.
     pub fn may_change(&self) -> bool {
         self.adaption.most > 0
+    }
+
+    /// True where the points are those of an earlier flow.
+    pub fn starts_settled(&self) -> bool {
+        self.starts_settled
     }
 
     /// How often cells may be split.
@@ -194,6 +212,33 @@ pub fn plot<'a, const D: usize>(problem: &'a Problem<D>, solids: &'a Solids<D>) 
         solids,
         spacing: problem.spacing,
     }
+}
+
+/// What is split if not less than an earlier flow had split, and what is `kept`; none where its lattice was another.
+fn as_earlier<const D: usize>(
+    earlier: &Earlier<D>,
+    kept: &Levels<D>,
+    plot: &Plot<'_, D>,
+    most: u8,
+) -> Option<Levels<D>> {
+    const SAME: f64 = 1e-9;
+    let is_same = |spacing: f64| (spacing / plot.spacing - 1.0).abs() < SAME;
+    earlier.spacing.filter(|spacing| is_same(*spacing))?;
+    let mut levels = kept.clone();
+    for split in earlier.split.iter() {
+        let level = split.level.min(most);
+        if level == 0 {
+            continue;
+        }
+        // The cell that is split for it.
+        let size = plot.spacing / f64::from(1_u32 << (level - 1));
+        let from = split.point - plot.domain.bounds.min;
+        levels.split(&Site {
+            level: level - 1,
+            index: std::array::from_fn(|k| (from[k] / size).floor() as i32),
+        });
+    }
+    Some(levels)
 }
 
 /// What bodies ask for, as far as there are points enough.

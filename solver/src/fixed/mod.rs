@@ -135,8 +135,13 @@ impl<const D: usize> FixedSimulation<D> {
         let (ground, cells) = Ground::new(&problem)?;
         let mut simulation = Self::on(cells, problem)?;
         if ground.may_change() {
+            let (starts_settled, most) = (ground.starts_settled(), u32::from(ground.most()));
             simulation.ground = Some(Box::new(ground));
-            simulation.adapt_start()?;
+            if starts_settled {
+                simulation.settling = Settling::from_earlier(most);
+            } else {
+                simulation.adapt_start()?;
+            }
         }
         Ok(simulation)
     }

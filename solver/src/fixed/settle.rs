@@ -48,6 +48,12 @@ pub struct Settling {
     iterations: u64,
     /// Iterations since points came or went.
     pub(super) since: u64,
+    /// Iterations since so many came or went that the gas is far from rest again.
+    #[serde(default)]
+    pub(super) calm: u64,
+    /// True of a flow that began where an earlier one had settled.
+    #[serde(default)]
+    pub(super) has_begun_near: bool,
     /// How often they did.
     pub(super) adaptions: u32,
     /// True once the flow wants no more of them.
@@ -64,7 +70,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// A [`Failure`] where a cell's state makes no sense any more.
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
-        let courant = (1.0 + RAMP * self.settling.since as f64).min(FASTEST);
+        let courant = self.settling.courant();
         let residual = self.sweep(courant)?;
         self.tally.steps += 1;
         self.tally.updates += self.awake_cells();
@@ -72,6 +78,7 @@ impl<const D: usize> FixedSimulation<D> {
         let settling = &mut self.settling;
         settling.iterations += 1;
         settling.since += 1;
+        settling.calm += 1;
         if settling.first == 0.0 {
             settling.first = residual;
         }
@@ -88,7 +95,9 @@ impl<const D: usize> FixedSimulation<D> {
                 0.0
             },
             change,
-            is_settled: change < TOLERANCE && (settling.has_points || self.ground.is_none()),
+            is_settled: change < TOLERANCE
+                && settling.since >= WINDOW as u64
+                && (settling.has_points || self.ground.is_none()),
         };
         let is_near = self.settling.last_change() < NEAR;
         self.ask_for_points(is_near)?;
@@ -129,6 +138,20 @@ impl<const D: usize> FixedSimulation<D> {
 }
 
 impl Settling {
+    /// Of a flow that starts as an earlier one has settled, on its points, whose cells may be split `most` times.
+    pub(super) fn from_earlier(most: u32) -> Self {
+        Self {
+            has_begun_near: true,
+            adaptions: most,
+            ..Self::default()
+        }
+    }
+
+    /// Courant number of the next iteration.
+    fn courant(&self) -> f64 {
+        (1.0 + RAMP * self.calm as f64).min(FASTEST)
+    }
+
     /// Largest change of what was watched, see [`change`]; infinite before two windows are full.
     fn change(&self) -> f64 {
         if self.watched.len() <= 2 * WINDOW {

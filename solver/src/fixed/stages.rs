@@ -7,8 +7,15 @@ use crate::Failure;
 /// So many iterations after which it may ask in any case: on few points a flow may never come near to rest.
 const PATIENCE: u64 = 400;
 
+/// So many iterations after which a flow that began near its end asks for the first time: by then shocks are where they will be, but for
+/// little.
+const SOON: u64 = 10;
+
 /// Part of all points that is hardly any.
 const FEW: f64 = 0.02;
+
+/// Part of all points above which a flow that began near its end starts anew.
+const SOME: f64 = 0.1;
 
 /// Adaptions after the one that makes the smallest cells: shocks move a little as they sharpen.
 const AFTER: u32 = 3;
@@ -19,8 +26,11 @@ impl<const D: usize> FixedSimulation<D> {
         let Some(ground) = &self.ground else {
             return Ok(());
         };
-        let may_ask = is_near || self.settling.since > PATIENCE;
-        if self.settling.has_points || !may_ask {
+        let settling = &self.settling;
+        let is_first = settling.adaptions == u32::from(ground.most());
+        let is_soon = settling.has_begun_near && is_first && settling.since == SOON;
+        let may_ask = is_near || is_soon || settling.since > PATIENCE;
+        if settling.has_points || !may_ask {
             return Ok(());
         }
         let most = u32::from(ground.most());
@@ -31,7 +41,11 @@ impl<const D: usize> FixedSimulation<D> {
         settling.has_points = is_enough || settling.adaptions >= most + AFTER;
         if new > 0 {
             settling.since = 0;
-            settling.watched.clear();
+            // A flow that is near its end shows what a few new points change.
+            if !(settling.has_begun_near && (new as f64) < SOME * self.points.len() as f64) {
+                settling.watched.clear();
+                settling.calm = 0;
+            }
         }
         Ok(())
     }

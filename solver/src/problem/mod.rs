@@ -73,6 +73,28 @@ pub enum Initial<const D: usize> {
     },
     /// Any state as a function of position.
     Field(Field<D>),
+    /// Where an earlier run came to.
+    Earlier(Earlier<D>),
+}
+
+/// The flow of an earlier run.
+#[derive(Clone, Debug)]
+pub struct Earlier<const D: usize> {
+    /// Its state.
+    pub field: Field<D>,
+    /// Spacing of the lattice of its points, if they stayed.
+    pub spacing: Option<f64>,
+    /// Points of cells that were split off that lattice. A flow that settles on the same lattice starts with cells split there.
+    pub split: Arc<[Split<D>]>,
+}
+
+/// A point of a cell that was split off.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Split<const D: usize> {
+    /// Where it is.
+    pub point: Vector<D>,
+    /// How often a cell of the lattice was split for it.
+    pub level: u8,
 }
 
 /// A state of the gas as a function of position.

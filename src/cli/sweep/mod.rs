@@ -6,7 +6,6 @@ mod values;
 
 use std::path::{Path, PathBuf};
 
-use aero::case::AnyCase;
 use aero::output::Summary;
 use aero::run::{Destination, RunError, Stopwatch};
 use aero::scene::Scene;
@@ -15,6 +14,7 @@ use serde_json::Value;
 
 use super::body::BodyArgs;
 use super::interrupt::Interrupt;
+use super::neighbour::{Neighbour, started};
 use super::scene::{SceneArgs, checked, folder, run_watched, tell};
 use super::{CommandError, on_threads};
 use polar::{Point, Row};
@@ -47,6 +47,9 @@ pub struct SweepArgs {
 /// What is swept, in the order of a [`Point`], and how far apart two values of it are worth one.
 const AXES: [(&str, f64); 3] = [("mach", 1.0), ("incidence", 5.0), ("sideslip", 5.0)];
 
+/// Distance beyond which a point starts in the free stream: its neighbour's flow and points would be no help.
+const FAR: f64 = 0.5;
+
 /// What a folder's results belong to.
 const SETTINGS: &str = "point.toml";
 
@@ -69,7 +72,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
         .collect::<Result<Vec<_>, CommandError>>()?;
     let interrupt = Interrupt::listen()?;
     on_threads(args.scene.threads, || {
-        let mut done: Vec<(Point, PathBuf)> = Vec::new();
+        let mut done: Vec<(Point, Neighbour)> = Vec::new();
         let mut rows: Vec<Row> = Vec::new();
         for (number, (point, scene)) in points.iter().zip(scenes).enumerate() {
             let folder = out.join(name(point));
@@ -77,12 +80,18 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
                 summary
             } else {
                 eprintln!("point {} of {}: {}", number + 1, points.len(), name(point));
-                fly(scene, &folder, nearest(point, &done), &interrupt)?
+                let start = start(point, &done);
+                if start.is_none() && !done.is_empty() {
+                    eprintln!(
+                        "it starts in the free stream: points that are done are too far off to help"
+                    );
+                }
+                fly(&scene, &folder, start, &interrupt)?
             };
             let known = std::array::from_fn(|k| point[k].or(stated[k]));
             rows.extend(polar::rows(known, &summary));
             polar::write(&rows, &out)?;
-            done.push((*point, folder));
+            done.push((*point, Neighbour { scene, folder }));
         }
         print!("{}", polar::text(&rows));
         println!("polar in `{}`", out.display());
@@ -157,63 +166,94 @@ fn earlier(folder: &Path, scene: &Scene) -> Result<Option<Value>, CommandError> 
     summary.map(Some).map_err(CommandError::failed)
 }
 
-/// Last frame of the point nearest to `point`.
-fn nearest(point: &Point, done: &[(Point, PathBuf)]) -> Option<PathBuf> {
-    let distance = |other: &Point| -> f64 {
-        let apart = AXES.iter().zip(point.iter().zip(other));
-        apart
-            .map(|((_, unit), (a, b))| a.zip(*b).map_or(0.0, |(a, b)| ((a - b) / unit).abs()))
-            .sum()
-    };
-    let (_, folder) = done
-        .iter()
-        .min_by(|(a, _), (b, _)| distance(a).total_cmp(&distance(b)))?;
-    let files = std::fs::read_dir(folder).ok()?.flatten();
-    let frames = files.map(|file| file.path()).filter(|path| {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
-        name.starts_with("frame-") && path.extension().is_some_and(|it| it == "vtp")
-    });
-    frames.max().and_then(|path| std::path::absolute(path).ok())
+/// How far apart two points are.
+fn distance(a: &Point, b: &Point) -> f64 {
+    let apart = AXES.iter().zip(a.iter().zip(b));
+    apart
+        .map(|((_, unit), (a, b))| a.zip(*b).map_or(0.0, |(a, b)| ((a - b) / unit).abs()))
+        .sum()
 }
 
-/// Runs one point, from `start` where the scene says nothing of the start itself.
+/// Where a point starts from.
+#[derive(Clone, Copy, Debug)]
+struct Start<'a> {
+    /// The nearest point that is done.
+    nearest: &'a Neighbour,
+    /// One from which the nearest is on the way to the point, and how much further that is, in parts of the way between them.
+    trend: Option<(&'a Neighbour, f64)>,
+}
+
+/// Where `point` starts from, of what is done; none where all is too far.
+fn start<'a>(point: &Point, done: &'a [(Point, Neighbour)]) -> Option<Start<'a>> {
+    let closest = |to: &Point, others: &mut dyn Iterator<Item = &'a (Point, Neighbour)>| {
+        others.min_by(|(a, _), (b, _)| distance(a, to).total_cmp(&distance(b, to)))
+    };
+    let (near, nearest) = closest(point, &mut done.iter())?;
+    if distance(near, point) > FAR {
+        return None;
+    }
+    let mut behind = done
+        .iter()
+        .filter(|(other, _)| further(other, near, point).is_some());
+    let trend = closest(near, &mut behind);
+    let trend = trend.and_then(|(other, it)| further(other, near, point).map(|part| (it, part)));
+    Some(Start { nearest, trend })
+}
+
+/// How much further `point` is than `near` on the way from `other`, in parts of that; none where it is not, or by more than that.
+fn further(other: &Point, near: &Point, point: &Point) -> Option<f64> {
+    const ROUND_OFF: f64 = 1e-9;
+    let mut part = None;
+    for axis in 0..AXES.len() {
+        let (Some(a), Some(b), Some(c)) = (other[axis], near[axis], point[axis]) else {
+            continue;
+        };
+        if a == b && b == c {
+            continue;
+        }
+        let way = (c - b) / (b - a);
+        let fits = way > 0.0 && way <= 1.0 + ROUND_OFF;
+        if !fits || part.is_some() {
+            return None;
+        }
+        part = Some(way);
+    }
+    part
+}
+
+/// Runs one point.
 fn fly(
-    mut scene: Scene,
+    scene: &Scene,
     folder: &Path,
-    start: Option<PathBuf>,
+    start: Option<Start<'_>>,
     interrupt: &Interrupt,
 ) -> Result<Value, CommandError> {
-    let stopwatch = Stopwatch::start();
-    let settings = scene.lines();
-    if let Some(frame) = start.filter(|_| scene.starts_in_the_free_stream()) {
-        let setting = format!("initial.frame={:?}", frame.display().to_string());
-        scene.set(&setting).map_err(CommandError::wrong)?;
+    let nearest = start.map(|start| start.nearest);
+    let started = started(scene, nearest, start.and_then(|start| start.trend))?;
+    let (mut summary, mut came_to_its_end) = run(&started, folder, interrupt)?;
+    if !came_to_its_end && !interrupt.came() && started.lines() != scene.lines() {
+        eprintln!("it is run again from the free stream");
+        (summary, came_to_its_end) = run(scene, folder, interrupt)?;
     }
-    let (summary, came_to_its_end) = run(
-        checked(&scene)?,
-        folder,
-        &scene.lines(),
-        stopwatch,
-        interrupt,
-    )?;
     if came_to_its_end {
-        std::fs::write(folder.join(SETTINGS), settings).map_err(CommandError::failed)?;
+        std::fs::write(folder.join(SETTINGS), scene.lines()).map_err(CommandError::failed)?;
     }
     serde_json::to_value(&summary).map_err(CommandError::failed)
 }
 
-/// Runs a case; tells whether it came to its end.
+/// Runs a scene; tells whether it came to its end.
 fn run(
-    case: AnyCase,
+    scene: &Scene,
     folder: &Path,
-    lines: &str,
-    stopwatch: Stopwatch,
     interrupt: &Interrupt,
 ) -> Result<(Summary, bool), CommandError> {
+    let stopwatch = Stopwatch::start();
+    let case = checked(scene)?;
     tell(&case);
+    let lines = scene.lines();
     let destination = Destination {
         folder,
-        scene: lines,
+        scene: &lines,
         resume: false,
         overwrite: true,
     };

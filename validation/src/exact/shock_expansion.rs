@@ -20,7 +20,7 @@ pub struct SurfacePoint {
     pub pressure_coefficient: f64,
 }
 
-/// A symmetric aerofoil of two circular arcs, at no incidence.
+/// A symmetric aerofoil of two circular arcs.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Biconvex {
     thickness: f64,
@@ -71,19 +71,23 @@ impl Biconvex {
         (radius * radius - along * along).max(0.0).sqrt() - (radius - 0.5 * self.thickness)
     }
 
-    /// Gas on the surface at `x` chords from the leading edge, `0 <= x <= 1`.
+    /// Gas on either surface at `x` chords from the leading edge, `0 <= x <= 1`, at no incidence.
     pub fn surface(&self, x: f64) -> Result<SurfacePoint, ExactError> {
+        self.behind(&self.shock, x)
+    }
+
+    /// Gas at `x` chords on a surface whose leading edge makes this shock.
+    fn behind(&self, shock: &ObliqueShock, x: f64) -> Result<SurfacePoint, ExactError> {
         require(
             (0.0..=1.0).contains(&x),
             "the chordwise position",
             x,
             "0 to 1 chords",
         )?;
-        let turned = self.shock.deflection - self.slope(x);
-        let start = prandtl_meyer_angle(self.shock.mach, self.gamma);
+        let turned = self.slope(0.0) - self.slope(x);
+        let start = prandtl_meyer_angle(shock.mach, self.gamma);
         let mach = mach_from_angle(start + turned.max(0.0), self.gamma)?;
-        let pressure_ratio =
-            self.shock.pressure_ratio * ratios(self.shock.mach, mach, self.gamma)[0];
+        let pressure_ratio = shock.pressure_ratio * ratios(shock.mach, mach, self.gamma)[0];
         Ok(SurfacePoint {
             mach,
             pressure_ratio,
@@ -95,22 +99,53 @@ impl Biconvex {
         })
     }
 
-    /// Wave drag of both surfaces over `rho_inf u_inf^2 / 2` times the chord:
-    /// `2 int Cp tan(slope) dx`, by Simpson's rule.
+    /// Wave drag of both surfaces at no incidence over `rho_inf u_inf^2 / 2` times the chord.
     pub fn drag_coefficient(&self) -> Result<f64, ExactError> {
+        Ok(self.at_incidence(0.0)?.drag)
+    }
+
+    /// Lift and wave drag at `incidence` radians, of a size up to the slope of the leading edge: above, the stream turns by as much
+    /// less there, below by as much more. The chord line carries `int (Cp_below - Cp_above) dx` across and
+    /// `int (Cp_below + Cp_above) tan(slope) dx` along it, by Simpson's rule.
+    pub fn at_incidence(&self, incidence: f64) -> Result<Loads, ExactError> {
         const INTERVALS: usize = 400;
-        let mut sum = 0.0;
+        let nose = self.shock.deflection;
+        require(
+            incidence.abs() <= nose,
+            "the incidence in radians",
+            incidence,
+            "angles up to the slope of the leading edge",
+        )?;
+        let shock = |turn| oblique_shock(self.mach, turn, self.gamma, Strength::Weak);
+        let (above, below) = (shock(nose - incidence)?, shock(nose + incidence)?);
+        let (mut across, mut along) = (0.0, 0.0);
         for k in 0..=INTERVALS {
             let x = k as f64 / INTERVALS as f64;
             let weight = match k {
                 0 | INTERVALS => 1.0,
                 _ if k % 2 == 1 => 4.0,
                 _ => 2.0,
-            };
-            sum += weight * self.surface(x)?.pressure_coefficient * self.slope(x).tan();
+            } / (3.0 * INTERVALS as f64);
+            let [above, below] = [&above, &below].map(|shock| self.behind(shock, x));
+            let (above, below) = (above?.pressure_coefficient, below?.pressure_coefficient);
+            across += weight * (below - above);
+            along += weight * (below + above) * self.slope(x).tan();
         }
-        Ok(2.0 * sum / (3.0 * INTERVALS as f64))
+        let (sin, cos) = incidence.sin_cos();
+        Ok(Loads {
+            lift: across * cos - along * sin,
+            drag: across * sin + along * cos,
+        })
     }
+}
+
+/// Coefficients of an aerofoil, over `rho_inf u_inf^2 / 2` times the chord.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Loads {
+    /// Lift.
+    pub lift: f64,
+    /// Wave drag.
+    pub drag: f64,
 }
 
 /// A thin flat plate at incidence.
@@ -177,6 +212,21 @@ mod tests {
             .drag_coefficient()
             .unwrap();
         assert_abs_diff_eq!(drag, 0.014_284, epsilon = 1e-6);
+    }
+
+    #[test]
+    fn a_thin_aerofoil_lifts_as_linear_theory_says_and_its_drag_grows_with_the_lift() {
+        let (mach, incidence) = (2.0_f64, 1e-4);
+        let thin = Biconvex::new(1e-3, mach, 1.4).unwrap();
+        let loads = thin.at_incidence(incidence).unwrap();
+        // Ackeret: 4 alpha / b, and a drag of that times alpha above that at no incidence.
+        let lift = 4.0 * incidence / (mach * mach - 1.0).sqrt();
+        assert_relative_eq!(loads.lift, lift, max_relative = 1e-3);
+        let more = loads.drag - thin.drag_coefficient().unwrap();
+        assert_relative_eq!(more, lift * incidence, max_relative = 1e-2);
+        let turned = thin.at_incidence(-incidence).unwrap();
+        assert_abs_diff_eq!(turned.lift, -loads.lift, epsilon = 1e-15);
+        assert!(thin.at_incidence(0.1).is_err());
     }
 
     #[test]
