@@ -49,6 +49,12 @@ impl Costs {
         (0..FAMILY as i32).map(|n| first * step.powi(n)).sum()
     }
 
+    /// What a run takes of the time that it and so many finer ones take.
+    pub fn share(self, finer: usize) -> f64 {
+        let step = self.ratio.powf(self.power);
+        1.0 / (0..=finer as i32).map(|n| step.powi(n)).sum::<f64>()
+    }
+
     /// Factor on the spacing of the coarsest, which takes `first` seconds, with which the family fits `budget` seconds.
     pub fn fit(self, first: f64, budget: f64) -> f64 {
         (self.of_family(first) / (PLANNED * budget)).powf(1.0 / self.power)
@@ -91,6 +97,14 @@ mod tests {
         let factor = costs.fit(2.0, 600.0);
         let first = 2.0 * factor.powf(-costs.power);
         assert!((costs.of_family(first) - PLANNED * 600.0).abs() < 1e-6);
+    }
+
+    #[test]
+    fn shares_of_a_family_grow_to_all_that_is_left() {
+        let costs = Costs::new(3, false);
+        let first = costs.of_family(1.0) * costs.share(FAMILY - 1);
+        assert!((first - 1.0).abs() < 1e-12);
+        assert_eq!(costs.share(0), 1.0);
     }
 
     #[test]

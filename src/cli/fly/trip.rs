@@ -27,6 +27,9 @@ const ANOTHER: f64 = 0.93;
 /// Iterations after which a run that is cut short counts.
 const UNDER_WAY: u64 = 100;
 
+/// A run may take so many times its share of what is left: a coarse wake that never settles leaves time for the finer ones.
+const PATIENCE: f64 = 4.0;
+
 /// Seconds that the look may take, as a part of the budget.
 const LOOKING: f64 = 0.02;
 
@@ -178,6 +181,8 @@ impl<'a> Trip<'a> {
         let most = if family.is_fixed { FAMILY } else { MOST_RUNS };
         for number in 1..=most {
             let begun = Instant::now();
+            let to_come = FAMILY.saturating_sub(number);
+            let may_take = self.left() * (PATIENCE * self.costs.share(to_come)).min(1.0);
             let folder = out.join(format!("spacing-{number}"));
             let frame = levels
                 .last()
@@ -189,7 +194,7 @@ impl<'a> Trip<'a> {
             let mut tries = 0;
             let level = loop {
                 eprintln!("run {number}, spacing {spacing:.3e} m");
-                match self.run(spacing, frame.as_deref(), &folder, &interrupt)? {
+                match self.run(spacing, frame.as_deref(), &folder, may_take, &interrupt)? {
                     Came::Through(level) => break *level,
                     Came::Late => return Ok((levels, failures)),
                     Came::ToGrief(reason) => {
@@ -228,7 +233,13 @@ impl<'a> Trip<'a> {
                 break;
             }
             let seconds = begun.elapsed().as_secs_f64();
-            let more = FAMILY.saturating_sub(number).max(1);
+            // One that was cut short says little of what the next will take.
+            let seconds = if seconds < may_take {
+                seconds
+            } else {
+                seconds / PATIENCE
+            };
+            let more = to_come.max(1);
             let ratio = if family.is_fixed {
                 Some(family.ratio)
             } else {
@@ -242,12 +253,13 @@ impl<'a> Trip<'a> {
         Ok((levels, failures))
     }
 
-    /// One run.
+    /// One run, which is cut short after so many seconds.
     fn run(
         &self,
         spacing: f64,
         frame: Option<&Path>,
         folder: &Path,
+        seconds: f64,
         interrupt: &Interrupt,
     ) -> Result<Came, CommandError> {
         let out = folder.parent().unwrap_or(Path::new(""));
@@ -264,9 +276,9 @@ impl<'a> Trip<'a> {
             resume: false,
             overwrite: true,
         };
-        let deadline = Duration::try_from_secs_f64(self.budget)
+        let deadline = Duration::try_from_secs_f64(seconds)
             .ok()
-            .and_then(|budget| self.begun.checked_add(budget));
+            .and_then(|seconds| Instant::now().checked_add(seconds));
         let is_late = || deadline.is_some_and(|deadline| Instant::now() >= deadline);
         let case = checked(&scene)?;
         if is_late() {
