@@ -71,6 +71,36 @@ impl Display {
 
     /// Shows where a run is.
     pub fn show(&mut self, progress: Progress) {
+        if progress.settles {
+            self.count(progress.steps);
+        } else {
+            self.advance(progress);
+        }
+    }
+
+    /// Shows at which iteration a flow is that settles: how many there will be nobody knows.
+    fn count(&mut self, iteration: u64) {
+        let text = format!("iteration {iteration}");
+        match self {
+            Self::Bar(bar) => {
+                if bar.message().is_empty()
+                    && let Ok(style) =
+                        ProgressStyle::with_template("{spinner} {msg}, {elapsed} so far")
+                {
+                    bar.set_style(style);
+                }
+                bar.set_message(text);
+            }
+            Self::Lines(lines) => {
+                if lines.last.elapsed() >= BETWEEN_LINES {
+                    lines.last = Instant::now();
+                    eprintln!("  {text}");
+                }
+            }
+        }
+    }
+
+    fn advance(&mut self, progress: Progress) {
         let part = (progress.time / progress.end_time).clamp(0.0, 1.0);
         let text = format!("step {}, t = {:.4e}", progress.steps, progress.time);
         match self {

@@ -11,4 +11,6 @@ pub struct Progress {
     pub end_time: f64,
     /// Length of the last step.
     pub dt: f64,
+    /// True of a flow that settles: its steps are iterations, and no time says how far it is.
+    pub settles: bool,
 }

@@ -247,6 +247,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             time,
             end_time: self.end_time,
             dt,
+            settles: settles(simulation.problem()),
         }))
     }
 
