@@ -86,6 +86,46 @@ fn points_are_added_at_the_shock_and_told_of() {
 }
 
 #[test]
+fn minutes_are_turned_into_points_once() {
+    let place = Workplace::new();
+    let settings = [
+        "--set",
+        "spacing=0.25",
+        "--set",
+        "scheme.refine={minutes=0.02}",
+    ];
+    let answer = place.run(&wedge(), &settings);
+    answer.succeeds();
+    assert!(
+        answer.err.contains("refine = { points = "),
+        "{}",
+        answer.err
+    );
+    let scene = std::fs::read_to_string(place.path("results/run.toml")).unwrap();
+    assert!(scene.contains("scheme.refine.points = "), "{scene}");
+    let again = place.run(&wedge(), &settings);
+    again.succeeds();
+    assert!(
+        again.err.contains("as the run in the folder before"),
+        "{}",
+        again.err
+    );
+    // A run in time is given halvings.
+    let marched = [
+        &settings[..],
+        &["--set", "stop=end-time", "--set", "end_time=0.5"],
+    ]
+    .concat();
+    let answer = Workplace::new().run(&wedge(), &marched);
+    answer.succeeds();
+    assert!(answer.err.contains("refine = "), "{}", answer.err);
+    let both = ["--set", "scheme.refine={minutes=1, points=1000}"];
+    Workplace::new()
+        .run(&wedge(), &both)
+        .refuses(&["scheme.refine", "one of"]);
+}
+
+#[test]
 fn what_points_that_stay_cannot_do_is_refused_by_name() {
     let fixed = |old: &str, new: &str| {
         let scene = box_with(old, new);

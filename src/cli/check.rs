@@ -7,6 +7,7 @@ use aero::output;
 use aero::run::{Burst, burst};
 use clap::Args;
 
+use super::minutes::turned_into_points;
 use super::scene::{SceneArgs, folder};
 use super::{CommandError, on_threads};
 
@@ -29,6 +30,7 @@ pub fn check(args: &CheckArgs) -> Result<(), CommandError> {
     let name = scene.name().to_owned();
     let folder = folder(args.out.as_ref(), &name);
     on_threads(args.scene.threads, || {
+        let scene = turned_into_points(scene, None)?;
         let case = scene.build_any().map_err(CommandError::wrong)?;
         println!(
             "{name}: {} dimensions, spacing {}",

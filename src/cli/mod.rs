@@ -7,6 +7,7 @@ mod converge;
 mod error;
 mod fly;
 mod interrupt;
+mod minutes;
 mod neighbour;
 mod new;
 mod pack;

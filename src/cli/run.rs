@@ -8,6 +8,7 @@ use aero::run::{Destination, RunError, Stopwatch, is_of};
 use clap::Args;
 
 use super::interrupt::Interrupt;
+use super::minutes::turned_into_points;
 use super::scene::{SceneArgs, checked, folder, run_watched, tell};
 use super::{CommandError, on_threads};
 
@@ -32,6 +33,8 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     let stopwatch = Stopwatch::start();
     let scene = args.scene.load()?;
     let out = folder(args.out.as_ref(), scene.name());
+    let earlier = (!args.overwrite).then_some(out.as_path());
+    let scene = on_threads(args.scene.threads, || turned_into_points(scene, earlier))?;
     let scene_lines = scene.lines();
     if args.resume && !out.join(CHECKPOINT).exists() && has_ended(&out, &scene_lines)? {
         return Ok(());

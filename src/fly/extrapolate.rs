@@ -8,6 +8,9 @@ const CREDIBLE: [f64; 2] = [0.5, 2.1];
 /// Orders among which the best is looked for.
 const ORDERS: [f64; 2] = [0.05, 8.0];
 
+/// Values at least that show an order.
+const LEAST: usize = 3;
+
 /// Safety factor on the error estimate where the observed order is credible and values lie near the fit (Roache 1994, J. Fluids
 /// Eng. 116, 405, doi 10.1115/1.2910291).
 const SAFE: f64 = 1.25;
@@ -32,7 +35,8 @@ pub struct Extrapolated {
 /// widens the band [Eça, Hoekstra 2014, J. Comput. Phys. 262, 104, doi 10.1016/j.jcp.2014.01.006]. Where p is credible, f0 is the
 /// value, and the band is `1.25 |f - f0|` at the finest, by first order where a higher one shows, plus the scatter. Where it is
 /// not, the finest value stands, and the band is the wider one of the fits of first and second order, three times as wide where
-/// values scatter by more than they change, and no less than three times what the last step changed. Two values have a band of three times their difference, a single one an infinite one.
+/// values scatter by more than they change, and no less than three times what the last step changed. Values that come together faster
+/// than any order of the method began too coarse: the coarsest is left out, as long as three are left. Two values have a band of three times their difference, a single one an infinite one.
 pub fn extrapolate(runs: &[(f64, f64)]) -> Extrapolated {
     let (value, band) = match runs {
         [] => (f64::NAN, f64::INFINITY),
@@ -50,6 +54,12 @@ pub fn extrapolate(runs: &[(f64, f64)]) -> Extrapolated {
 /// With the last three of `runs`.
 fn of_many(runs: &[(f64, f64)], [first, before, last]: [(f64, f64); 3]) -> Extrapolated {
     let order = observed_order(runs);
+    if let [_, finer @ ..] = runs
+        && finer.len() >= LEAST
+        && order.is_some_and(|p| p > CREDIBLE[1])
+    {
+        return extrapolate(finer);
+    }
     if let Some(p) = order.filter(|p| (CREDIBLE[0]..=CREDIBLE[1]).contains(p)) {
         // A method of second order at best is not trusted to be better, and shocks are of first order.
         let fit = Fit::new(runs, p.min(2.0));
@@ -164,6 +174,19 @@ fn observed_order(runs: &[(f64, f64)]) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A coarsest value that is far off the second order of the others.
+    #[test]
+    fn a_start_that_is_too_coarse_is_left_out() {
+        let value = |h: f64| 2.0 + 0.3 * h * h;
+        let runs = [0.16, 0.1, 0.0625].map(|h| (h, value(h)));
+        let with = [&[(0.256, 2.2)][..], &runs].concat();
+        let [with, without] = [extrapolate(&with), extrapolate(&runs)];
+        assert_eq!(with, without);
+        assert!((with.value - 2.0).abs() < 1e-9, "{with:?}");
+        let error = (value(0.0625) - 2.0).abs();
+        assert!(with.band > error && with.band < 10.0 * error, "{with:?}");
+    }
 
     #[test]
     fn a_power_law_leads_to_its_limit_and_the_band_holds_the_finest_value() {

@@ -8,6 +8,7 @@ mod coefficients;
 mod destination;
 mod error;
 mod outcome;
+mod outlets;
 mod probes;
 mod progress;
 mod recorder;

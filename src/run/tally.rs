@@ -3,6 +3,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::coefficients::Coefficients;
+use super::outlets;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
 use crate::case::{Pressure, RunPlan, warnings};
@@ -222,7 +223,10 @@ impl Tally {
             warnings: self
                 .warnings
                 .clone()
-                .unwrap_or_else(|| warnings(&problem.bodies)),
+                .unwrap_or_else(|| warnings(&problem.bodies))
+                .into_iter()
+                .chain(outlets::warnings(problem, &simulation.frame()))
+                .collect(),
         }
     }
 

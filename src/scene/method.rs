@@ -2,9 +2,10 @@
 
 use super::SceneError;
 use super::file::SchemeEntry;
+use super::refine::RefineEntry;
 use super::words::MotionWord;
 use crate::case::Stop;
-use aero_solver::method::{FixedPoints, Method, Time};
+use aero_solver::method::{FixedPoints, Method, Refine, Time};
 
 /// The method that `entry` means in a run that ends by `stop`.
 pub(super) fn method(entry: &SchemeEntry, stop: Stop) -> Result<Method, SceneError> {
@@ -28,7 +29,7 @@ pub(super) fn method(entry: &SchemeEntry, stop: Stop) -> Result<Method, SceneErr
         };
         return Ok(Method::Fixed(FixedPoints {
             time,
-            refine: entry.refine.map_or(usual.refine, |refine| refine.0),
+            refine: entry.refine.map_or(Ok(usual.refine), refine)?,
             cfl,
         }));
     }
@@ -41,6 +42,17 @@ pub(super) fn method(entry: &SchemeEntry, stop: Stop) -> Result<Method, SceneErr
         "is of points that stay where they are; set `scheme.motion = \"fixed\"` or leave it out",
     )?;
     Ok(Method::WithTheGas)
+}
+
+/// What `entry` says outright.
+fn refine(entry: RefineEntry) -> Result<Refine, SceneError> {
+    match entry {
+        RefineEntry::To(refine) => Ok(refine),
+        RefineEntry::Minutes(_) => Err(SceneError::value(
+            "scheme.refine",
+            "`aero run` and `aero check` turn minutes into points; give a number of halvings or `{ points = N }` here",
+        )),
+    }
 }
 
 /// Refuses what only particles have.

@@ -81,6 +81,7 @@ use aero_solver::scheme::Scheme;
 use file::{SceneFile, SchemeEntry};
 use manufactured::Manufactured;
 use number::Disorder;
+use refine::RefineEntry;
 use words::SchemeName;
 
 /// A scene: read, with all single values in range, and open to overrides.
@@ -167,6 +168,14 @@ impl Scene {
             stream.incidence.map(number::StreamAngle::get),
             stream.sideslip.map(number::StreamAngle::get),
         ]
+    }
+
+    /// Minutes that points may be added for, where `scheme.refine` gives them.
+    pub fn refine_minutes(&self) -> Option<f64> {
+        match self.file.scheme.refine {
+            Some(RefineEntry::Minutes(minutes)) => Some(minutes),
+            _ => None,
+        }
     }
 
     /// Number of space dimensions.

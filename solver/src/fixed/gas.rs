@@ -13,6 +13,9 @@ pub trait Gas: Copy + Send + Sync {
     /// Square of the speed of sound.
     fn sound_square<R: Real>(&self, density: R, pressure: R) -> R;
 
+    /// Change of the pressure with those of density and internal energy per volume, to first order.
+    fn pressure_change(&self, density: f64, internal_energy: f64) -> f64;
+
     /// Pressure on a wall at rest that gas of this density and pressure moves into at `speed`, or away from where it is
     /// negative: the Riemann problem between the gas and its mirror image.
     fn wall_pressure(&self, density: f64, pressure: f64, speed: f64) -> f64;
@@ -53,6 +56,11 @@ impl Gas for IdealGas {
     #[inline(always)]
     fn sound_square<R: Real>(&self, density: R, pressure: R) -> R {
         pressure * self.gamma / density
+    }
+
+    #[inline(always)]
+    fn pressure_change(&self, _: f64, internal_energy: f64) -> f64 {
+        internal_energy * (self.gamma - 1.0)
     }
 
     /// The shock that stops the gas [Toro 2009, eq. 4.6 with `u* = 0`, solved for `p*`], or the isentropic expansion

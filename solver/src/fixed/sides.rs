@@ -6,6 +6,7 @@ use super::hll::Jump;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Image;
+use crate::method::Time;
 use crate::problem::{Problem, Side as SideKind};
 use crate::sides::{Along, Held, Place, Reservoir};
 use aero_geometry::Vector;
@@ -17,6 +18,9 @@ pub enum Beyond<const D: usize> {
     Stream(Primitive<D>),
     /// More of the same gas.
     Same,
+    /// More of the same gas, as long as it leaves. Gas that came back would bring what the flow itself holds, and more of it the more
+    /// it holds: a flow that settles could blow itself up.
+    OneWay,
     /// The mirror image.
     Mirror,
     /// A reservoir.
@@ -39,7 +43,10 @@ impl<const D: usize> Beyond<D> {
             SideKind::Inlet | SideKind::SoftInlet | SideKind::FreeStream => {
                 Ok(Self::Stream(stream))
             }
-            SideKind::Outlet => Ok(Self::Same),
+            SideKind::Outlet => Ok(match problem.method.fixed().map(|points| points.time) {
+                Some(Time::Settle) => Self::OneWay,
+                _ => Self::Same,
+            }),
             SideKind::Symmetry | SideKind::Axis => Ok(Self::Mirror),
             SideKind::Reservoir { relaxation } => {
                 let reservoir = Reservoir::new(problem, place, relaxation);
@@ -91,7 +98,7 @@ impl<const D: usize> Side<D> {
         match self.beyond {
             Beyond::Stream(state) => Some(state),
             Beyond::Mirror => Some(cell.mirrored(&self.image.normal)),
-            Beyond::Same | Beyond::Reservoir(_) | Beyond::Held(_) => None,
+            Beyond::Same | Beyond::OneWay | Beyond::Reservoir(_) | Beyond::Held(_) => None,
         }
     }
 
@@ -101,16 +108,22 @@ impl<const D: usize> Side<D> {
         let other = match &self.beyond {
             Beyond::Stream(state) => *state,
             Beyond::Same => *cell,
+            Beyond::OneWay => {
+                let speed = dot(&cell.velocity, &normal);
+                if speed < 0.0 {
+                    return pushed(
+                        gas.wall_pressure(cell.density, cell.pressure, speed),
+                        &normal,
+                    );
+                }
+                *cell
+            }
             Beyond::Mirror => {
                 // The mean of a cell moves away from the plane that gas parts at; at the plane itself it does not.
                 let inner = self.image.inner(cell, &slopes.along, slopes.calmness);
                 let speed = dot(&inner.velocity, &normal);
                 let pressure = gas.wall_pressure(inner.density, inner.pressure, speed);
-                return Conserved {
-                    mass: 0.0,
-                    momentum: normal.map(|n| pressure * n),
-                    energy: 0.0,
-                };
+                return pushed(pressure, &normal);
             }
             Beyond::Reservoir(reservoir) => {
                 let inside = along(cell, &normal.map(|n| -n));
@@ -139,11 +152,56 @@ impl<const D: usize> Side<D> {
     }
 }
 
+/// Flux through a face that nothing passes.
+fn pushed<const D: usize>(pressure: f64, normal: &[f64; D]) -> Conserved<D> {
+    Conserved {
+        mass: 0.0,
+        momentum: normal.map(|n| pressure * n),
+        energy: 0.0,
+    }
+}
+
 /// What of `state` moves along `normal`.
 fn along<const D: usize>(state: &Primitive<D>, normal: &[f64; D]) -> Along {
     Along {
         density: state.density,
         speed: dot(&state.velocity, normal),
         pressure: state.pressure,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::gas::IdealGas;
+    use super::*;
+
+    const GAS: IdealGas = IdealGas { gamma: 1.4 };
+
+    fn outlet(beyond: Beyond<2>, speed: f64) -> Conserved<2> {
+        let face = SideFace {
+            i: 0,
+            axis: 0,
+            end: 1,
+            area: [0.5, 0.0].into(),
+            centre: [0.1, 0.0].into(),
+        };
+        let side = Side::new(&face, &Vector::zeros(), beyond);
+        let cell = Primitive {
+            density: 1.3,
+            velocity: [speed, 0.4],
+            pressure: 0.8,
+        };
+        side.flux(&GAS, &cell, &Slopes::LEVEL)
+    }
+
+    #[test]
+    fn gas_leaves_through_a_one_way_outlet_as_through_any_and_does_not_come_back() {
+        for speed in [0.3, 2.5] {
+            assert_eq!(outlet(Beyond::OneWay, speed), outlet(Beyond::Same, speed));
+        }
+        let back = outlet(Beyond::OneWay, -0.3);
+        assert_eq!((back.mass, back.momentum[1], back.energy), (0.0, 0.0, 0.0));
+        assert!(back.momentum[0] > 0.0 && back.momentum[0] < 0.8);
+        assert!(outlet(Beyond::Same, -0.3).mass < 0.0);
     }
 }

@@ -119,6 +119,35 @@ impl<const D: usize> Primitive<D> {
             && self.velocity.iter().all(|u| u.is_finite())
     }
 
+    /// Change of the flux through `area` with a small `change` of what the gas of this state and `energy` holds per volume: the flux's
+    /// derivative times it, which is of first order however large the change.
+    #[inline(always)]
+    pub fn flux_change<G: Gas>(
+        &self,
+        gas: &G,
+        energy: f64,
+        area: &[f64; D],
+        change: &Conserved<D>,
+    ) -> Conserved<D> {
+        let speed = dot(&self.velocity, area);
+        let mass = dot(&change.momentum, area);
+        let faster = (mass - speed * change.mass) / self.density;
+        let kinetic = dot(&self.velocity, &change.momentum)
+            - 0.5 * dot(&self.velocity, &self.velocity) * change.mass;
+        let pressure = gas.pressure_change(change.mass, change.energy - kinetic);
+        let mut momentum = change.momentum;
+        for k in 0..D {
+            momentum[k] = change.momentum[k] * speed
+                + self.density * self.velocity[k] * faster
+                + pressure * area[k];
+        }
+        Conserved {
+            mass,
+            momentum,
+            energy: (change.energy + pressure) * speed + (energy + self.pressure) * faster,
+        }
+    }
+
     /// All variables zero.
     pub const ZERO: Self = Self {
         density: 0.0,
@@ -167,6 +196,48 @@ impl<const D: usize> Conserved<D> {
             mass: self.mass + factor * other.mass,
             momentum: plus(&self.momentum, factor, &other.momentum),
             energy: self.energy + factor * other.energy,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::gas::IdealGas;
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn the_flux_changes_as_its_derivative_says() {
+        let gas = IdealGas { gamma: 1.4 };
+        let held = Conserved {
+            mass: 1.3,
+            momentum: [0.7, -1.1],
+            energy: 4.2,
+        };
+        let area = [0.8, -0.3];
+        let change = Conserved {
+            mass: 0.4,
+            momentum: [-0.9, 0.5],
+            energy: 0.6,
+        };
+        let flux = |part: f64| {
+            let held = held.plus(part, &change);
+            let state = held.primitive(&gas);
+            state.flux(held.energy, dot(&state.velocity, &area), &area)
+        };
+        let step = 1e-5;
+        let slope = flux(step).plus(-1.0, &flux(-step));
+        let told = held
+            .primitive(&gas)
+            .flux_change(&gas, held.energy, &area, &change);
+        assert_relative_eq!(slope.mass / (2.0 * step), told.mass, epsilon = 1e-8);
+        assert_relative_eq!(slope.energy / (2.0 * step), told.energy, epsilon = 1e-8);
+        for k in 0..2 {
+            assert_relative_eq!(
+                slope.momentum[k] / (2.0 * step),
+                told.momentum[k],
+                epsilon = 1e-8
+            );
         }
     }
 }

@@ -2,7 +2,7 @@
 //!
 //! Cells that no face joins are computed side by side, in an order that no number of threads changes.
 //!
-//! [Yoon & Jameson 1988, AIAA J. 26, 1025-1026; for cells of any shape Sharov & Nakahashi 1998, AIAA J. 36, 484-486]
+//! [Yoon & Jameson 1988, AIAA J. 26, 1025-1026; for cells of any shape Sharov & Nakahashi 1998, AIAA J. 36, 484-486; the fluxes of changes linearised, as in the first]
 
 use rayon::prelude::*;
 
@@ -262,16 +262,10 @@ impl<const D: usize> FixedSimulation<D> {
             let shape = &self.net.face_shapes[link.shape as usize];
             let area = scaled(&shape.area, link.sign);
             let state = &self.columns.states[j];
-            let held = self.columns.held[j].plus(1.0, change);
-            let changed = held.primitive(&self.gas);
             let speed = dot(&state.velocity, &area);
-            let before = state.flux(self.columns.held[j].energy, speed, &area);
-            let after = changed.flux(held.energy, dot(&changed.velocity, &area), &area);
+            let moved = state.flux_change(&self.gas, self.columns.held[j].energy, &area, change);
             let wave = speed.abs() + self.sound(state) * shape.size;
-            sum = sum
-                .plus(1.0, &after)
-                .plus(-1.0, &before)
-                .plus(-wave, change);
+            sum = sum.plus(1.0, &moved).plus(-wave, change);
         }
         sum
     }
