@@ -7,7 +7,7 @@ use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Image;
 use crate::problem::{Problem, Side as SideKind};
-use crate::sides::{Along, Held, Place, Reservoir};
+use crate::sides::{Along, Answering, Place};
 use aero_geometry::Vector;
 
 /// What is beyond a side.
@@ -19,10 +19,8 @@ pub enum Beyond<const D: usize> {
     Same,
     /// The mirror image.
     Mirror,
-    /// A reservoir.
-    Reservoir(Reservoir),
-    /// Gas that is held at a pressure.
-    Held(Held),
+    /// Gas that answers to the cell.
+    Answers(Answering),
 }
 
 impl<const D: usize> Beyond<D> {
@@ -41,20 +39,11 @@ impl<const D: usize> Beyond<D> {
             }
             SideKind::Outlet => Ok(Self::Same),
             SideKind::Symmetry | SideKind::Axis => Ok(Self::Mirror),
-            SideKind::Reservoir { relaxation } => {
-                let reservoir = Reservoir::new(problem, place, relaxation);
-                Ok(Self::Reservoir(reservoir))
-            }
-            SideKind::HeldOutlet {
-                pressure,
-                relaxation,
-            } => {
-                let held = Held::new(problem, place, pressure, relaxation);
-                Ok(Self::Held(held))
-            }
-            side @ (SideKind::Periodic | SideKind::Wall { .. } | SideKind::Body) => Err(format!(
-                "side {end} of axis {axis} is {side:?} and should have no open faces"
-            )),
+            side => Answering::of(problem, side, place)
+                .map(Self::Answers)
+                .ok_or_else(|| {
+                    format!("side {end} of axis {axis} is {side:?} and should have no open faces")
+                }),
         }
     }
 
@@ -91,7 +80,7 @@ impl<const D: usize> Side<D> {
         match self.beyond {
             Beyond::Stream(state) => Some(state),
             Beyond::Mirror => Some(cell.mirrored(&self.image.normal)),
-            Beyond::Same | Beyond::Reservoir(_) | Beyond::Held(_) => None,
+            Beyond::Same | Beyond::Answers(_) => None,
         }
     }
 
@@ -112,21 +101,15 @@ impl<const D: usize> Side<D> {
                     energy: 0.0,
                 };
             }
-            Beyond::Reservoir(reservoir) => {
-                let inside = along(cell, &normal.map(|n| -n));
-                let gas = reservoir.beyond(&inside, 2.0 * self.image.distance);
-                Primitive {
-                    density: gas.density,
-                    velocity: normal.map(|n| -gas.speed * n),
-                    pressure: gas.pressure,
-                }
-            }
-            Beyond::Held(held) => {
+            Beyond::Answers(answering) => {
                 let inside = along(cell, &normal);
-                let outside = held.beyond(&inside, 2.0 * self.image.distance);
-                let mut velocity = cell.velocity;
-                for (u, n) in velocity.iter_mut().zip(&normal) {
-                    *u += (outside.speed - inside.speed) * n;
+                let outside = answering.beyond(&inside, 2.0 * self.image.distance);
+                let mut velocity = normal.map(|n| outside.speed * n);
+                if !answering.is_straight() {
+                    velocity = cell.velocity;
+                    for (u, n) in velocity.iter_mut().zip(&normal) {
+                        *u += (outside.speed - inside.speed) * n;
+                    }
                 }
                 Primitive {
                     density: outside.density,
