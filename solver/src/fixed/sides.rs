@@ -130,3 +130,44 @@ fn along<const D: usize>(state: &Primitive<D>, normal: &[f64; D]) -> Along {
         pressure: state.pressure,
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::gas::IdealGas;
+    use super::super::tests::lattice::problem;
+    use super::*;
+
+    /// At Mach 0.5 the wave that comes in rises by `sigma (1 - M^2) (p - p_held) / (rho L) t` on its way, `t = d / (c - u)` across a cell
+    /// of width `d` [Poinsot & Lele 1992, eq. 40]; half of it is speed, and as much of pressure, over `rho c`, is lost.
+    #[test]
+    fn gas_leaves_faster_by_as_much_as_its_pressure_is_above_the_one_held() {
+        let above = 1e-3 / 1.4;
+        let outlet = SideKind::HeldOutlet {
+            pressure: 1.0 / 1.4 - above,
+            relaxation: 0.25,
+        };
+        let problem = problem([10], 0.1, [[SideKind::Symmetry, outlet]]);
+        let side = Side {
+            i: 0,
+            image: Image {
+                normal: [1.0],
+                size: 1.0,
+                share: 1.0,
+                distance: 0.05,
+            },
+            beyond: Beyond::of(&problem, 0, 1).unwrap(),
+        };
+        let cell = Primitive {
+            density: 1.0,
+            velocity: [0.5],
+            pressure: 1.0 / 1.4,
+        };
+        let flux = side.flux(&IdealGas { gamma: 1.4 }, &cell, &Slopes::LEVEL);
+        let change = 0.25 * (1.0 - 0.25) * above * 0.1 / 0.5;
+        // With du = change / 2 and dp = drho = -du: drho u + du, and dp + 2 u du + u^2 drho.
+        let more = (flux.mass - 0.5) / (0.25 * change);
+        assert!((more - 1.0).abs() < 1e-3, "{more}");
+        let less = (flux.momentum[0] - 1.0 / 1.4 - 0.25) / (-0.125 * change);
+        assert!((less - 1.0).abs() < 1e-3, "{less}");
+    }
+}
