@@ -103,7 +103,8 @@ fn minutes_are_turned_into_points_once() {
     );
     let scene = std::fs::read_to_string(place.path("results/run.toml")).unwrap();
     assert!(scene.contains("scheme.refine.points = "), "{scene}");
-    let again = place.run(&wedge(), &settings);
+    let again = [&["run", "scene.toml", "--out", "results"], &settings[..]].concat();
+    let again = place.aero(&again);
     again.succeeds();
     assert!(
         again.err.contains("as the run in the folder before"),

@@ -1,7 +1,7 @@
 //! What a case is, in words: the stream, what each side does, how finely each body is resolved and what it touches.
 
 use aero_solver::panels::Panels;
-use aero_solver::problem::{Problem, Side};
+use aero_solver::problem::Problem;
 
 use super::side_name;
 use crate::case::{AnyCase, Case};
@@ -42,7 +42,7 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
     ];
     for (axis, end, side, face) in problem.domain.each_side() {
         let name = side_name(axis, end);
-        lines.push(format!("side {name} at {face}: {}", does(side)));
+        lines.push(format!("side {name} at {face}: {side}"));
     }
     if problem.source.is_some() {
         lines.push("sources keep the gas to a manufactured solution".into());
@@ -52,27 +52,6 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
         lines.extend(body(problem, &panels, number));
     }
     lines
-}
-
-fn does(side: Side) -> String {
-    match side {
-        Side::Inlet => "the free stream comes in".into(),
-        Side::SoftInlet => "the free stream comes in, and sound goes out".into(),
-        Side::Outlet => "gas leaves as it is".into(),
-        Side::HeldOutlet { pressure, .. } => {
-            format!("gas leaves, at a pressure of {pressure} where it is slower than sound")
-        }
-        Side::FreeStream => "the free stream goes along or across".into(),
-        Side::Reservoir { .. } => "gas comes in from rest at the stream's total state".into(),
-        Side::Symmetry => "a mirror".into(),
-        Side::Axis => "the axis that the flow is the same around".into(),
-        Side::Periodic => "goes on at the opposite side".into(),
-        Side::Wall { velocity, .. } if velocity != 0.0 => {
-            format!("a wall that moves at {velocity}")
-        }
-        Side::Wall { .. } => "a wall".into(),
-        Side::Body => "closed by a body".into(),
-    }
 }
 
 /// A body: its size in spacings, what its coefficients refer to, what it touches.
@@ -100,7 +79,7 @@ fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize)
     for (axis, end, side, face) in problem.domain.each_side() {
         let reach = [extent.min[axis] - face, face - extent.max[axis]][end];
         if reach < near {
-            touched.push(format!("side {} ({})", side_name(axis, end), does(side)));
+            touched.push(format!("side {} ({side})", side_name(axis, end)));
         }
     }
     for (other, body) in problem.bodies.iter().enumerate() {

@@ -129,7 +129,53 @@ fn verdict(settled: &Settled) -> String {
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
+    use aero_geometry::{Bounds, Vector};
+    use aero_solver::gas::Gas;
+    use aero_solver::method::{FixedPoints, Method};
+    use aero_solver::problem::{Domain, Field, Initial, State};
+    use aero_solver::scheme::Scheme;
+
     use super::*;
+
+    /// Gas at rest at this pressure, in a tube whose stream has a total enthalpy of 4.5.
+    fn tube(sides: [Side; 2], pressure: f64) -> Flow<1> {
+        let state = |speed: f64, pressure: f64| State {
+            density: 1.4,
+            velocity: Vector::<1>::new(speed),
+            pressure,
+        };
+        let flow = Flow::new(Problem {
+            spacing: 0.1,
+            gas: Gas::ideal(1.4),
+            method: Method::Fixed(FixedPoints::default()),
+            scheme: Scheme::default(),
+            domain: Domain {
+                bounds: Bounds::new(Vector::zeros(), Vector::repeat(1.0)),
+                sides: [sides],
+            },
+            free_stream: state(2.0, 1.0),
+            initial: Initial::Field(Field(Arc::new(move |_| state(0.0, pressure)))),
+            disorder: 0.0,
+            bodies: Vec::new(),
+            source: None,
+        });
+        flow.expect("a tube")
+    }
+
+    /// `e + p / rho = 3.5 p / rho`: 2.8 and 3.3 times that of the stream.
+    #[test]
+    fn a_flow_at_rest_with_more_energy_than_its_stream_brings_makes_no_sense() {
+        let open = [Side::Inlet, Side::Outlet];
+        assert_eq!(senseless(&tube(open, 5.0)), None);
+        let told = senseless(&tube(open, 6.0)).expect("a reason");
+        for words in ["makes no sense", "3.3e0 times", "`spacing`"] {
+            assert!(told.contains(words), "{told}");
+        }
+        // What is closed in had its energy from the start.
+        assert_eq!(senseless(&tube([Side::Symmetry; 2], 6.0)), None);
+    }
 
     #[test]
     fn the_hottest_point_is_found_even_if_its_state_is_no_number() {

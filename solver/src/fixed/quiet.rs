@@ -108,7 +108,7 @@ impl<const D: usize> Stream<D> {
             || block
                 .sides
                 .iter()
-                .any(|s| matches!(s.beyond, Beyond::Reservoir(_) | Beyond::Held(_)))
+                .any(|s| matches!(s.beyond, Beyond::Answers(_)))
             || walls
                 .map(|wall| &wall.image)
                 .chain(mirrors.map(|side| &side.image))

@@ -1,5 +1,7 @@
 //! What bounds the domain on one side, as a problem names it.
 
+use std::fmt;
+
 use super::body::WallKind;
 
 /// What bounds the domain on one side.
@@ -85,5 +87,32 @@ impl Side {
     /// True of a plane wall.
     pub fn is_wall(self) -> bool {
         matches!(self, Self::Wall { .. })
+    }
+}
+
+/// What it does to the gas, in words.
+impl fmt::Display for Side {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Inlet => write!(f, "the free stream comes in"),
+            Self::SoftInlet => write!(f, "the free stream comes in, and sound goes out"),
+            Self::Outlet => write!(f, "gas leaves as it is"),
+            Self::HeldOutlet { pressure, .. } => write!(
+                f,
+                "gas leaves, at a pressure of {pressure} where it is slower than sound"
+            ),
+            Self::FreeStream => write!(f, "the free stream goes along or across"),
+            Self::Reservoir { .. } => {
+                write!(f, "gas comes in from rest at the stream's total state")
+            }
+            Self::Symmetry => write!(f, "a mirror"),
+            Self::Axis => write!(f, "the axis that the flow is the same around"),
+            Self::Periodic => write!(f, "goes on at the opposite side"),
+            Self::Wall { velocity, .. } if *velocity != 0.0 => {
+                write!(f, "a wall that moves at {velocity}")
+            }
+            Self::Wall { .. } => write!(f, "a wall"),
+            Self::Body => write!(f, "closed by a body"),
+        }
     }
 }

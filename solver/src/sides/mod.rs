@@ -2,7 +2,7 @@
 //! published model, each with its place, its stream and what it makes of its buffer. Closed sides map gas that crosses
 //! them back ([`closed`]), or are walls ([`crate::walls`]).
 //!
-//! A new open side is a file with its [`model::OpenModel`], a variant of the problem's `Side` and its line in [`zone`], and a word in the scene.
+//! A new open side is a file with its model, its lines below, a variant of the problem's `Side`, and a word in the scene.
 
 mod buffers;
 pub mod closed;
@@ -19,10 +19,79 @@ mod waves;
 mod zone;
 
 pub use buffers::{Buffers, Contents};
-pub use held::Held;
 pub use model::Place;
 pub use particle::OpenParticle;
-pub use reservoir::Reservoir;
 pub use rows::Rows;
 pub use waves::Along;
 pub use zone::Zone;
+
+use crate::problem::{Problem, Side};
+use held::Held;
+use inlet::{Inlet, SoftInlet};
+use model::OpenModel;
+use outlet::Outlet;
+use reservoir::Reservoir;
+
+/// The model of a kind of side that particles cross; none of closed ones.
+fn model_of<const D: usize>(
+    problem: &Problem<D>,
+    side: Side,
+    place: Place,
+) -> Option<Box<dyn OpenModel<D>>> {
+    match side {
+        Side::Inlet | Side::FreeStream => Some(Box::new(Inlet)),
+        Side::SoftInlet => Some(Box::new(SoftInlet::new(problem, place))),
+        Side::Reservoir { relaxation } => {
+            Some(Box::new(Reservoir::new(problem, place, relaxation)))
+        }
+        Side::Outlet => Some(Box::new(Outlet)),
+        Side::HeldOutlet {
+            pressure,
+            relaxation,
+        } => Some(Box::new(Held::new(problem, place, pressure, relaxation))),
+        Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } | Side::Body => None,
+    }
+}
+
+/// A side beyond which gas answers to the cell in front of it.
+#[derive(Clone, Copy, Debug)]
+pub enum Answering {
+    /// A reservoir.
+    Reservoir(Reservoir),
+    /// Gas that is held at a pressure.
+    Held(Held),
+}
+
+impl Answering {
+    /// That of a kind of side; none of those that do not answer.
+    pub fn of<const D: usize>(problem: &Problem<D>, side: Side, place: Place) -> Option<Self> {
+        match side {
+            Side::Reservoir { relaxation } => {
+                let reservoir = Reservoir::new(problem, place, relaxation);
+                Some(Self::Reservoir(reservoir))
+            }
+            Side::HeldOutlet {
+                pressure,
+                relaxation,
+            } => {
+                let held = Held::new(problem, place, pressure, relaxation);
+                Some(Self::Held(held))
+            }
+            _ => None,
+        }
+    }
+
+    /// The state beyond a face whose cell is in state `gas` and has its mean half of `apart` before it; both speeds are out of the
+    /// domain.
+    pub fn beyond(&self, gas: &Along, apart: f64) -> Along {
+        match self {
+            Self::Reservoir(reservoir) => reservoir.beyond(&gas.turned(), apart).turned(),
+            Self::Held(held) => held.beyond(gas, apart),
+        }
+    }
+
+    /// True where gas comes straight in; otherwise it slides along the side as that in the cell does.
+    pub fn is_straight(&self) -> bool {
+        matches!(self, Self::Reservoir(_))
+    }
+}

@@ -37,6 +37,15 @@ impl Along {
         (gamma * self.pressure / self.density).sqrt()
     }
 
+    /// Seen from the other side.
+    #[must_use]
+    pub fn turned(self) -> Self {
+        Self {
+            speed: -self.speed,
+            ..self
+        }
+    }
+
     /// As waves.
     pub fn waves(&self, gamma: f64) -> Waves {
         let sound = 2.0 * self.sound(gamma) / (gamma - 1.0);

@@ -2,14 +2,11 @@
 
 use aero_geometry::Vector;
 
-use super::held::Held;
-use super::inlet::{Inlet, SoftInlet};
 use super::model::{OpenModel, Place};
-use super::outlet::Outlet;
-use super::reservoir::Reservoir;
+use super::model_of;
 use super::rows::Rows;
 use crate::layers::BUFFER;
-use crate::problem::{Problem, Side, State};
+use crate::problem::{Problem, State};
 
 /// Where a point is in relation to the domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -53,7 +50,7 @@ impl<const D: usize> OpenSides<D> {
         let mut numbers = [[None; 2]; D];
         for (axis, end, side, face) in problem.domain.each_side() {
             let place = Place { axis, end, face };
-            let Some(model) = model(problem, side, place) else {
+            let Some(model) = model_of(problem, side, place) else {
                 continue;
             };
             let stream = model.inflow(problem).map(|state| {
@@ -164,26 +161,5 @@ impl<const D: usize> OpenSides<D> {
             }
         }
         slabs
-    }
-}
-
-/// The model of a kind of side; none of closed ones.
-fn model<const D: usize>(
-    problem: &Problem<D>,
-    side: Side,
-    place: Place,
-) -> Option<Box<dyn OpenModel<D>>> {
-    match side {
-        Side::Inlet | Side::FreeStream => Some(Box::new(Inlet)),
-        Side::SoftInlet => Some(Box::new(SoftInlet::new(problem, place))),
-        Side::Reservoir { relaxation } => {
-            Some(Box::new(Reservoir::new(problem, place, relaxation)))
-        }
-        Side::Outlet => Some(Box::new(Outlet)),
-        Side::HeldOutlet {
-            pressure,
-            relaxation,
-        } => Some(Box::new(Held::new(problem, place, pressure, relaxation))),
-        Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } | Side::Body => None,
     }
 }

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use super::seam::body_on_the_lattice;
 use super::*;
+use crate::panels::Panels;
 
 fn boxed(shape: impl Shape<2> + 'static, at: [f64; 2]) -> Problem<2> {
     let mut problem = cube::<2>(30, WALL);
@@ -94,4 +95,51 @@ fn a_pressure_of_one_presses_a_closed_body_with_nothing() {
     );
     // The lower x side is pressed to the left, all along its 3 metres.
     assert!((loads[1].force[0] + 3.0).abs() < 1e-12, "{:?}", loads[1]);
+}
+
+/// A bar that sticks out through a side, whole or above a symmetry plane along it: one end of it is pressed, 0.8 high and 1.1 above the
+/// centre.
+#[test]
+fn a_pressure_of_one_presses_what_the_domain_holds_of_a_body_and_all_of_what_a_plane_cuts() {
+    let [whole, half] = [false, true].map(|is_half| {
+        let mut problem = cube::<2>(30, WALL);
+        problem.domain.sides[0] = [Side::Inlet, Side::Outlet];
+        let bar = bodies::rectangle(4.0, 0.8, 0.0).expect("a bar");
+        let place = Placement::default().moved(Vector::<2>::new(3.5, 1.5));
+        if is_half {
+            problem.domain.bounds.min[1] = 1.5;
+            problem.domain.sides[1][0] = Side::Symmetry;
+        }
+        let mut body = body_on_the_lattice(&problem, Arc::new(Placed::new(bar, place)));
+        body.moment_centre = Vector::<2>::new(0.3, 0.4);
+        problem.bodies.push(body);
+        Panels::new(&problem).uniform_loads(&problem)[0]
+    });
+    assert!((whole.force[0] - 0.8).abs() < 1e-12, "{whole:?}");
+    assert!((whole.moment[2] + 1.1 * 0.8).abs() < 1e-12, "{whole:?}");
+    for k in 0..3 {
+        let apart = (whole.force[k] - half.force[k]).abs();
+        assert!(apart < 1e-12, "{whole:?} {half:?}");
+        let apart = (whole.moment[k] - half.moment[k]).abs();
+        assert!(apart < 1e-12, "{whole:?} {half:?}");
+    }
+}
+
+#[test]
+fn panels_under_more_than_the_free_streams_pressure_have_a_positive_coefficient() {
+    for (pressure, expected) in [(3.8, 1.0), (0.3, -0.25)] {
+        let square = bodies::rectangle(0.8, 0.8, 0.0).expect("a square");
+        let mut problem = boxed(square, [1.5, 1.5]);
+        // Dynamic pressure 2.8.
+        problem.free_stream.velocity[0] = 2.0;
+        problem.initial = Initial::Field(Field(Arc::new(move |_| State {
+            density: 1.4,
+            velocity: Vector::zeros(),
+            pressure,
+        })));
+        for coefficient in start(problem).panels().pressure_coefficient {
+            let error = coefficient / expected - 1.0;
+            assert!(error.abs() < 0.02, "coefficient {coefficient}");
+        }
+    }
 }

@@ -182,7 +182,7 @@ impl<'a> Trip<'a> {
         for number in 1..=most {
             let begun = Instant::now();
             let to_come = FAMILY.saturating_sub(number);
-            let may_take = self.left() * (PATIENCE * self.costs.share(to_come)).min(1.0);
+            let may_take = may_take(self.costs, self.left(), to_come);
             let folder = out.join(format!("spacing-{number}"));
             let frame = levels
                 .last()
@@ -331,5 +331,33 @@ impl<'a> Trip<'a> {
                 .push("a roll makes no difference to a body of revolution along the stream".into());
         }
         warnings
+    }
+}
+
+/// Seconds that a run may take of those that are `left` for it and so many finer ones.
+fn may_take(costs: Costs, left: f64, finer: usize) -> f64 {
+    left * (PATIENCE * costs.share(finer)).min(1.0)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In planes as in space: one that takes what it was thought to is not cut short, two that go on for ever leave more than half of
+    /// the budget, and the finest may take all that is left.
+    #[test]
+    fn coarse_runs_that_do_not_settle_leave_their_time_to_finer_ones() {
+        const BUDGET: f64 = 600.0;
+        for dimension in [2, 3] {
+            let costs = Costs::new(dimension, false);
+            let mut left = BUDGET;
+            for finer in [FAMILY - 1, FAMILY - 2] {
+                let seconds = may_take(costs, left, finer);
+                assert!(seconds > 2.0 * left * costs.share(finer), "{seconds}");
+                left -= seconds;
+            }
+            assert!(left > 0.5 * BUDGET, "{left} s in {dimension} dimensions");
+            assert_eq!(may_take(costs, left, 0), left);
+        }
     }
 }

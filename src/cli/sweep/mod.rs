@@ -287,4 +287,20 @@ mod tests {
         assert_eq!(names[3], "mach-3-incidence-4");
         assert_eq!(points.len(), 6);
     }
+
+    /// Only forward, on one axis at a time, and by no more than the way that is known.
+    #[test]
+    fn a_trend_leads_from_one_point_past_the_next() {
+        let at = |mach: f64, incidence: f64| [Some(mach), Some(incidence), None];
+        let from = |other: [f64; 2], near: [f64; 2], point: [f64; 2]| {
+            let [other, near, point] = [other, near, point].map(|[m, i]| at(m, i));
+            further(&other, &near, &point)
+        };
+        assert_eq!(from([2.0, 0.0], [2.0, 2.0], [2.0, 4.0]), Some(1.0));
+        assert_eq!(from([2.0, 4.0], [2.0, 2.0], [2.0, 1.0]), Some(0.5));
+        assert_eq!(from([2.0, 4.0], [2.0, 2.0], [2.0, 3.0]), None);
+        assert_eq!(from([2.0, 0.0], [2.0, 2.0], [2.0, 5.0]), None);
+        assert_eq!(from([2.0, 0.0], [2.0, 2.0], [2.5, 2.0]), None);
+        assert_eq!(from([1.5, 0.0], [2.0, 2.0], [2.5, 4.0]), None);
+    }
 }

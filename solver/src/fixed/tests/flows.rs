@@ -283,3 +283,45 @@ fn rings_next_to_the_axis_have_their_image_for_a_neighbour() {
         }
     }
 }
+
+/// A disc in a stream, whole or above a symmetry plane at `y = 3`; moments refer to a point off the plane.
+fn disc(is_half: bool) -> FixedSimulation<2> {
+    let place = Placement::default().moved(Vector::<2>::new(0.05, 3.0));
+    let disc: Arc<dyn Shape<2>> = Arc::new(bodies::circle(0.4).unwrap());
+    let low = if is_half { 3.0 } else { 2.0 };
+    let disc = Arc::new(Placed::new(disc, place));
+    let mut problem = stream(2.0, [[-1.0, low], [1.0, 4.0]], 0.1, vec![disc]);
+    if is_half {
+        problem.domain.sides[1][0] = Side::Symmetry;
+    }
+    problem.bodies[0].moment_centre = Vector::from([0.3, 0.7]);
+    FixedSimulation::new(problem).unwrap()
+}
+
+#[test]
+fn a_disc_cut_by_a_plane_has_the_force_the_moment_and_the_coefficients_of_the_whole() {
+    let [whole, half] = [false, true].map(|is_half| {
+        let mut flow = disc(is_half);
+        for _ in 0..20 {
+            flow.step(1e9).unwrap();
+        }
+        let surface = flow.surface();
+        let shown = surface.pressure.iter().zip(&surface.pressure_coefficient);
+        // Dynamic pressure 2.
+        for (pressure, coefficient) in shown {
+            let expected = (pressure - 1.0 / 1.4) / 2.0;
+            assert!((coefficient - expected).abs() < 1e-14, "{coefficient}");
+        }
+        flow.loads()[0]
+    });
+    // The drag passes 2.3 above the centre; cells beside a disc are cut and joined nearly symmetrically.
+    let drag = whole.force[0];
+    assert!(drag > 0.5, "drag {drag}");
+    assert!((whole.moment[2] + 2.3 * drag).abs() < 1e-3, "{whole:?}");
+    for k in 0..3 {
+        let apart = (whole.force[k] - half.force[k]).abs();
+        assert!(apart < 1e-3, "{whole:?} {half:?}");
+        let apart = (whole.moment[k] - half.moment[k]).abs();
+        assert!(apart < 1e-3, "{whole:?} {half:?}");
+    }
+}
