@@ -73,6 +73,8 @@ pub struct Across<const D: usize> {
     pub far: Foot<D>,
     /// True where `far` is the ghost's foot on the opposite face, which then is not too bent to have one.
     pub has_foot: bool,
+    /// False for a ghost that belongs to a third face, at the end of the part: the gas before that one sees it.
+    pub is_own: bool,
 }
 
 /// Looks from `point`, a depth below the surface whose normal is `normal`, through the body to the opposite
@@ -102,6 +104,30 @@ pub fn across<const D: usize>(
         near,
         far: found.unwrap_or(guess),
         has_foot: found.is_some(),
+        is_own: true,
+    })
+}
+
+/// As [`across`] for a ghost of the face in which a thin part ends: looks along `normal`, that of the part beside it, both ways.
+pub fn across_end<const D: usize>(
+    shape: &dyn Shape<D>,
+    (ghost, point, normal): (usize, Vector<D>, Vector<D>),
+    limit: f64,
+    spacing: f64,
+) -> Option<Across<D>> {
+    let foot = |way: Vector<D>| {
+        let exit = exit(shape, &point, &way, limit, TOLERANCE * spacing)?;
+        let seen = shape.closest(&exit);
+        let found = foot_on(shape, &point, &Foot::of(&seen), spacing)?;
+        (found.normal.dot(&way) > -APART).then_some(found)
+    };
+    let (near, far) = (foot(normal)?, foot(-normal)?);
+    (near.depth(&point) + far.depth(&point) <= limit).then_some(Across {
+        ghost,
+        near,
+        far,
+        has_foot: true,
+        is_own: false,
     })
 }
 

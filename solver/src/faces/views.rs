@@ -1,9 +1,9 @@
 //! Finds the thin parts of the bodies before a run, and makes the views of their ghosts.
 
-use aero_geometry::{Bounds, Shape, Vector};
+use aero_geometry::{Bounds, Pencils, Shape, Vector};
 use rayon::prelude::*;
 
-use super::across::{Across, Foot, across, foot_on, is_edge};
+use super::across::{Across, Foot, across, across_end, foot_on, is_edge};
 use super::numbers::Numbers;
 use super::{FaceSet, Faces, Sight, ThinBody};
 use crate::neighbourhood::reach::LAYERS;
@@ -12,6 +12,10 @@ use crate::problem::{Body, Problem};
 /// Reflections by which a thin part is continued at most; a part thinner than a third of a spacing needs more, and is
 /// refused or warned of by the packer.
 const REFLECTIONS: usize = 16;
+
+/// A ghost of the face in which a thin part ends is at most this far, in spacings, from one between its faces: the diagonal of a
+/// part three spacings thick.
+const BESIDE: f64 = 2.5;
 
 /// A ghost as one face sees it, or its image in the body's continuation.
 #[derive(Clone, Copy, Debug)]
@@ -79,7 +83,8 @@ pub fn thin_parts<const D: usize>(problem: &Problem<D>) -> Option<ThinParts<D>> 
             ),
             numbers,
         });
-        parts.look_at(problem, body, &crossings);
+        let ends = ends(body, &crossings, problem.spacing);
+        parts.look_at(problem, body, &[crossings, ends].concat());
     }
     (!parts.faces.bodies.is_empty()).then_some(parts)
 }
@@ -93,6 +98,38 @@ fn crossings<const D: usize>(body: &Body<D>, spacing: f64) -> Vec<Across<D>> {
         .filter_map(|g| {
             let ghost = (g, ghosts.position[g], ghosts.normal[g], -ghosts.distance[g]);
             across(&body.shape, ghost, limit, spacing)
+        })
+        .collect()
+}
+
+/// The ghosts of the faces in which thin parts end, rims and tips cut off, with the faces on both sides of them. They have none
+/// opposite to their own face, but the gas beside them is parted all the same.
+fn ends<const D: usize>(body: &Body<D>, crossings: &[Across<D>], spacing: f64) -> Vec<Across<D>> {
+    let ghosts = &body.ghosts;
+    let mut is_between = vec![false; ghosts.position.len()];
+    for crossing in crossings {
+        is_between[crossing.ghost] = true;
+    }
+    let places: Vec<Vector<D>> = crossings.iter().map(|c| ghosts.position[c.ghost]).collect();
+    let reach = BESIDE * spacing;
+    let pencils = Pencils::new(&places, reach);
+    (0..ghosts.position.len())
+        .into_par_iter()
+        .filter(|&g| !is_between[g])
+        .filter_map(|g| {
+            let place = &ghosts.position[g];
+            let mut nearest: Option<(f64, usize)> = None;
+            pencils.for_each_run_near(place, place, reach, |run| {
+                for &n in &pencils.order()[run] {
+                    let found = ((places[n as usize] - place).norm(), n as usize);
+                    if found.0 < reach && nearest.is_none_or(|least| found < least) {
+                        nearest = Some(found);
+                    }
+                }
+            });
+            let beside = &crossings[nearest?.1];
+            let ghost = (g, *place, beside.near.normal);
+            across_end(&body.shape, ghost, LAYERS * spacing, spacing)
         })
         .collect()
 }
@@ -126,9 +163,11 @@ impl<const D: usize> ThinParts<D> {
                 continues,
                 sight: Sight { only, hidden: 0 },
             };
-            let only = self.faces.beside(sides[0], sides[1]);
-            self.hidden[number][crossing.ghost] = only;
-            views.push(view(far, position, only, false));
+            if crossing.is_own {
+                let only = self.faces.beside(sides[0], sides[1]);
+                self.hidden[number][crossing.ghost] = only;
+                views.push(view(far, position, only, false));
+            }
             for (from, own, beyond) in [(near, sides[0], far), (far, sides[1], near)] {
                 for image in unfolded(&position, from, beyond, LAYERS * problem.spacing) {
                     let seen = body.shape.closest(&image);

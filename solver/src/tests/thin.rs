@@ -1,6 +1,7 @@
 use aero_geometry::{Placed, Placement, Shape, bodies};
 use aero_packer::{Ghosts, PackReport};
 
+use super::seam::body_on_the_lattice;
 use super::*;
 use crate::lattice;
 use crate::problem::{Body, Motion, Turning};
@@ -107,6 +108,42 @@ fn gas_on_both_sides_of_a_thin_plate_stays_at_rest_at_two_pressures() {
         stays_at_rest(plate_3d(2), extrapolation, 10);
     }
     stays_at_rest(plate_3d(1), Extrapolation::Wom, 10);
+}
+
+/// A plate `thickness` spacings of 0.1 thick that ends within a closed box of gas at rest, on the gas's own lattice.
+fn short_plate<const D: usize>(thickness: usize, shape: impl Shape<D> + 'static) -> Problem<D> {
+    let mut problem = cube::<D>(20, WALL);
+    let mut centre = problem.domain.bounds.max * 0.5;
+    centre[1] += if thickness % 2 == 1 { 0.05 } else { 0.0 };
+    let place = Placement::default().moved(centre);
+    let body = body_on_the_lattice(&problem, Arc::new(Placed::new(shape, place)));
+    problem.bodies.push(body);
+    problem
+}
+
+/// Density of the gas at the start, of what it should be: least and most.
+fn density_range<const D: usize>(problem: Problem<D>) -> [f64; 2] {
+    let mut simulation = start(problem);
+    advance(&mut simulation, 1);
+    let densities = simulation.fluid.iter().map(|p| p.density / 1.4);
+    densities.fold([f64::INFINITY, 0.0], |[low, high], d| {
+        [low.min(d), high.max(d)]
+    })
+}
+
+#[test]
+fn gas_at_rest_around_the_ends_of_a_thin_plate_has_its_density() {
+    for thickness in 1..=4 {
+        let plate = bodies::rectangle(0.8, 0.1 * thickness as f64, 0.0).expect("a plate");
+        let [low, high] = density_range(short_plate(thickness, plate));
+        assert!(
+            low > 1.0 - 1e-9 && high < 1.0 + 1e-9,
+            "{thickness}: {low} to {high}"
+        );
+    }
+    let plate = bodies::cuboid([0.8, 0.1, 0.8]).expect("a plate");
+    let [low, high] = density_range(short_plate(1, plate));
+    assert!(low > 1.0 - 1e-9 && high < 1.0 + 1e-9, "{low} to {high}");
 }
 
 #[test]
