@@ -21,8 +21,15 @@ const FINE: f64 = 0.5;
 /// The same of pieces that walls meet in: on lines, and on surfaces, where what is too much here is too little there.
 const FINEST: [f64; 2] = [1.0 / 256.0, 1.0 / 16.0];
 
-/// No piece is a smaller part of its panel.
-const LEAST: f64 = 1e-5;
+/// No piece is a smaller part of its panel: on lines, and on surfaces.
+const LEAST: [f64; 2] = [1e-5, 1.0 / 1024.0];
+
+/// Walls that are smaller than this part of a square as wide as is looked about own nothing: slivers, which an edge that runs along the
+/// edges of cells leaves in them, would ask for pieces as small.
+const SLIVER: f64 = 1e-7;
+
+/// Cosines that differ by less are of walls that face alike.
+const ALIKE: f64 = 1e-9;
 
 /// A piece of a panel.
 #[derive(Clone, Copy, Debug)]
@@ -91,6 +98,7 @@ impl<'a, const D: usize> Nearby<'a, D> {
     fn pieces_within(&self, panel: &Panel<D>, reach: f64) -> Option<Vec<Piece<D>>> {
         let mut found = Vec::new();
         let mut left = vec![(panel.corners, 1.0)];
+        let least = LEAST[usize::from(D == 3)];
         while let Some((corners, part)) = left.pop() {
             let place = corners.iter().sum::<Vector<D>>() / D as f64;
             let wall = self.owner(panel, &place, reach)?;
@@ -102,7 +110,7 @@ impl<'a, const D: usize> Nearby<'a, D> {
             };
             let longest = fine * length(self.walls[wall].0);
             match longest_edge(&corners) {
-                Some((a, b, long)) if long > longest && part > LEAST => {
+                Some((a, b, long)) if long > longest && part > least => {
                     let middle = (corners[a] + corners[b]) * 0.5;
                     for end in [a, b] {
                         let mut half = corners;
@@ -117,12 +125,16 @@ impl<'a, const D: usize> Nearby<'a, D> {
     }
 
     /// Number of the wall that a place on a panel belongs to: as cells are divided, of the cell whose point is nearest; of its walls
-    /// the one that faces the panel most.
+    /// the one that faces the panel most, the larger one of several.
     fn owner(&self, panel: &Panel<D>, place: &Vector<D>, reach: f64) -> Option<usize> {
         let mut best: Option<Candidate> = None;
+        let sliver = SLIVER * self.look.powi(D as i32 - 1);
         self.for_each(place, reach, |n, (wall, _)| {
             let facing = facing(wall, panel);
-            if facing <= ROUND || (wall.foot - place).norm_squared() > reach * reach {
+            if facing <= ROUND
+                || wall.image.share < sliver
+                || (wall.foot - place).norm_squared() > reach * reach
+            {
                 return;
             }
             let found = Candidate {
@@ -130,6 +142,7 @@ impl<'a, const D: usize> Nearby<'a, D> {
                 cell: wall.i,
                 from_point: (self.points[wall.i as usize] - place).norm_squared(),
                 facing,
+                area: wall.image.share,
             };
             if best.is_none_or(|best| found.is_before(&best)) {
                 best = Some(found);
@@ -150,12 +163,16 @@ struct Candidate {
     from_point: f64,
     /// Cosine between the directions of the wall and of the panel.
     facing: f64,
+    /// Area of the wall.
+    area: f64,
 }
 
 impl Candidate {
+    /// Of walls that face alike the larger one: slivers, which facets that meet leave in a cell, would ask for pieces as small.
     fn is_before(&self, other: &Self) -> bool {
         if self.cell == other.cell || self.from_point == other.from_point {
-            self.facing > other.facing
+            let more = self.facing - other.facing;
+            more > ALIKE || (more > -ALIKE && self.area > other.area)
         } else {
             self.from_point < other.from_point
         }
