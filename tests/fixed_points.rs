@@ -4,7 +4,7 @@ mod support;
 
 use std::path::Path;
 
-use support::{BOX, Workplace, appended, box_with, read_vtp};
+use support::{BOX, Workplace, appended, ascii_stl, box_with, read_vtp};
 
 /// The pressure behind the Mach 2.5, 20 degree shock over that before it: NACA Report 1135 (1953), eq. 128.
 const PRESSURE_RATIO: f64 = 3.2109;
@@ -325,3 +325,53 @@ place = { translate = [0.5, 0.48, 0.52] }
 frames = 1
 cells = true
 "#;
+
+/// A wedge whose edge runs along edges of cells: they are left slivers of wall, and its surface is shown at once all the same.
+#[test]
+fn a_body_whose_edge_runs_along_the_edges_of_cells_is_shown_at_once() {
+    let dx = 1.0 / 60.0;
+    let [front, back] = [-1.0, 1.0].map(|z| [[0.0, 0.0, z], [0.12, -dx, z], [0.12, dx, z]]);
+    let mut facets = vec![[front[0], front[2], front[1]], back];
+    for (i, j) in [(0, 1), (1, 2), (2, 0)] {
+        facets.push([front[i], front[j], back[j]]);
+        facets.push([front[i], back[j], back[i]]);
+    }
+    let place = Workplace::new();
+    place.write("wedge.stl", ascii_stl("wedge", &facets));
+    let scene = format!(
+        r#"
+dimension = 3
+spacing = {dx}
+end_time = 0.02
+
+[scheme]
+motion = "fixed"
+
+[free_stream]
+velocity = [2.0, 0.0, 0.0]
+density = 1.0
+pressure = 0.7142857142857143
+
+[domain]
+min = [-0.05, -0.1, -0.05]
+max = [0.2, 0.1, 0.05]
+
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+y_min = "free-stream"
+y_max = "free-stream"
+z_min = "symmetry"
+z_max = "symmetry"
+
+[[body]]
+name = "wedge"
+shape = {{ stl = {{ file = "wedge.stl" }} }}
+place = {{ rotate = {{ axis = [0.0, 0.0, 1.0], angle = -5.0 }} }}
+
+[output]
+frames = 1
+"#
+    );
+    place.run(&scene, &[]).succeeds();
+}

@@ -134,11 +134,19 @@ pub fn octahedron(name: &str) -> String {
         }
         corners
     };
-    let mut lines = vec![format!("solid {name}")];
-    for number in 0..8_u8 {
+    let facets = (0..8_u8).map(|number| {
         let sign = |bit: u8| if number >> bit & 1 == 0 { 1.0 } else { -1.0 };
+        corners([sign(0), sign(1), sign(2)])
+    });
+    ascii_stl(name, &facets.collect::<Vec<_>>())
+}
+
+/// Triangles as ASCII STL.
+pub fn ascii_stl(name: &str, facets: &[[[f64; 3]; 3]]) -> String {
+    let mut lines = vec![format!("solid {name}")];
+    for facet in facets {
         lines.push("facet normal 0 0 0\nouter loop".into());
-        for [x, y, z] in corners([sign(0), sign(1), sign(2)]) {
+        for [x, y, z] in facet {
             lines.push(format!("vertex {x} {y} {z}"));
         }
         lines.push("endloop\nendfacet".into());

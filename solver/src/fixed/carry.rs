@@ -334,10 +334,9 @@ mod tests {
         let after = [0.5, 0.6, 0.8, 1.0];
         let carried = carried(&held, [&before, &after], &shares);
         let total = |held: &[Conserved<2>], volumes: &[f64]| {
-            let each = held.iter().zip(volumes);
-            each.fold(Conserved::ZERO, |sum, (held, volume)| {
-                sum.plus(*volume, held)
-            })
+            let add =
+                |sum: Conserved<2>, (held, volume): (&Conserved<2>, &f64)| sum.plus(*volume, held);
+            held.iter().zip(volumes).fold(Conserved::ZERO, add)
         };
         let lost = total(&held, &before).plus(-1.0, &total(&carried, &after));
         assert!(lost.mass.abs() < 1e-14, "{lost:?}");
