@@ -166,6 +166,16 @@ impl<'a, const D: usize> Plan<'a, D> {
             .collect()
     }
 
+    /// Volume of the layers' parts that are too thin for them.
+    pub fn thin_volume(&self) -> f64 {
+        let cells = self.cut_band.iter();
+        cells
+            .filter(|cell| cell.room == Room::Thin)
+            .flat_map(|cell| self.parts(cell))
+            .map(|(_, volume)| volume)
+            .sum()
+    }
+
     /// Cells of the layers that have room for them.
     pub fn roomy_cells(&self) -> impl Iterator<Item = &Cell<D>> {
         let cells = self.cut_band.iter();

@@ -1,9 +1,9 @@
-//! Thin parts: particles on the sheet mid-way between two faces.
+//! Thin parts in space: particles on the sheet mid-way between two faces.
 //!
 //! Where a body is thinner than the wall layers of both sides, one row lies in the middle, or two rows a quarter of the
 //! thickness below either face where it is thicker than a spacing and a half; what deeper layers leave between them is filled
 //! likewise. Particles are one spacing apart along the part whatever its thickness, up to its rims and tips, and each has the volume
-//! of what is nearest to it: `V = t dx^(D-1)` on a plate of thickness `t`. So a fin is covered however thin it is.
+//! of what is nearest to it: `V = t dx^2` on a plate of thickness `t`. So a fin is covered however thin it is.
 
 mod ball;
 mod seats;

@@ -35,32 +35,6 @@ fn plates_of_any_thickness_are_whole_at_any_angle() {
 }
 
 #[test]
-fn plates_in_the_plane_are_whole_at_any_angle() {
-    for tenths in 3..=30 {
-        let thickness = f64::from(tenths) / 10.0;
-        let plate = bodies::rectangle(16.3, thickness, 0.0).unwrap();
-        for angle in [0.0, 17.0, 45.0_f64] {
-            let place = Placement::default().rotated(angle.to_radians());
-            let place = place.moved(Vector::<2>::new(0.13, 0.27) * (angle / 17.0));
-            let packing = pack(&Placed::new(plate.clone(), place), &PackOptions::new(1.0)).unwrap();
-            is_whole(&format!("{thickness} at {angle}"), &packing.report);
-        }
-    }
-}
-
-#[test]
-fn sections_with_sharp_edges_in_the_plane_keep_their_volume_and_are_covered() {
-    for tenths in [5, 10, 15, 20, 25, 30] {
-        let thickness = f64::from(tenths) / 10.0;
-        let lens = bodies::biconvex(40.0, thickness / 40.0).unwrap();
-        let report = pack(&lens, &PackOptions::new(1.0)).unwrap().report;
-        assert!(report.volume_error_percent.abs() < 1.0, "{report:?}");
-        assert!(report.min_gap >= 0.5 - 1e-9, "{report:?}");
-        assert!(report.uncovered_area_percent <= 0.0, "{report:?}");
-    }
-}
-
-#[test]
 fn a_plate_thinner_than_a_spacing_and_a_half_has_one_row_of_its_thickness() {
     for thickness in [0.4, 1.0, 1.4] {
         let plate = bodies::cuboid([12.0, 12.0, thickness]).unwrap();

@@ -319,8 +319,12 @@ impl<'a> Trip<'a> {
         if let (Some(thin), Some(level)) = (flight.thinnest, levels.last())
             && thin < 2.0 * level.finest
         {
+            let mend = match self.wanted {
+                Some(_) => "a smaller --spacing",
+                None => "more --minutes",
+            };
             warnings.push(format!(
-                "the thinnest part, {thin:.2e} m, is {:.1} of the finest cells across: give more --minutes",
+                "the thinnest part, {thin:.2e} m, is {:.1} of the finest cells across: give {mend}",
                 thin / level.finest
             ));
         }
