@@ -109,7 +109,7 @@ pub fn evaluate<const D: usize>(
     }
     sum_rates(problem, fluid, around);
     if let Some(source) = &problem.source {
-        sources::add(&**source, moment, fluid);
+        sources::add(&**source, moment.start + moment.ahead, fluid);
     }
     let Columns { state, rates, .. } = fluid.columns();
     let rings = Rings::new(problem);

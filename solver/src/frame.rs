@@ -47,6 +47,38 @@ pub struct Frame {
     pub id: Vec<u64>,
 }
 
+impl Frame {
+    /// The particles whose kind, a number as in [`Frame::kind`], is one that is chosen.
+    pub fn chosen(&self, is_chosen: impl Fn(u8) -> bool) -> Self {
+        let chosen: Vec<usize> = (0..self.kind.len())
+            .filter(|&i| is_chosen(self.kind[i]))
+            .collect();
+        Self {
+            time: self.time,
+            step: self.step,
+            position: pick(&self.position, &chosen),
+            velocity: pick(&self.velocity, &chosen),
+            density: pick(&self.density, &chosen),
+            pressure: pick(&self.pressure, &chosen),
+            energy: pick(&self.energy, &chosen),
+            mach: pick(&self.mach, &chosen),
+            smoothing_length: pick(&self.smoothing_length, &chosen),
+            volume: pick(&self.volume, &chosen),
+            spacing: if self.spacing.is_empty() {
+                Vec::new()
+            } else {
+                pick(&self.spacing, &chosen)
+            },
+            kind: pick(&self.kind, &chosen),
+            id: pick(&self.id, &chosen),
+        }
+    }
+}
+
+fn pick<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
+    chosen.iter().map(|&i| values[i]).collect()
+}
+
 /// State on the bodies' surfaces, one point per wall-layer ghost.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SurfaceFrame {

@@ -18,6 +18,12 @@ impl Method {
             Self::Fixed(points) => Some(points),
         }
     }
+
+    /// True where only the steady flow is wanted.
+    pub fn settles(&self) -> bool {
+        self.fixed()
+            .is_some_and(|points| points.time == Time::Settle)
+    }
 }
 
 /// How points that stay are placed and how they go through time.

@@ -2,14 +2,12 @@
 
 use rayon::prelude::*;
 
-use super::evaluation::Moment;
 use super::particles::{Columns, Particles};
 use super::problem::Source;
 
-/// Adds the source where the particles are at `moment`. The leapfrog's prediction of the next step goes by it too, or its states in the
+/// Adds the source where the particles are at `time`. The leapfrog's prediction of the next step goes by it too, or its states in the
 /// middle would be of first order.
-pub fn add<const D: usize>(source: &dyn Source<D>, moment: Moment, fluid: &mut Particles<D>) {
-    let time = moment.start + moment.ahead;
+pub fn add<const D: usize>(source: &dyn Source<D>, time: f64, fluid: &mut Particles<D>) {
     let Columns { state, rates, .. } = fluid.columns();
     rates
         .par_iter_mut()

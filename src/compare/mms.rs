@@ -1,6 +1,7 @@
 //! Orders of convergence against manufactured solutions, arrangement by arrangement, and mistakes planted in the equations, which
 //! must show.
 
+mod mistake;
 mod planted;
 mod series;
 

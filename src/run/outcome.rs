@@ -73,7 +73,7 @@ fn finish<const D: usize>(
     };
     let (simulation, summary) = simulate(case, &mut keeper, stopwatch)?;
     let frame = simulation.frame();
-    let gas = chosen(&frame, |kind| kind == Kind::Fluid as u8);
+    let gas = frame.chosen(|kind| kind == Kind::Fluid as u8);
     Ok(Outcome {
         gas,
         frame,
@@ -81,36 +81,6 @@ fn finish<const D: usize>(
         summary,
         history: keeper.history,
     })
-}
-
-/// The particles of a frame that are of a kind.
-pub(super) fn chosen(frame: &Frame, is_chosen: impl Fn(u8) -> bool) -> Frame {
-    let chosen: Vec<usize> = (0..frame.kind.len())
-        .filter(|&i| is_chosen(frame.kind[i]))
-        .collect();
-    Frame {
-        time: frame.time,
-        step: frame.step,
-        position: pick(&frame.position, &chosen),
-        velocity: pick(&frame.velocity, &chosen),
-        density: pick(&frame.density, &chosen),
-        pressure: pick(&frame.pressure, &chosen),
-        energy: pick(&frame.energy, &chosen),
-        mach: pick(&frame.mach, &chosen),
-        smoothing_length: pick(&frame.smoothing_length, &chosen),
-        volume: pick(&frame.volume, &chosen),
-        spacing: if frame.spacing.is_empty() {
-            Vec::new()
-        } else {
-            pick(&frame.spacing, &chosen)
-        },
-        kind: pick(&frame.kind, &chosen),
-        id: pick(&frame.id, &chosen),
-    }
-}
-
-fn pick<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
-    chosen.iter().map(|&i| values[i]).collect()
 }
 
 /// Records what is to be kept.

@@ -9,10 +9,8 @@ use aero_geometry::Bounds;
 
 use super::checkpoint::{Checkpoint, Written};
 use super::coefficients::Coefficients;
-use super::outcome::chosen;
 use super::probes::Probes;
 use super::progress::Progress;
-use super::under_way::settles;
 use super::views::Views;
 use crate::case::{Case, RunPlan};
 use crate::output::{
@@ -193,9 +191,9 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         let mirrors = self.mirrors.clone();
         let ghosts = self.has_ghosts.then(|| {
             let path = self.folder.join(ghosts_name(number));
-            (path, chosen(&frame, |kind| kind != Kind::Fluid as u8))
+            (path, frame.chosen(|kind| kind != Kind::Fluid as u8))
         });
-        let mut frame = chosen(&frame, |kind| kind == Kind::Fluid as u8);
+        let mut frame = frame.chosen(|kind| kind == Kind::Fluid as u8);
         let mut views = self.views.take(simulation, number, time);
         views.extend(self.probes.lines(&self.folder, simulation, number));
         self.background.hand(move || {
@@ -247,7 +245,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             time,
             end_time: self.end_time,
             dt,
-            settles: settles(simulation.problem()),
+            settles: simulation.problem().method.settles(),
         }))
     }
 
@@ -292,7 +290,7 @@ fn cells_name(number: usize) -> String {
 
 /// What a frame is said to show: a time, or the iteration of a flow that settles, which goes through no time.
 fn shown_time<const D: usize>(simulation: &Flow<D>) -> f64 {
-    if settles(simulation.problem()) {
+    if simulation.problem().method.settles() {
         simulation.steps() as f64
     } else {
         simulation.time()

@@ -9,7 +9,7 @@ use super::error::RunError;
 use super::progress::Progress;
 use super::recorder::FileRecorder;
 use super::stopwatch::Stopwatch;
-use super::under_way::{UnderWay, settles};
+use super::under_way::UnderWay;
 use crate::case::{AnyCase, Case};
 use crate::output::{self, CheckpointError, Summary};
 
@@ -50,7 +50,7 @@ fn run<const D: usize>(
         None
     };
     // No later end brings it any further.
-    let has_settled = settles(&case.problem);
+    let has_settled = case.problem.method.settles();
     let result = if let Some((written, checkpoint)) = earlier {
         output::reopen_checkpoint(folder)?;
         Claim::note(&destination)?;

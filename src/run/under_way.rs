@@ -10,8 +10,6 @@ use super::tally::Tally;
 use crate::case::{Case, RunPlan, Stop};
 use crate::output::Summary;
 use aero_solver::Flow;
-use aero_solver::method::Time;
-use aero_solver::problem::Problem;
 
 /// A step this short, as a part of the whole run, makes no headway: a thousand million would be
 /// needed.
@@ -52,7 +50,7 @@ impl<const D: usize> UnderWay<D> {
         stopwatch: Stopwatch,
     ) -> Result<Self, RunError> {
         let Case { problem, plan } = case;
-        let watches = plan.stop == Stop::Steady && !settles(&problem);
+        let watches = plan.stop == Stop::Steady && !problem.method.settles();
         let monitor = watches.then(|| Monitor::new(&problem));
         let simulation = Flow::new(problem).map_err(RunError::SetUp)?;
         recorder.frame(&simulation)?;
@@ -107,7 +105,7 @@ impl<const D: usize> UnderWay<D> {
 
     /// Goes on to the end.
     pub(super) fn finish(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
-        if settles(self.simulation.problem()) {
+        if self.simulation.problem().method.settles() {
             self.settle(recorder)
         } else {
             self.march(recorder)
@@ -191,12 +189,6 @@ impl<const D: usize> UnderWay<D> {
         let (step, time) = (self.simulation.steps(), self.simulation.time());
         format!("step {step}, time {time:.3e}")
     }
-}
-
-/// True where only the steady flow is wanted.
-pub(super) fn settles<const D: usize>(problem: &Problem<D>) -> bool {
-    let points = problem.method.fixed();
-    points.is_some_and(|points| points.time == Time::Settle)
 }
 
 /// Time of frame `number`; the last one is at the end, and no frame comes so shortly before it

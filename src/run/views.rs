@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 
 use aero_geometry::Vector;
 
-use super::under_way::settles;
 use crate::case::{OutputPlan, RunPlan, Stretch};
 use crate::output::{self, Caption, Collection, OutputError, Reference};
 use crate::sample::{Field, Gas, Solids};
@@ -110,7 +109,7 @@ impl<const D: usize> Views<D> {
 
 /// What the clock shows: a time, or iterations of a flow that settles.
 fn moment<const D: usize>(flow: &Flow<D>, is_si: bool) -> String {
-    if settles(flow.problem()) {
+    if flow.problem().method.settles() {
         return format!("iteration {}", flow.steps());
     }
     let time = flow.time();

@@ -13,6 +13,7 @@ use super::number::{
 use super::picture::PictureEntry;
 use super::probe::ProbeEntry;
 use super::refine::RefineEntry;
+use super::region::RegionEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::{SideEntry, WallWord};
 use super::spin::Spin;
@@ -313,14 +314,4 @@ pub struct OutputEntry {
     pub history_every: Option<Count>,
     /// Longest time between checkpoints in seconds; 60 unless given.
     pub checkpoint_seconds: Option<NonNegative>,
-}
-
-/// `output.region`: a box.
-#[derive(Clone, Debug, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub struct RegionEntry {
-    /// Lowest corner.
-    pub min: Vec<Finite>,
-    /// Highest corner.
-    pub max: Vec<Finite>,
 }

@@ -60,6 +60,7 @@ mod picture;
 mod probe;
 mod reference;
 mod refine;
+mod region;
 pub mod shapes;
 pub mod side;
 pub mod spin;
@@ -214,7 +215,7 @@ impl Scene {
         let end_time = flow::end_time(file, stop, &domain, &free_stream)?;
         let method = method::method(&file.scheme, stop)?;
         let gas_constant = file.free_stream.as_ref().and_then(stream::gas_constant);
-        let surroundings = output::Surroundings {
+        let surroundings = region::Surroundings {
             domain: &domain,
             spacing,
             stream: &free_stream,

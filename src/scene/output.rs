@@ -1,24 +1,12 @@
 //! From the file's `[output]` to when to write what.
 
-use aero_geometry::Bounds;
-
 use super::error::SceneError;
-use super::file::{OutputEntry, RegionEntry};
+use super::file::OutputEntry;
 use super::number::Count;
 use super::picture;
-use super::vector::AXES;
-use super::vector::vector;
+use super::region::{Surroundings, mirrors, region};
 use super::views;
 use crate::case::{OutputPlan, Pressure};
-use aero_solver::problem::{Domain, State};
-
-/// What outputs are to fit.
-pub(super) struct Surroundings<'a, const D: usize> {
-    pub(super) domain: &'a Domain<D>,
-    pub(super) spacing: f64,
-    pub(super) stream: &'a State<D>,
-    pub(super) gas_constant: Option<f64>,
-}
 
 /// What a run of that length writes, about points that stay or not.
 pub(super) fn plan<const D: usize>(
@@ -58,7 +46,7 @@ pub(super) fn plan<const D: usize>(
         ));
     }
     let mirrors = if entry.mirror.unwrap_or(false) {
-        views::mirrors(scene.domain)?
+        mirrors(scene.domain)?
     } else {
         Vec::new()
     };
@@ -82,22 +70,4 @@ pub(super) fn plan<const D: usize>(
             .checkpoint_seconds
             .map_or(BETWEEN_CHECKPOINTS, |seconds| seconds.get().min(NEVER)),
     })
-}
-
-/// The box that `place.region` gives.
-pub(super) fn region<const D: usize>(
-    place: &str,
-    entry: &RegionEntry,
-) -> Result<Bounds<D>, SceneError> {
-    let bounds = Bounds::new(
-        vector(&format!("{place}.region.min"), &entry.min)?,
-        vector(&format!("{place}.region.max"), &entry.max)?,
-    );
-    match (0..D).find(|&k| bounds.min[k] >= bounds.max[k]) {
-        None => Ok(bounds),
-        Some(k) => Err(SceneError::value(
-            format!("{place}.region"),
-            format!("is empty along {}; give a `max` above its `min`", AXES[k]),
-        )),
-    }
 }

@@ -6,11 +6,9 @@ use nalgebra::Vector3;
 use serde::Deserialize;
 
 use super::error::SceneError;
-use super::file::RegionEntry;
 use super::number::{Count, Finite};
-use super::output::{Surroundings, region};
+use super::region::{RegionEntry, Surroundings, mirrored, region, within};
 use super::vector::vector;
-use super::views::{mirrored, within};
 use super::words::QuantityWord;
 use crate::case::{PicturePlan, Stretch};
 use crate::sample::{Quantity, View};

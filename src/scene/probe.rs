@@ -6,8 +6,8 @@ use serde::Deserialize;
 
 use super::error::SceneError;
 use super::number::{Count, Finite, Name, Positive};
+use super::region::within;
 use super::vector::{AXES, vector};
-use super::views::within;
 use crate::case::{Probe, Reach};
 use crate::sample::{Lattice, Solids};
 

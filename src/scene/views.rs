@@ -1,14 +1,11 @@
 //! From `output.field` and `output.picture` to what is shown of the gas between its particles or points.
 
-use aero_geometry::Bounds;
 use aero_solver::problem::Domain;
 use serde::Deserialize;
 
 use super::error::SceneError;
-use super::file::RegionEntry;
 use super::number::Positive;
-use super::output::region;
-use super::vector::AXES;
+use super::region::{RegionEntry, mirrored, region, within};
 use crate::case::FieldPlan;
 use crate::sample::Lattice;
 
@@ -60,65 +57,4 @@ pub(super) fn field<const D: usize>(
     }
     lattice.origin = whole.min;
     Ok(FieldPlan { lattice })
-}
-
-/// The planes that a scene is mirrored at, `(axis, place)`.
-pub(super) fn mirrors<const D: usize>(domain: &Domain<D>) -> Result<Vec<(usize, f64)>, SceneError> {
-    let sides = domain
-        .each_side()
-        .filter(|(_, _, side, _)| side.is_mirror());
-    let mirrors: Vec<(usize, f64)> = sides.map(|(axis, _, _, face)| (axis, face)).collect();
-    if mirrors.is_empty() {
-        return Err(SceneError::value(
-            "output.mirror",
-            "the scene has no symmetry side and no axis, and is whole already; leave it out",
-        ));
-    }
-    if mirrors.windows(2).any(|pair| pair[0].0 == pair[1].0) {
-        return Err(SceneError::value(
-            "output.mirror",
-            "both sides of an axis are mirrors, and images would have no end; leave it out",
-        ));
-    }
-    Ok(mirrors)
-}
-
-/// A box with its images at those of `mirrors` that it touches.
-pub(super) fn mirrored<const D: usize>(
-    mut bounds: Bounds<D>,
-    mirrors: &[(usize, f64)],
-) -> Bounds<D> {
-    for &(axis, face) in mirrors {
-        if bounds.min[axis] == face {
-            bounds.min[axis] = 2.0 * face - bounds.max[axis];
-        } else if bounds.max[axis] == face {
-            bounds.max[axis] = 2.0 * face - bounds.min[axis];
-        }
-    }
-    bounds
-}
-
-/// `bounds`, which must lie in the domain.
-pub(super) fn within<const D: usize>(
-    place: &str,
-    bounds: Bounds<D>,
-    domain: &Domain<D>,
-) -> Result<Bounds<D>, SceneError> {
-    /// Round-off of decimal fractions, in sizes of the domain.
-    const ROUND_OFF: f64 = 1e-9;
-    let size = domain.bounds.size();
-    let beyond = (0..D).find(|&k| {
-        let slack = ROUND_OFF * size[k];
-        bounds.min[k] < domain.bounds.min[k] - slack || bounds.max[k] > domain.bounds.max[k] + slack
-    });
-    match beyond {
-        None => Ok(bounds),
-        Some(k) => Err(SceneError::value(
-            place,
-            format!(
-                "reaches beyond the domain, where there is no gas; along {} keep it between {} and {}",
-                AXES[k], domain.bounds.min[k], domain.bounds.max[k]
-            ),
-        )),
-    }
 }

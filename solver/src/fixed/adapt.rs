@@ -9,6 +9,7 @@ use super::cells::Cells;
 use super::cloud::{Cloud, Place};
 use super::columns::Columns;
 use super::ground::{Ground, plot};
+use super::origins::origins;
 use super::quiet::Quiet;
 use super::rebuild::rebuilt;
 use super::state::Conserved;
@@ -115,7 +116,7 @@ impl<const D: usize> FixedSimulation<D> {
             }
             Carry::Roughly => {
                 let volumes: Vec<f64> = self.volumes();
-                let origins = carry::origins(&plot, [&ground.cloud, &cloud]);
+                let origins = origins(&plot, [&ground.cloud, &cloud]);
                 mixed(&self.columns.held, &volumes, &origins)
             }
             Carry::Wholly => {

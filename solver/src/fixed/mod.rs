@@ -30,6 +30,7 @@ mod merge;
 mod nearby;
 mod net;
 mod order;
+mod origins;
 mod outlines;
 mod panels;
 mod part;

@@ -10,7 +10,7 @@ use aero_geometry::Vector;
 use aero_solver::frame::Frame;
 use aero_solver::problem::State;
 
-use super::planted::{Mistake, Mistaken};
+use super::mistake::{Mistake, Mistaken};
 use crate::compare::context::{CompareError, Context};
 use crate::compare::scenes::Source;
 use crate::compare::variant::Scheme;

@@ -64,17 +64,25 @@ fn blast(refine: Refine) -> Problem<2> {
     refined(blast, Time::Accurate, refine)
 }
 
-/// Also in a box that is no multiple of the spacing long, so that parts of its last cells stick out of it.
 #[test]
 fn what_points_that_come_and_go_carry_is_neither_lost_nor_made() {
-    let mut odd = blast(Refine::Levels(2));
-    odd.domain.bounds.max += Vector::<2>::new(-0.4, 0.45) / 16.0;
-    for blast in [blast(Refine::Levels(2)), odd] {
-        nothing_is_lost(blast);
-    }
+    let counts = conserved(blast(Refine::Levels(2)));
+    assert!(counts.len() > 3, "{counts:?}");
 }
 
-fn nothing_is_lost(blast: Problem<2>) {
+/// Parts of its last cells stick out of it, and there the gas asks for points.
+#[test]
+fn nothing_is_lost_at_the_end_of_a_box_that_is_no_multiple_of_the_spacing_long() {
+    let mut odd = blast(Refine::Levels(2));
+    odd.domain.bounds.max += Vector::<2>::new(-0.4, 0.45) / 16.0;
+    if let Initial::Riemann { position, .. } = &mut odd.initial {
+        *position = 0.92;
+    }
+    conserved(odd);
+}
+
+/// Marches sixty steps, and returns how many points there were per level, each time that this changed.
+fn conserved(blast: Problem<2>) -> Vec<Vec<usize>> {
     let mut flow = FixedSimulation::new(blast).unwrap();
     let before = flow.totals();
     let mut counts = vec![flow.points_per_level()];
@@ -90,9 +98,9 @@ fn nothing_is_lost(blast: Problem<2>) {
             assert!(momentum.abs() < 1e-12, "{momentum:e}");
         }
     }
-    counts.dedup();
-    assert!(counts.len() > 3, "{counts:?}");
     assert!(flow.statistics().min_density > 0.1);
+    counts.dedup();
+    counts
 }
 
 /// Wherever the gas changes steeply the points are the finest there are.
