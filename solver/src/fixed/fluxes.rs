@@ -5,6 +5,7 @@ use std::array;
 use pulp::{Simd, WithSimd};
 
 use super::calmness::{smoothness, steepness};
+use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
 use super::hll::Jump;
 use super::net::{Block, Face, Net};
@@ -41,6 +42,8 @@ pub struct Exchange<'a, G, const D: usize> {
     pub gas: &'a G,
     /// All faces.
     pub net: &'a Net<D>,
+    /// How energy goes through them.
+    pub energy: EnergyFlux,
     /// Those to sum up.
     pub block: &'a Block<D>,
     /// The flow.
@@ -57,6 +60,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         let Self {
             gas,
             net,
+            energy,
             block,
             flow,
             pressures,
@@ -64,7 +68,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         let start = block.cells.start;
         let mut cells = vec![Conserved::ZERO; block.cells.len()];
         for faces in block.faces.chunks(S::F64_LANES) {
-            let flux = Batch::new(simd, net, faces, flow).flux(gas);
+            let flux = Batch::new(simd, net, faces, flow).flux(gas, energy);
             let flux = stored(&flux);
             for (face, flux) in faces.iter().zip(&flux) {
                 for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
@@ -85,7 +89,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         }
         for side in &block.sides {
             let i = side.i as usize;
-            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i]);
+            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i], energy);
             boundary = boundary.plus(-side.image.size, &flux);
             cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
         }
@@ -152,7 +156,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
 
     /// Flux through the whole of each face.
     #[inline(always)]
-    fn flux<G: Gas>(&self, gas: &G) -> Conserved<D, Lane<S>> {
+    fn flux<G: Gas>(&self, gas: &G, energy: EnergyFlux) -> Conserved<D, Lane<S>> {
         let size = dot(&self.area, &self.area).sqrt();
         let share = size.like(1.0) / size;
         let normal = scaled(&self.area, share);
@@ -178,10 +182,14 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         for k in 0..D {
             momentum[k] = mix.of(sharp.momentum[k], blunt.momentum[k]);
         }
+        let mass = mix.of(sharp.mass, blunt.mass);
         Conserved {
-            mass: mix.of(sharp.mass, blunt.mass),
+            mass,
             momentum,
-            energy: mix.of(sharp.energy, blunt.energy),
+            energy: match energy {
+                EnergyFlux::Waves => mix.of(sharp.energy, blunt.energy),
+                EnergyFlux::Enthalpy => carried(gas, mass, &self.states),
+            },
         }
     }
 }

@@ -14,6 +14,7 @@ mod columns;
 mod cut;
 mod cut_cell;
 mod edges;
+mod energy;
 mod filler;
 mod fluxes;
 mod folding;

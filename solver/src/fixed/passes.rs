@@ -4,6 +4,7 @@ use rayon::prelude::*;
 
 use super::FixedSimulation;
 use super::columns::Columns;
+use super::energy::EnergyFlux;
 use super::fluxes::{Exchange, Flow, Gains};
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};
@@ -91,6 +92,7 @@ impl<const D: usize> FixedSimulation<D> {
         &mut self,
         apply: impl Fn(&Net<D>, Part<'_, D>, &Gains<D>) + Sync,
     ) -> Vec<Conserved<D>> {
+        let energy = EnergyFlux::of(&self.problem);
         let Self {
             arch,
             gas,
@@ -121,6 +123,7 @@ impl<const D: usize> FixedSimulation<D> {
                 let gains = arch.dispatch(Exchange {
                     gas: &*gas,
                     net: &*net,
+                    energy,
                     block,
                     flow,
                     pressures: pressures.as_mut_slice(),

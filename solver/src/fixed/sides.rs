@@ -1,6 +1,7 @@
 //! Faces on the sides of the domain: what is beyond them, and what flows through.
 
 use super::cells::SideFace;
+use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
 use super::hll::Jump;
 use super::slopes::Slopes;
@@ -92,7 +93,13 @@ impl<const D: usize> Side<D> {
     }
 
     /// Flux through a unit area, out of the domain; `slopes` are the cell's.
-    pub fn flux<G: Gas>(&self, gas: &G, cell: &Primitive<D>, slopes: &Slopes<D>) -> Conserved<D> {
+    pub fn flux<G: Gas>(
+        &self,
+        gas: &G,
+        cell: &Primitive<D>,
+        slopes: &Slopes<D>,
+        energy: EnergyFlux,
+    ) -> Conserved<D> {
         let normal = self.image.normal;
         let other = match &self.beyond {
             Beyond::Stream(state) => *state,
@@ -131,7 +138,14 @@ impl<const D: usize> Side<D> {
                 }
             }
         };
-        Jump::new(gas, *cell, other, normal).hllc()
+        let flux = Jump::new(gas, *cell, other, normal).hllc();
+        match energy {
+            EnergyFlux::Waves => flux,
+            EnergyFlux::Enthalpy => Conserved {
+                energy: carried(gas, flux.mass, &[*cell, other]),
+                ..flux
+            },
+        }
     }
 }
 
@@ -175,7 +189,7 @@ mod tests {
             velocity: [speed, 0.4],
             pressure: 0.8,
         };
-        side.flux(&GAS, &cell, &Slopes::LEVEL)
+        side.flux(&GAS, &cell, &Slopes::LEVEL, EnergyFlux::Waves)
     }
 
     #[test]
@@ -214,7 +228,7 @@ mod tests {
             velocity: [0.5],
             pressure: 1.0 / 1.4,
         };
-        let flux = side.flux(&GAS, &cell, &Slopes::LEVEL);
+        let flux = side.flux(&GAS, &cell, &Slopes::LEVEL, EnergyFlux::Waves);
         let change = 0.25 * (1.0 - 0.25) * above * 0.1 / 0.5;
         // With du = change / 2 and dp = drho = -du: drho u + du, and dp + 2 u du + u^2 drho.
         let more = (flux.mass - 0.5) / (0.25 * change);
