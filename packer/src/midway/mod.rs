@@ -117,6 +117,10 @@ fn ends_in_an_edge<const D: usize>(plan: &Plan<'_, D>, site: &Site<D>) -> bool {
     }
     let opposite = site.place - 0.5 * site.whole * site.normal;
     let lean = site.normal + plan.shape.closest(&opposite).normal;
+    if lean.norm() > ASKEW {
+        // The way through ends at a face beside this one.
+        return true;
+    }
     let way = site.whole / lean.norm();
     let apex = site.place + way * lean.normalize();
     way.is_finite() && plan.shape.signed_distance(&apex) < BEYOND_EDGE * way
@@ -127,6 +131,9 @@ const NEARLY: f64 = 0.99;
 
 /// What is nearer than this, in spacings, to a thicker place is its edge.
 const EDGE: f64 = 2.5;
+
+/// Sum of the normals of two faces that are no longer opposite: 60 degrees between them.
+const ASKEW: f64 = 1.0;
 
 /// Where faces bend, their planes meet beyond the edge by less than this part of the way to it.
 const BEYOND_EDGE: f64 = 0.5;
