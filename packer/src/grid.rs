@@ -174,7 +174,7 @@ impl<const D: usize> Cell<D> {
             distance: self.distance,
             normal: self.normal,
         };
-        (self.room, self.full) = if D == 3 && side == Side::Ghosts {
+        (self.room, self.full) = if side == Side::Ghosts {
             room_inside(shape, &probe, spacing)
         } else {
             room_across(shape, &probe, spacing)

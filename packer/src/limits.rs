@@ -10,7 +10,7 @@ const UNCOVERED: f64 = 0.1;
 const LOST: f64 = 2.0;
 
 /// Largest error of the volume, per cent.
-const VOLUME: f64 = 1.0;
+pub(crate) const VOLUME: f64 = 1.0;
 
 /// Least distance between two ghosts, in spacings, that is not worth a word; round-off aside.
 const GAP: f64 = 0.5 - 1e-6;

@@ -23,7 +23,7 @@ use crate::seeds::seed;
 use crate::sources::Sources;
 use crate::surface::samples;
 use crate::target::ideal_layers;
-use crate::thin::{fill_thin, least_thickness};
+use crate::thin::fill_thin;
 use crate::{About, PackError, PackOptions, Packing, Warning};
 
 /// The rounded number of ghosts may miss their exact volume by this part; beyond it they share the
@@ -53,21 +53,17 @@ pub fn pack<const D: usize>(
     let plan = Plan::new(shape, options, &Mirrors::of(shape), Side::Ghosts, 2.0)?;
     let (mut cloud, _) = seed(&plan);
     let surface = samples(shape, &plan.bounds, SAMPLES * options.spacing);
-    let (target, thinnest) = if D == 3 {
-        let layers = cloud.len();
-        let thinnest = midway::lay(&plan, &mut cloud, &surface)?;
-        let rows = cloud.particles().skip(layers).collect();
-        (ideal_layers(&plan, Some(rows)), thinnest)
-    } else {
-        let thinnest = least_thickness(&plan)?;
-        let target = ideal_layers(&plan, None);
+    let layers = cloud.len();
+    let thinnest = midway::lay(&plan, &mut cloud, &surface)?;
+    let rows = cloud.particles().skip(layers).collect();
+    let target = ideal_layers(&plan, rows);
+    if D == 2 {
         let placed = Sources::new(&plan.mirrors, cloud.particles(), plan.support());
         let left = plan.thin_volume();
         fill_thin(&plan, &mut cloud, left, &placed, |points, smoothing| {
             target.densities(points, smoothing)
         });
-        (target, thinnest)
-    };
+    }
     settle(&plan, &mut cloud, &target);
     let strays = leave_out_strays(&plan, &mut cloud);
     mend(&plan, &mut cloud, &surface);
@@ -157,8 +153,30 @@ fn leave_out_strays<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) ->
 /// Gives the ghosts off the lattice the shell's exact volume, where the rounding of their number
 /// shows: a small body has few, and a symmetric one a multiple of two, four or eight.
 fn share_volume<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) {
-    let mut total = 0.0;
-    let mut movable = 0.0;
+    let (total, mut movable) = volumes(plan, cloud);
+    let missing = plan.shell_volume() - total;
+    if missing.abs() < VOLUME_TOLERANCE * total {
+        return;
+    }
+    if missing.abs() > LARGEST_CORRECTION * movable && missing.abs() > 0.01 * limits::VOLUME * total
+    {
+        // The lattice does not fit into the body, and too few stand off it to make up for that.
+        thaw(plan, cloud);
+        movable = volumes(plan, cloud).1;
+    }
+    if missing.abs() > LARGEST_CORRECTION * movable {
+        return;
+    }
+    for (volume, lock) in cloud.volume.iter_mut().zip(&cloud.lock) {
+        if !matches!(lock, Lock::Frozen | Lock::Row) {
+            *volume *= 1.0 + missing / movable;
+        }
+    }
+}
+
+/// Volume of all ghosts in the packed part of space, and of those off the lattice and off rows.
+fn volumes<const D: usize>(plan: &Plan<'_, D>, cloud: &Cloud<D>) -> (f64, f64) {
+    let (mut total, mut movable) = (0.0, 0.0);
     for n in 0..cloud.len() {
         let volume = cloud.volume[n] * plan.part_in_region(&cloud.position[n]);
         total += volume;
@@ -166,13 +184,17 @@ fn share_volume<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) {
             movable += volume;
         }
     }
-    let missing = plan.shell_volume() - total;
-    if missing.abs() < VOLUME_TOLERANCE * total || missing.abs() > LARGEST_CORRECTION * movable {
-        return;
-    }
-    for (volume, lock) in cloud.volume.iter_mut().zip(&cloud.lock) {
-        if !matches!(lock, Lock::Frozen | Lock::Row) {
-            *volume *= 1.0 + missing / movable;
+    (total, movable)
+}
+
+/// Lets go of the ghosts on the lattice.
+fn thaw<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) {
+    for (lock, &layer) in cloud.lock.iter_mut().zip(&cloud.layer) {
+        if *lock == Lock::Frozen {
+            *lock = match layer {
+                0 => Lock::Level(plan.level(0)),
+                _ => Lock::Free,
+            };
         }
     }
 }

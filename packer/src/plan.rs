@@ -85,7 +85,7 @@ impl<'a, const D: usize> Plan<'a, D> {
         let (mut band, beyond) = grid.band(shape, &bounds, range, spacing)?;
         band.par_iter_mut()
             .for_each(|cell| cell.survey(shape, spacing, side));
-        let cut_band = if D == 2 {
+        let cut_band = if D == 2 && side == Side::Fluid {
             band.clone()
         } else {
             cut_up(shape, &band, spacing, side)
@@ -145,35 +145,53 @@ impl<'a, const D: usize> Plan<'a, D> {
         &self.cut_band
     }
 
-    /// Cells of the layers that are too thin for them.
+    /// Cells of the layers that are too thin for them, those of rows aside.
     pub fn thin_cells(&self) -> Vec<Cell<D>> {
         let cells = self.cut_band.iter().copied();
         cells
-            .filter(|cell| cell.room == Room::Thin && self.is_inside_layers(cell))
+            .filter(|cell| {
+                cell.room == Room::Thin && self.is_inside_layers(cell) && !self.is_of_rows(cell)
+            })
             .collect()
     }
 
-    /// The pieces of the layers' parts that are too thin for them: centres and volumes.
-    pub fn thin_bits(&self) -> Vec<Bit<D>> {
-        let cells = self.cut_band.iter();
+    /// True where what `full` layers of ghosts leave belongs to rows mid-way between two faces: in space everywhere, in the plane where
+    /// not even the wall layers of both faces fit. What deeper layers leave there is a slender wedge as a rule, and filled by volume.
+    pub fn has_rows_below(full: usize) -> bool {
+        D == 3 || full == 0
+    }
+
+    fn is_of_rows(&self, cell: &Cell<D>) -> bool {
+        self.side == Side::Ghosts && Self::has_rows_below(cell.full)
+    }
+
+    /// The pieces of the parts of rows: centres and volumes.
+    pub fn row_bits(&self) -> Vec<Bit<D>> {
+        let cells = self.cut_band.iter().filter(|cell| self.is_of_rows(cell));
         cells
-            .filter(|cell| cell.full < self.layers)
-            .map(|cell| {
-                let thin = self.parts(cell).filter(|part| part.0 >= cell.full);
-                (cell.centre, thin.map(|part| part.1).sum())
-            })
+            .map(|cell| (cell.centre, self.thin_part(cell)))
             .filter(|bit: &Bit<D>| bit.1 > 0.0)
             .collect()
     }
 
-    /// Volume of the layers' parts that are too thin for them.
+    /// Volume of the parts that are too thin for the layers, those of rows aside.
     pub fn thin_volume(&self) -> f64 {
-        let cells = self.cut_band.iter();
-        cells
-            .filter(|cell| cell.room == Room::Thin)
-            .flat_map(|cell| self.parts(cell))
-            .map(|(_, volume)| volume)
-            .sum()
+        let cells = self.cut_band.iter().filter(|cell| !self.is_of_rows(cell));
+        cells.map(|cell| self.thin_part(cell)).sum()
+    }
+
+    /// Volume of the part of a cell that is too thin for its layers.
+    fn thin_part(&self, cell: &Cell<D>) -> f64 {
+        if cell.full >= self.layers {
+            return 0.0;
+        }
+        let thin = self.parts(cell).filter(|part| part.0 >= cell.full);
+        thin.map(|part| part.1).sum()
+    }
+
+    /// True where a layer has no room in a cell and leaves it to rows.
+    pub fn leaves_to_rows(&self, cell: &Cell<D>, layer: usize) -> bool {
+        layer >= cell.full && self.is_of_rows(cell)
     }
 
     /// Cells of the layers that have room for them.

@@ -54,8 +54,7 @@ pub struct PackReport {
     /// Volume of ghosts and of the core that they enclose against the body's own, per cent; against that of the layers where a region cuts the
     /// body off.
     pub volume_error_percent: f64,
-    /// Number of ghosts in parts too thin for the layers of both sides (tips, fins): mid-way between two faces in space, in the plane
-    /// wherever the volume asks for them.
+    /// Number of ghosts in parts too thin for the layers of both sides (tips, fins).
     pub thin: usize,
     /// Largest mirror error over the body's symmetry planes, in dx; none without a plane.
     pub mirror_error_max: Option<f64>,

@@ -4,7 +4,9 @@ use crate::cloud::{Cloud, Lock};
 use crate::contour::Corners;
 use crate::level::project;
 use crate::plan::Plan;
+use crate::room::Side;
 use crate::room_across::fits;
+use crate::room_inside::has_room;
 use crate::rows::RowPlan;
 use crate::sheets::{BlockVolumes, Sheets};
 
@@ -48,8 +50,14 @@ fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
             for s in rows.seeds(contour, &mut carry) {
                 let guess = plan.mirrors.snapped(contour.point_at(s), 1e-9 * spacing);
                 let point = project(plan.shape, &guess, level, plan.tolerance).unwrap_or(guess);
-                let normal = plan.shape.closest(&point).normal;
-                if fits(plan.shape, (&point, level, &normal), layer, spacing) {
+                let has_room = match plan.side {
+                    Side::Ghosts => has_room(plan.shape, &point, layer, spacing),
+                    Side::Fluid => {
+                        let normal = plan.shape.closest(&point).normal;
+                        fits(plan.shape, (&point, level, &normal), layer, spacing)
+                    }
+                };
+                if has_room {
                     cloud.push(
                         point,
                         layer as u32,

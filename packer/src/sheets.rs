@@ -32,6 +32,9 @@ const MOST_REPAIRS: usize = 20;
 /// A cell whose centre is beyond the surface is cut by it where more than this part of it is not.
 const CUT: f64 = 0.01;
 
+/// Sites nearer than this, in spacings, to the middle between two levels are taken to be on it: coordinates of meshes are rounded.
+const TIE: f64 = 1e-3;
+
 /// Lays the sheets of one packing.
 pub(crate) struct Sheets<'a, const D: usize> {
     /// Its frame.
@@ -43,13 +46,14 @@ impl<const D: usize> Sheets<'_, D> {
     /// up to rounding, which is carried from block to block.
     pub fn seeds(&self, layer: usize, wanted: &BlockVolumes<D>, carry: &mut f64) -> Vec<Vector<D>> {
         let level = self.plan.level(layer);
-        let half = 0.5 * self.step();
+        // Of two sites as near to a flat level, one on either side, it is always the deeper one, whatever round-off says.
+        let low = level - (0.5 + TIE) * self.step();
         let perfect = self.perfect(level);
         let mut points: Vec<Seed<D>> = self
             .plan
             .band
             .par_iter()
-            .filter(|cell| cell.distance >= level - half && cell.distance < level + half)
+            .filter(|cell| cell.distance >= low && cell.distance < low + self.step())
             .filter(|cell| layer < cell.full)
             .filter_map(|cell| {
                 let mirrors = &self.plan.mirrors;

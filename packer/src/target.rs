@@ -21,11 +21,11 @@ use crate::sources::Sources;
 const FARTHEST: f64 = 1.0;
 
 /// Cuts the layers of `plan` into small pieces and moves each to the middle of its layer; what is
-/// too thin for its layer stays in place, or is given as the particles `rows` of its own. The pieces of a cell that was cut up are
+/// too thin for its layer stays in place; thin parts that belong to rows are given as the particles `rows`. The pieces of a cell that was cut up are
 /// then joined.
 pub(crate) fn ideal_layers<const D: usize>(
     plan: &Plan<'_, D>,
-    rows: Option<Vec<(Vector<D>, f64)>>,
+    rows: Vec<(Vector<D>, f64)>,
 ) -> Sources<D> {
     let spacing = plan.options.spacing;
     let blocks: Vec<&[Cell<D>]> = plan.cells().chunk_by(|a, b| a.index == b.index).collect();
@@ -35,7 +35,7 @@ pub(crate) fn ideal_layers<const D: usize>(
             let mut joined: Vec<(usize, Vector<D>, f64)> = Vec::new();
             for cell in *cells {
                 for (layer, volume) in plan.parts(cell) {
-                    if rows.is_some() && layer >= cell.full {
+                    if plan.leaves_to_rows(cell, layer) {
                         continue;
                     }
                     let place = place(plan, cell, layer);
@@ -53,7 +53,7 @@ pub(crate) fn ideal_layers<const D: usize>(
                 .map(|(_, moment, volume)| (moment / volume, volume))
         })
         .collect();
-    pieces.extend(rows.into_iter().flatten());
+    pieces.extend(rows);
     Sources::new(&plan.mirrors, pieces, SUPPORT * SMOOTHING_RATIO * spacing)
 }
 
@@ -63,6 +63,7 @@ fn place<const D: usize>(plan: &Plan<'_, D>, cell: &Cell<D>, layer: usize) -> Ve
     let level = plan.level(layer);
     let guess = cell.centre - (cell.distance - level) * cell.normal;
     match cell.room {
+        _ if layer >= cell.full => cell.centre,
         Room::Clear => guess,
         Room::Ridge => project(plan.shape, &guess, level, 1e-3 * spacing)
             .filter(|p| (p - cell.centre).norm() < FARTHEST * spacing)

@@ -1,6 +1,6 @@
-//! Parts too thin for their layers: tips, fins, gaps between walls.
+//! Parts too thin for their layers, by volume: gaps between walls, and in the plane what deeper layers of ghosts leave between them.
 //!
-//! Where the body is thinner than both sides' layers together, the middle levels are crowded or do
+//! Where a part is thinner than both sides' layers together, the middle levels are crowded or do
 //! not exist. There, a front sweeps over the part and sets a particle wherever enough of the ideal density is
 //! missing, as many as the volume holds; relaxation then spaces them.
 
@@ -10,13 +10,11 @@ use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
-use crate::PackError;
 use crate::cloud::{Cloud, Lock};
 use crate::grid::Cell;
 use crate::plan::Plan;
 use crate::room_across::thickness;
 use crate::sources::Sources;
-use crate::thinnest::{THINNEST, Thinnest};
 
 /// Smoothing length, in spacings, of the density whose lack decides where a particle goes.
 const SMOOTHING: f64 = 1.0;
@@ -36,33 +34,6 @@ const HALVINGS: usize = 24;
 
 /// Reach, in spacings, of the neighbourhood whose thickest place counts.
 const NEIGHBOURHOOD: f64 = 2.5;
-
-/// Refuses bodies that are too thin everywhere, and returns the thinnest place if that is too thin.
-pub(crate) fn least_thickness<const D: usize>(
-    plan: &Plan<'_, D>,
-) -> Result<Option<Thinnest>, PackError> {
-    let cells = plan.thin_cells();
-    let spacing = plan.options.spacing;
-    let sizes = local_thickness(plan, &cells);
-    let Some(least) = (0..cells.len()).min_by(|&a, &b| sizes[a].total_cmp(&sizes[b])) else {
-        return Ok(None);
-    };
-    let found = Thinnest {
-        thickness: sizes[least] / spacing,
-        at: cells[least].centre.iter().copied().collect(),
-        spacing,
-    };
-    let thick_somewhere =
-        plan.roomy_cells().next().is_some() || sizes.iter().any(|&size| size >= THINNEST * spacing);
-    if thick_somewhere {
-        return Ok((found.thickness < THINNEST).then_some(found));
-    }
-    Err(PackError::Thin {
-        thickness: found.thickness,
-        at: found.at,
-        spacing,
-    })
-}
 
 /// Adds particles in the thin parts until `volume` is used up. `wanted(points, smoothing)` is
 /// the density aimed at, `placed` what contributes to it already.

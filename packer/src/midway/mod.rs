@@ -1,12 +1,14 @@
-//! Thin parts in space: particles on the sheet mid-way between two faces.
+//! Thin parts: particles on the sheet mid-way between two faces.
 //!
 //! Where a body is thinner than the wall layers of both sides, one row lies in the middle, or two rows a quarter of the
-//! thickness below either face where it is thicker than a spacing and a half; what deeper layers leave between them is filled
+//! thickness below either face where it is thicker than a spacing and a half; in space, what deeper layers leave between them is filled
 //! likewise. Particles are one spacing apart along the part whatever its thickness, up to its rims and tips, and each has the volume
-//! of what is nearest to it: `V = t dx^2` on a plate of thickness `t`. So a fin is covered however thin it is.
+//! of what is nearest to it: `V = t dx^(D-1)` on a plate of thickness `t`, and no more than a row a spacing and a half thick gives. So a fin is
+//! covered however thin it is.
 
 mod ball;
 mod seats;
+mod shares;
 mod sites;
 mod spread;
 
@@ -21,14 +23,9 @@ use crate::nearest::Nearest;
 use crate::plan::Plan;
 use crate::surface::Sample;
 use crate::thinnest::{THINNEST, Thinnest};
+use shares::share_out;
 use sites::{Site, sites};
 use spread::spread;
-
-/// How far, in spacings, a piece of a thin part looks for a particle of its own.
-const OWN: f64 = 1.5;
-
-/// And how far for any.
-const ANY: f64 = 4.0;
 
 /// Adds the particles of the thin parts below `samples` of the surface, and gives the volume of the thin parts to them, or to
 /// those of the layers beside where too little is left for a row.
@@ -42,11 +39,10 @@ pub(crate) fn lay<const D: usize>(
     cloud: &mut Cloud<D>,
     samples: &[Sample<D>],
 ) -> Result<Option<Thinnest>, PackError> {
-    let bits = plan.thin_bits();
+    let bits = plan.row_bits();
     if bits.is_empty() {
         return Ok(None);
     }
-    let spacing = plan.options.spacing;
     let found = sites(plan, samples, &bits);
     let thinnest = thinnest(plan, &found)?;
     let seeds = spread(plan, &found, cloud);
@@ -54,28 +50,7 @@ pub(crate) fn lay<const D: usize>(
     for seed in &seeds {
         cloud.push(seed.place, seed.layer, Lock::Row, 0.0);
     }
-    let thin = Nearest::new(&plan.mirrors, &cloud.position[first..], OWN * spacing);
-    let all = Nearest::new(&plan.mirrors, &cloud.position, ANY * spacing);
-    let owners: Vec<Option<usize>> = bits
-        .par_iter()
-        .map(|(place, _)| {
-            let own = thin.find(place, OWN * spacing, |_| true);
-            let own = own.map(|(n, _)| first + n as usize);
-            own.or_else(|| {
-                let any = all.find(place, ANY * spacing, |_| true);
-                any.map(|(n, _)| n as usize)
-            })
-        })
-        .collect();
-    let mut extra = vec![0.0; cloud.len()];
-    for ((_, volume), owner) in bits.iter().zip(owners) {
-        if let Some(n) = owner {
-            extra[n] += volume;
-        }
-    }
-    for (n, extra) in extra.into_iter().enumerate() {
-        cloud.volume[n] += extra / plan.mirrors.share(&cloud.position[n]);
-    }
+    share_out(plan, cloud, first, &bits);
     // One without a volume of its own stands in a sliver that no piece has its centre in.
     let least = LEAST_VOLUME * plan.particle_volume();
     for volume in &mut cloud.volume[first..] {
@@ -84,7 +59,7 @@ pub(crate) fn lay<const D: usize>(
     Ok(thinnest)
 }
 
-/// Thinnest place that is not the edge of something thicker; refuses a body that is no thicker anywhere.
+/// Thinnest place that is neither the edge of something thicker nor one where two faces meet; refuses a body that is no thicker anywhere.
 fn thinnest<const D: usize>(
     plan: &Plan<'_, D>,
     sites: &[Site<D>],
@@ -98,27 +73,57 @@ fn thinnest<const D: usize>(
         .collect();
     let reach = EDGE * spacing;
     let nearest = Nearest::new(&plan.mirrors, &thick, reach);
-    let is_edge = |site: &Site<D>| nearest.find(&site.place, reach, |_| true).is_some();
-    let worst = sites
-        .iter()
-        .filter(|site| site.whole < limit && !is_edge(site))
-        .min_by(|a, b| a.whole.total_cmp(&b.whole));
-    let Some(site) = worst else {
-        return Ok(None);
-    };
-    let found = Thinnest {
+    let found = |site: &Site<D>| Thinnest {
         thickness: site.whole / spacing,
         at: site.place.iter().copied().collect(),
         spacing,
     };
-    if thick.is_empty() && plan.roomy_cells().next().is_none() {
+    let thin: Vec<&Site<D>> = sites
+        .iter()
+        .filter(|site| site.whole < limit)
+        .filter(|site| nearest.find(&site.place, reach, |_| true).is_none())
+        .collect();
+    let least = |thin: &[&Site<D>]| {
+        let sites = thin.iter().copied();
+        sites.min_by(|a, b| a.whole.total_cmp(&b.whole)).map(&found)
+    };
+    if thick.is_empty()
+        && plan.roomy_cells().next().is_none()
+        && let Some(found) = least(&thin)
+    {
         return Err(PackError::Thin {
             thickness: found.thickness,
             at: found.at,
             spacing,
         });
     }
-    Ok(Some(found))
+    let is_plate: Vec<bool> = thin
+        .par_iter()
+        .map(|site| !ends_in_an_edge(plan, site))
+        .collect();
+    let mut is_plate = is_plate.into_iter();
+    let plates: Vec<&Site<D>> = thin
+        .into_iter()
+        .filter(|_| is_plate.next().unwrap_or(true))
+        .collect();
+    Ok(least(&plates))
+}
+
+/// True on a wedge that is as thin as wanted near its edge: the planes of both faces meet where the body ends. Sites on rims count as edges; those on faces
+/// beside them know better.
+fn ends_in_an_edge<const D: usize>(plan: &Plan<'_, D>, site: &Site<D>) -> bool {
+    if site.area <= 0.0 {
+        return true;
+    }
+    let opposite = site.place - 0.5 * site.whole * site.normal;
+    let lean = site.normal + plan.shape.closest(&opposite).normal;
+    if lean.norm() > ASKEW {
+        // The way through ends at a face beside this one.
+        return true;
+    }
+    let way = site.whole / lean.norm();
+    let apex = site.place + way * lean.normalize();
+    way.is_finite() && plan.shape.signed_distance(&apex) < BEYOND_EDGE * way
 }
 
 /// Thickness is known to this part.
@@ -126,6 +131,12 @@ const NEARLY: f64 = 0.99;
 
 /// What is nearer than this, in spacings, to a thicker place is its edge.
 const EDGE: f64 = 2.5;
+
+/// Sum of the normals of two faces that are no longer opposite: 60 degrees between them.
+const ASKEW: f64 = 1.0;
+
+/// Where faces bend, their planes meet beyond the edge by less than this part of the way to it.
+const BEYOND_EDGE: f64 = 0.5;
 
 /// Least volume of a ghost, of a full one's.
 const LEAST_VOLUME: f64 = 1e-3;

@@ -83,7 +83,7 @@ fn site<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Site<D
     let spacing = plan.options.spacing;
     let seen = (&sample.point, &sample.normal);
     let full = layers_with_room(plan.shape, seen, plan.layers, spacing);
-    if full == plan.layers {
+    if full == plan.layers || !Plan::<D>::has_rows_below(full) {
         return None;
     }
     let filled = full as f64 * spacing;

@@ -15,8 +15,8 @@ use crate::sheets::Touched;
 /// Every site is at most this far, in spacings, from a particle.
 const COVERED: f64 = 1.0;
 
-/// Particles are at least this far apart, in spacings, when they are laid.
-const APART: f64 = 0.7;
+/// Particles are at least this far apart, in spacings, when they are laid, in the plane and in space: on a line, moving evens out any gap.
+const APART: [f64; 2] = [0.5, 0.7];
 
 /// And this far from those of the layers beside.
 const BESIDE: f64 = 0.75;
@@ -154,7 +154,7 @@ fn add<const D: usize>(
             order.sort_by(|&a, &b| gaps[b].total_cmp(&gaps[a]).then(a.cmp(&b)));
             let mut added: Vec<usize> = Vec::new();
             for n in order {
-                if carry < 0.5 || gaps[n] < APART * spacing {
+                if carry < 0.5 || gaps[n] < APART[D - 2] * spacing {
                     break;
                 }
                 // What is known of places beside it is out of date then.

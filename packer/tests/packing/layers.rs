@@ -1,7 +1,7 @@
 //! Layers of ghosts around simple shapes.
 
 use crate::shapes::{Ball, Polygon};
-use aero_geometry::{Bounds, Vector};
+use aero_geometry::{Bounds, Placed, Placement, Vector, bodies};
 use aero_packer::{PackOptions, pack};
 
 #[test]
@@ -53,4 +53,28 @@ fn a_part_of_a_body_is_packed_without_the_way_to_its_far_plane_of_symmetry() {
     assert_eq!(packing.ghosts.position.len(), 5 * 20);
     let report = packing.report;
     assert!(report.shell_volume_error_percent.abs() < 0.1, "{report:?}");
+}
+
+/// The middle of the top layer lies half way between two rows of the lattice; round-off decides which is the nearer one, or none.
+#[test]
+fn a_face_half_a_spacing_off_the_lattice_has_its_wall_layer_everywhere() {
+    for spacing in [0.0002, 0.1, 0.3] {
+        for top in [10.5, 35.5, 72.5] {
+            let block = bodies::cuboid([14.0 * spacing, 14.0 * spacing, 9.0 * spacing]).unwrap();
+            let turned = Placement::default().rotated_about(&Vector::<3>::z(), 0.3);
+            let middle = (top - 4.5) * spacing;
+            let place = turned.unwrap().moved(Vector::<3>::new(0.0, 0.0, middle));
+            let packing = pack(&Placed::new(block, place), &PackOptions::new(spacing)).unwrap();
+            let ghosts = &packing.ghosts;
+            let wall = (0..ghosts.position.len()).filter(|&n| {
+                let at = &ghosts.position[n];
+                ghosts.layer[n] == 0 && at[2] > middle && at[0].hypot(at[1]) < 5.0 * spacing
+            });
+            let (count, exact) = (wall.count() as f64, 25.0 * std::f64::consts::PI);
+            assert!(
+                (count - exact).abs() < 0.15 * exact,
+                "{spacing}, {top}: {count} for {exact}"
+            );
+        }
+    }
 }

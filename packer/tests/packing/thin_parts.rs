@@ -1,7 +1,7 @@
-//! Thin parts in space: plates alone and as fins are whole, whatever their thickness and angle.
+//! Thin parts in the plane and in space: plates alone and as fins are whole, whatever their thickness and angle.
 
 use aero_geometry::{Bounds, Closest, Placed, Placement, Shape, Vector, bodies};
-use aero_packer::{PackOptions, PackReport, Packing, pack};
+use aero_packer::{About, PackOptions, PackReport, Packing, pack};
 
 fn turned(degrees: f64) -> Placement<3> {
     let axis = Vector::<3>::new(0.3, 0.9, 0.2);
@@ -32,6 +32,136 @@ fn plates_of_any_thickness_are_whole_at_any_angle() {
         let packing = pack(&Placed::new(plate, turned(angle)), &PackOptions::new(1.0)).unwrap();
         is_whole(&format!("{thickness} at {angle}"), &packing.report);
     }
+}
+
+#[test]
+fn plates_in_the_plane_are_whole_at_any_angle() {
+    for tenths in 3..=30 {
+        let thickness = f64::from(tenths) / 10.0;
+        let plate = bodies::rectangle(16.3, thickness, 0.0).unwrap();
+        for angle in [0.0, 17.0, 45.0_f64] {
+            let place = Placement::default().rotated(angle.to_radians());
+            let place = place.moved(Vector::<2>::new(0.13, 0.27) * (angle / 17.0));
+            let packing = pack(&Placed::new(plate.clone(), place), &PackOptions::new(1.0)).unwrap();
+            is_whole(&format!("{thickness} at {angle}"), &packing.report);
+        }
+    }
+}
+
+/// The heaviest ghost: a row a spacing and a half thick, its ghosts a little farther apart than a spacing.
+const HEAVIEST: f64 = 1.65;
+
+#[test]
+fn sections_with_sharp_edges_in_the_plane_keep_their_volume_and_no_ghost_stands_for_two() {
+    let corners = |points: &[[f64; 2]]| {
+        let points: Vec<_> = points.iter().map(|&p| Vector::<2>::from(p)).collect();
+        bodies::polygon(&points).unwrap()
+    };
+    let mut sections = vec![
+        ("biconvex".to_owned(), bodies::biconvex(160.0, 0.1).unwrap()),
+        (
+            "double wedge".to_owned(),
+            corners(&[[0.0, 0.0], [50.0, -8.8], [100.0, 0.0], [50.0, 8.8]]),
+        ),
+    ];
+    for thickness in [0.5, 1.0, 1.5, 2.0, 2.5, 3.0, 4.0, 6.0] {
+        let lens = bodies::biconvex(40.0, thickness / 40.0).unwrap();
+        sections.push((format!("lens {thickness}"), lens));
+    }
+    for angle in [4.0, 10.0, 20.0, 30.0, 45.0_f64] {
+        let half = 40.0 * (0.5 * angle).to_radians().tan();
+        let wedge = corners(&[[0.0, 0.0], [40.0, -half], [40.0, half]]);
+        sections.push((format!("wedge {angle}"), wedge));
+    }
+    for (name, section) in sections {
+        for angle in [0.0, 11.0_f64] {
+            let place = Placement::default().rotated(angle.to_radians());
+            let packing = pack(&Placed::new(section.clone(), place), &PackOptions::new(1.0));
+            let Packing { ghosts, report, .. } = packing.unwrap();
+            let name = format!("{name} at {angle}");
+            is_whole(&name, &report);
+            let heaviest = ghosts.volume.iter().fold(0.0, |a: f64, &b| a.max(b));
+            assert!(heaviest < HEAVIEST, "{name}: a ghost of {heaviest}");
+            assert!(report.density_max_percent < 3.0, "{name}: {report:?}");
+        }
+    }
+}
+
+#[test]
+fn fins_on_a_body_in_the_plane_are_whole() {
+    for tenths in 3..=30 {
+        let half = 0.05 * f64::from(tenths);
+        let outline = [
+            [0.0, 0.0],
+            [40.0, 0.0],
+            [40.0, 10.0],
+            [20.0 + half, 10.0],
+            [20.0 + half, 22.2],
+            [20.0 - half, 22.2],
+            [20.0 - half, 10.0],
+            [0.0, 10.0],
+        ];
+        let points: Vec<_> = outline.iter().map(|&p| Vector::<2>::from(p)).collect();
+        let finned = bodies::polygon(&points).unwrap();
+        for angle in [0.0, 17.0_f64] {
+            let place = Placement::default().rotated(angle.to_radians());
+            let packing = pack(&Placed::new(finned.clone(), place), &PackOptions::new(1.0));
+            let Packing { ghosts, report, .. } = packing.unwrap();
+            let name = format!("fin of {} at {angle}", 2.0 * half);
+            is_whole(&name, &report);
+            // Above the block there is the fin alone.
+            let up = Vector::<2>::new(-angle.to_radians().sin(), angle.to_radians().cos());
+            let on_fin = (0..ghosts.volume.len()).filter(|&n| ghosts.position[n].dot(&up) > 12.0);
+            let volume: f64 = on_fin.map(|n| ghosts.volume[n]).sum();
+            assert!(
+                (volume - 20.4 * half).abs() < 2.0 * half,
+                "{name}: {volume}"
+            );
+        }
+    }
+}
+
+#[test]
+fn a_fin_too_thin_for_the_spacing_is_told_and_an_edge_where_two_faces_meet_is_not() {
+    let told = |report: &PackReport| -> Vec<String> {
+        let thin = report.warnings.iter().filter(|w| w.about == About::Thin);
+        thin.map(|w| w.text.clone()).collect()
+    };
+    let outline = |tip: f64| {
+        let points = [
+            [0.0, 0.0],
+            [20.0, 0.0],
+            [20.0, 9.0],
+            [10.1, 9.0],
+            [10.0 + tip, 20.0],
+            [10.0 - tip, 20.0],
+            [9.9, 9.0],
+            [0.0, 9.0],
+        ];
+        let points: Vec<_> = points.iter().map(|&p| Vector::<2>::from(p)).collect();
+        bodies::polygon(&points).unwrap()
+    };
+    for (tip, thickness) in [(0.1, "0.20"), (0.05, "0.10")] {
+        let report = pack(&outline(tip), &PackOptions::new(1.0)).unwrap().report;
+        let told = told(&report);
+        assert!(told.len() == 1 && told[0].contains(thickness), "{told:?}");
+    }
+    let wedge = bodies::polygon(&[[0.0, 0.0], [40.0, -1.4], [40.0, 1.4]].map(Vector::<2>::from));
+    let report = pack(&wedge.unwrap(), &PackOptions::new(1.0))
+        .unwrap()
+        .report;
+    assert!(told(&report).is_empty(), "{report:?}");
+    let cone = bodies::cone(3.0, 20.0).unwrap();
+    let report = pack(&cone, &PackOptions::new(1.0)).unwrap().report;
+    assert!(told(&report).is_empty(), "{report:?}");
+    let block = bodies::cuboid([14.0, 10.0, 8.0]).unwrap();
+    let fin = bodies::cuboid([7.3, 0.2, 9.0]).unwrap();
+    let place = Placement::default().moved(Vector::<3>::new(1.2, 0.4, 6.1));
+    let fin = Placed::new(fin, place);
+    let report = pack(&Finned { block, fin }, &PackOptions::new(1.0))
+        .unwrap()
+        .report;
+    assert!(told(&report)[0].contains("0.20"), "{report:?}");
 }
 
 #[test]

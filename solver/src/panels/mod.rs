@@ -2,6 +2,7 @@
 //! the gas presses it with. What makes the pressure is in `press` for particles and in [`crate::fixed`] for points that stay.
 
 mod cut;
+mod exposed;
 pub(crate) mod fit;
 mod press;
 mod show;
@@ -36,6 +37,8 @@ pub struct Panel<const D: usize> {
     pub size: f64,
     /// Number of the body, wall sides after.
     pub owner: u32,
+    /// Part of it that gas may be in front of: none where another solid stands on it.
+    pub exposed: f64,
 }
 
 /// The panels of all bodies and wall sides, also of what lies in the buffers of open sides.
@@ -77,6 +80,7 @@ impl<const D: usize> Panels<D> {
                     || body.shape.signed_distance(&panel.centre) > -BURIED * problem.spacing
             })
         });
+        exposed::find(problem, &mut all);
         Self { all }
     }
 
@@ -114,6 +118,7 @@ impl<const D: usize> Panel<D> {
             normal: own,
             size,
             owner,
+            exposed: 1.0,
         })
     }
 }

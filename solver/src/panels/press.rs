@@ -7,6 +7,7 @@
 //! smoothed over the kernel. What no pressure on them can make, because it is along them, is friction: that of the viscosity that
 //! shocks need, and what gas ahead of a tip holds it back with.
 //!
+//! Nothing presses what another solid covers, the wall below a post and the post's foot: had they shares, those above would lack them.
 //! Where another wall stands in front of a panel, as in a corner, less gas is there than in front of a plane wall; its share is
 //! scaled up by the part of the kernel that is solid, so that gas at rest shows its own pressure there too.
 
@@ -122,7 +123,8 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         sums[number as usize].solid += part;
     }
     let both = sums.iter().zip(panels.all());
-    both.map(|(sum, panel)| sum.pressed(panel.size)).collect()
+    both.map(|(sum, panel)| sum.pressed(panel.size * panel.exposed))
+        .collect()
 }
 
 /// What comes together on a panel.
@@ -139,6 +141,13 @@ struct Sum<const D: usize> {
 
 impl<const D: usize> Sum<D> {
     fn pressed(&self, size: f64) -> Pressed<D> {
+        if size <= 0.0 {
+            return Pressed {
+                pressure: 0.0,
+                friction: Vector::zeros(),
+                mach: 0.0,
+            };
+        }
         let open = 1.0 - (2.0 * self.solid).min(MOST_FILLED);
         Pressed {
             pressure: self.force / size / open,
@@ -260,12 +269,13 @@ fn seen<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>, reach: f64) ->
         .all()
         .iter()
         .enumerate()
+        .filter(|(_, panel)| panel.exposed > 0.0)
         .map(|(number, panel)| {
             let pose = &poses[panel.owner as usize];
             Seen {
                 centre: pose.position(&panel.centre),
                 normal: pose.direction(&panel.normal),
-                size: panel.size,
+                size: panel.size * panel.exposed,
                 sign: Vector::repeat(1.0),
                 number: number as u32,
             }

@@ -49,7 +49,6 @@ fn gas_at_rest_presses_every_panel_with_its_pressure() {
 }
 
 #[test]
-#[ignore = "not right yet: the wall two spacings from the post's foot shows 0.94"]
 fn gas_at_rest_shows_its_pressure_on_a_body_that_stands_on_a_wall() {
     let post = bodies::rectangle(0.8, 1.2, 0.0).expect("a post");
     let shown = start(boxed(post, [1.5, 0.6])).panels();
@@ -58,10 +57,11 @@ fn gas_at_rest_shows_its_pressure_on_a_body_that_stands_on_a_wall() {
         let centre = 0.5 * (ends[0][0] + ends[1][0]);
         // Nothing presses what is buried between post and wall.
         if ends[0][1] + ends[1][1] == 0.0 && (1.1..=1.9).contains(&centre) {
+            assert!(*pressure == 0.0 || (pressure - 1.0).abs() < 0.015);
             continue;
         }
         count += 1;
-        assert!((pressure - 1.0).abs() < 0.02, "{pressure} at {ends:?}");
+        assert!((pressure - 1.0).abs() < 0.015, "{pressure} at {ends:?}");
     }
     assert!(count > 4 * 30);
 }

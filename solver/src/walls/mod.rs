@@ -13,6 +13,7 @@ mod rebound;
 mod ridges;
 pub mod rigid;
 mod setup;
+pub mod solids;
 mod turning;
 
 pub use ghost::Ghost;
