@@ -81,12 +81,12 @@ impl Answering {
         }
     }
 
-    /// The state beyond a face whose cell is in state `gas` and has its mean half of `apart` before it; both speeds are out of the
-    /// domain.
-    pub fn beyond(&self, gas: &Along, apart: f64) -> Along {
+    /// The state beyond a face whose cell is in state `gas` and has its mean at this `distance` before it, where flow along the
+    /// side takes `aside` per time off the wave that comes in; both speeds are out of the domain.
+    pub fn beyond(&self, gas: &Along, distance: f64, aside: f64) -> Along {
         match self {
-            Self::Reservoir(reservoir) => reservoir.beyond(&gas.turned(), apart).turned(),
-            Self::Held(held) => held.beyond(gas, apart),
+            Self::Reservoir(reservoir) => reservoir.beyond(&gas.turned(), distance).turned(),
+            Self::Held(held) => held.beyond(gas, distance, aside),
         }
     }
 
