@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 20] = [
+const SMALL: [(&str, &[&str]); 21] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     (
@@ -24,6 +24,10 @@ const SMALL: [(&str, &[&str]); 20] = [
     ("mms-3d", &["spacing=0.1"]),
     (
         "nozzle",
+        &["end_time=0.0002", "spacing=0.002701713333333333"],
+    ),
+    (
+        "nozzle-back-pressure",
         &["end_time=0.0002", "spacing=0.002701713333333333"],
     ),
     ("sod", &["end_time=0.005"]),
