@@ -154,6 +154,7 @@ mod tests {
             domain: Domain {
                 bounds: Bounds::new(Vector::zeros(), Vector::repeat(1.0)),
                 sides: [sides],
+                openings: Vec::new(),
             },
             free_stream: state(2.0, 1.0),
             initial: Initial::Field(Field(Arc::new(move |_| state(0.0, pressure)))),

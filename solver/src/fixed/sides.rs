@@ -7,7 +7,7 @@ use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Image;
 use crate::method::Time;
-use crate::problem::{Problem, Side as SideKind};
+use crate::problem::{Problem, Side as SideKind, State};
 use crate::sides::{Along, Answering, Place};
 use aero_geometry::Vector;
 
@@ -28,15 +28,14 @@ pub enum Beyond<const D: usize> {
 }
 
 impl<const D: usize> Beyond<D> {
-    /// What is beyond the side of `problem` at the lower or upper `end` of an `axis`.
+    /// What is beyond the `side` of `problem`, or the part of one, at `place`.
     ///
     /// # Errors
     /// Of a side that has no open faces.
-    pub fn of(problem: &Problem<D>, axis: usize, end: usize) -> Result<Self, String> {
+    pub fn of(problem: &Problem<D>, side: SideKind, place: Place) -> Result<Self, String> {
         let stream = Primitive::of(&problem.free_stream);
-        let face = problem.domain.face(axis, end);
-        let place = Place { axis, end, face };
-        match problem.domain.sides[axis][end] {
+        let Place { axis, end, .. } = place;
+        match side {
             // The Riemann problem with the free stream lets sound out.
             SideKind::Inlet | SideKind::SoftInlet | SideKind::FreeStream => {
                 Ok(Self::Stream(stream))
@@ -51,6 +50,16 @@ impl<const D: usize> Beyond<D> {
                 .ok_or_else(|| {
                     format!("side {end} of axis {axis} is {side:?} and should have no open faces")
                 }),
+        }
+    }
+
+    /// The same beside gas whose state, of an outlet the pressure, is now this.
+    #[must_use]
+    pub fn at(self, given: &State<D>) -> Self {
+        match self {
+            Self::Stream(_) => Self::Stream(Primitive::of(given)),
+            Self::Answers(answering) => Self::Answers(answering.at(given)),
+            Self::Same | Self::OneWay | Self::Mirror => self,
         }
     }
 
@@ -259,7 +268,7 @@ mod tests {
                 share: 1.0,
                 distance: 0.05,
             },
-            beyond: Beyond::of(&problem, 0, 1).unwrap(),
+            beyond: Beyond::of(&problem, outlet, Place::whole(&problem.domain, 0, 1)).unwrap(),
         };
         let cell = Primitive {
             density: 1.0,

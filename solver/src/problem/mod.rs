@@ -6,11 +6,13 @@ use aero_geometry::Vector;
 
 mod body;
 mod domain;
+mod opening;
 mod side;
 mod source;
 
 pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
 pub use domain::Domain;
+pub use opening::{Given, Opening};
 pub use side::Side;
 pub use source::{Added, Source};
 

@@ -131,11 +131,11 @@ impl<const D: usize> Buffers<D> {
         }
         let entering = self.let_in(problem);
         let gone = self.contents.particles.len();
-        self.go_on(problem, fluid, 0..gone, now - before);
+        self.go_on(problem, fluid, 0..gone, [before, now]);
         self.let_out(fluid, books);
         // What leaves in this step has gone through it with the flow inside, and is seen at the middle of the next.
         let all = self.contents.particles.len();
-        self.go_on(problem, fluid, gone..all, 0.5 * (now - before));
+        self.go_on(problem, fluid, gone..all, [0.5 * (before + now), now]);
         for particle in entering {
             books.cross(&particle, 1.0);
             fluid.add(particle);
@@ -161,7 +161,7 @@ impl<const D: usize> Buffers<D> {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         range: Range<usize>,
-        step: f64,
+        times: [f64; 2],
     ) {
         let particles = &mut self.contents.particles[range];
         for (number, side) in self.sides.iter().enumerate() {
@@ -175,7 +175,7 @@ impl<const D: usize> Buffers<D> {
             if gone.is_empty() {
                 continue;
             }
-            side.model.go_on(problem, fluid, &mut gone, step);
+            side.model.go_on(problem, fluid, &mut gone, times);
             let places = particles.iter_mut().filter(|open| is_own(open));
             for (place, open) in places.zip(gone) {
                 *place = open;
@@ -197,10 +197,14 @@ impl<const D: usize> Buffers<D> {
                 open.particle.position = sides.rows.position(index, &streams[own].drift);
             }
             match sides.zone(&open.particle.position) {
+                Zone::Interior
+                    if sides.is_behind(usize::from(open.side), &open.particle.position) =>
+                {
+                    false
+                }
                 Zone::Interior => {
                     // The lattice is the free stream itself.
-                    open.particle.is_calm |=
-                        open.lattice.is_some() && problem.scheme.skip_undisturbed;
+                    open.particle.is_calm |= open.lattice.is_some() && problem.skips_undisturbed();
                     entering.push(open.particle);
                     false
                 }
@@ -251,13 +255,14 @@ impl<const D: usize> Buffers<D> {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         number: usize,
-        [before, now]: [f64; 2],
+        times: [f64; 2],
     ) {
+        let now = times[1];
         let mut own = self.sides.iter().filter(|s| s.stream == Some(number));
         let current = self.contents.streams[number].state;
         let answer = |side: &OpenSide<D>| {
             let model = &side.model;
-            model.answer(problem, fluid, &current, now - before)
+            model.answer(problem, fluid, &current, times)
         };
         let Some(state) = own.find_map(answer) else {
             return;

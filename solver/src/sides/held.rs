@@ -9,6 +9,8 @@
 //! Faster than sound nothing comes in but, where points stay, the shock of a pressure that the gas cannot pass; particles that left
 //! faster than sound take none back.
 
+use aero_geometry::Vector;
+
 use super::model::{OpenModel, Place};
 use super::particle::OpenParticle;
 use super::plenum::Plenum;
@@ -16,7 +18,7 @@ use super::upstream::Upstream;
 use super::waves::{Along, Waves};
 use crate::gas::{Gas, IdealGas};
 use crate::particles::Particle;
-use crate::problem::{Problem, State};
+use crate::problem::{Given, Problem, State};
 
 /// An outlet that holds a pressure.
 #[derive(Clone, Copy, Debug)]
@@ -46,6 +48,16 @@ impl Held {
             strength: relaxation / problem.domain.bounds.size()[place.axis],
             gamma,
             plenum: Plenum::of_stream(problem).at(pressure),
+        }
+    }
+
+    /// One that holds another pressure.
+    #[must_use]
+    pub fn at(self, pressure: f64) -> Self {
+        Self {
+            pressure,
+            plenum: self.plenum.at(pressure),
+            ..self
         }
     }
 
@@ -107,7 +119,33 @@ impl Held {
     }
 }
 
-impl<const D: usize> OpenModel<D> for Held {
+/// The outlet of particles.
+#[derive(Clone, Debug)]
+pub struct HeldOutlet<const D: usize> {
+    held: Held,
+    /// The pressure, where it is not the same everywhere and at all times.
+    given: Option<Given<D>>,
+}
+
+impl<const D: usize> HeldOutlet<D> {
+    /// One like `held`, whose pressure may be `given`.
+    pub fn new(held: Held, given: Option<&Given<D>>) -> Self {
+        Self {
+            held,
+            given: given.cloned(),
+        }
+    }
+
+    /// That of a place and time.
+    fn at(&self, position: &Vector<D>, time: f64) -> Held {
+        let given = self.given.as_ref();
+        given.map_or(self.held, |given| {
+            self.held.at(given.at(position, time).pressure)
+        })
+    }
+}
+
+impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
     fn inflow(&self, _problem: &Problem<D>) -> Option<State<D>> {
         None
     }
@@ -123,23 +161,24 @@ impl<const D: usize> OpenModel<D> for Held {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         gone: &mut [OpenParticle<D>],
-        step: f64,
+        [before, now]: [f64; 2],
     ) {
-        let (axis, outward) = (self.place.axis, -self.place.inward());
+        let Held { place, gamma, .. } = self.held;
+        let (axis, outward, step) = (place.axis, -place.inward(), now - before);
         let along = |particle: &Particle<D>| Along {
             density: particle.density,
             speed: outward * particle.velocity[axis],
             pressure: problem.gas.pressure(particle.density, particle.energy),
         };
         let waves = |particle: &Particle<D>| {
-            let Waves { ahead, back, .. } = along(particle).waves(self.gamma);
+            let Waves { ahead, back, .. } = along(particle).waves(gamma);
             [ahead, back]
         };
-        let mut upstream = Upstream::new(self.place, problem.spacing);
+        let mut upstream = Upstream::new(place, problem.spacing);
         let reach = upstream.reach();
         let near = fluid
             .iter()
-            .filter(|particle| -self.place.depth(&particle.position) < reach);
+            .filter(|particle| -place.depth(&particle.position) < reach);
         let all = near.chain(gone.iter().map(|open| &open.particle));
         for particle in all {
             upstream.add(particle.position, waves(particle));
@@ -148,16 +187,17 @@ impl<const D: usize> OpenModel<D> for Held {
         for open in gone {
             let particle = &mut open.particle;
             let gas = along(particle);
-            let waves = gas.waves(self.gamma);
+            let held = self.at(&particle.position, now);
+            let waves = gas.waves(gamma);
             let slopes = upstream.slopes(&particle.position, [waves.ahead, waves.back]);
-            let next = self.ridden(&gas, step, slopes[1]).and_then(|back| {
-                let ahead = waves.ahead - step * gas.sound(self.gamma) * slopes[0];
+            let next = held.ridden(&gas, step, slopes[1]).and_then(|back| {
+                let ahead = waves.ahead - step * gas.sound(gamma) * slopes[0];
                 let next = Waves {
                     ahead,
                     back,
                     ..waves
                 };
-                next.state(self.gamma)
+                next.state(gamma)
             });
             let Some(next) = next else {
                 continue;
@@ -165,7 +205,7 @@ impl<const D: usize> OpenModel<D> for Held {
             let wider = (particle.density / next.density).powf(1.0 / D as f64);
             particle.smoothing_length *= wider;
             particle.density = next.density;
-            particle.energy = next.pressure / ((self.gamma - 1.0) * next.density);
+            particle.energy = next.pressure / ((gamma - 1.0) * next.density);
             particle.velocity[axis] = outward * next.speed;
         }
     }
@@ -185,6 +225,7 @@ mod tests {
             axis: 0,
             end: 1,
             face: 1.0,
+            part: None,
         };
         Held::new(&cube::<1>(8, Side::Outlet), place, pressure, 0.25)
     }

@@ -72,7 +72,7 @@ impl<const D: usize> OpenModel<D> for Reservoir {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         before: &State<D>,
-        step: f64,
+        [earlier, now]: [f64; 2],
     ) -> Option<State<D>> {
         let back = outgoing(&self.place, problem.spacing, self.plenum.gamma(), fluid)?;
         let before = Along {
@@ -80,7 +80,7 @@ impl<const D: usize> OpenModel<D> for Reservoir {
             speed: self.place.inward() * before.velocity[self.place.axis],
             pressure: before.pressure,
         };
-        let gas = self.entering(back, &before, step);
+        let gas = self.entering(back, &before, now - earlier);
         Some(State {
             density: gas.density,
             velocity: inwards(&self.place, gas.speed),

@@ -106,6 +106,7 @@ mod tests {
             axis: 0,
             end: 1,
             face: 0.0,
+            part: None,
         };
         let value = |x: &Vector<2>| [2.0 - 3.0 * x[0] + 0.7 * x[1], 1.0 + x[0] + 4.0 * x[1]];
         let mut upstream = Upstream::new(place, 0.1);
@@ -130,6 +131,7 @@ mod tests {
             axis: 1,
             end: 0,
             face: 0.0,
+            part: None,
         };
         let mut upstream = Upstream::<2>::new(place, 0.1);
         let here = Vector::<2>::zeros();
