@@ -29,6 +29,7 @@ fn stirred<const D: usize>(cells: usize) -> Problem<D> {
         domain: Domain {
             bounds: Bounds::new(Vector::zeros(), Vector::repeat(1.0)),
             sides: [[Side::Periodic; 2]; D],
+            openings: Vec::new(),
         },
         free_stream: State {
             density: 1.4,

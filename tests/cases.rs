@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 20] = [
+const SMALL: [(&str, &[&str]); 22] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     (
@@ -20,10 +20,15 @@ const SMALL: [(&str, &[&str]); 20] = [
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     ("double-mach", &["end_time=0.02", "spacing=0.05"]),
     ("duct", &["end_time=0.1"]),
+    ("jet", &["end_time=0.2", "spacing=0.1"]),
     ("mms", &["end_time=0.05"]),
     ("mms-3d", &["spacing=0.1"]),
     (
         "nozzle",
+        &["end_time=0.0002", "spacing=0.002701713333333333"],
+    ),
+    (
+        "nozzle-back-pressure",
         &["end_time=0.0002", "spacing=0.002701713333333333"],
     ),
     ("sod", &["end_time=0.005"]),

@@ -49,6 +49,7 @@ pub struct Frame {
 
 impl Frame {
     /// The particles whose kind, a number as in [`Frame::kind`], is one that is chosen.
+    #[must_use]
     pub fn chosen(&self, is_chosen: impl Fn(u8) -> bool) -> Self {
         let chosen: Vec<usize> = (0..self.kind.len())
             .filter(|&i| is_chosen(self.kind[i]))

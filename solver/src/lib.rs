@@ -15,7 +15,7 @@
 //! let (left, right) = (at_rest(1.0, 1.0), at_rest(0.125, 0.1));
 //! let bounds = Bounds::new(Vector::<1>::new(-0.5), Vector::<1>::new(0.5));
 //! let mut tube = Simulation::new(Problem {
-//!     domain: Domain { bounds, sides: [[Side::Symmetry; 2]] },
+//!     domain: Domain { bounds, sides: [[Side::Symmetry; 2]], openings: Vec::new() },
 //!     initial: Initial::Riemann { left, right, position: 0.0, smooth: false },
 //!     gas: Gas::ideal(1.4), free_stream: left, spacing: 0.005, disorder: 0.0, bodies: Vec::new(), source: None,
 //!     scheme: Scheme::default(), method: Method::default(),

@@ -40,11 +40,12 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 15] = [
+static CASES: [Case; 16] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
     ("nozzle", &[&nozzle::NOZZLE]),
+    ("nozzle-back-pressure", &[&nozzle::BACK_PRESSURE]),
     ("duct", &[&duct::DUCT]),
     ("sound", &[&sound::SOUND]),
     ("mms", &[&mms::Manufactured]),

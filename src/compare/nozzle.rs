@@ -1,6 +1,7 @@
 //! The convergent-divergent nozzle against finite volumes and quasi-one-dimensional theory: Mach number
 //! on the centre line, mass flow from section to section.
 
+mod back_pressure;
 mod stations;
 
 use aero::run::Keep;
@@ -14,6 +15,7 @@ use super::context::CompareError;
 use super::row::Row;
 use super::scenes::scene;
 use super::variant::Variant;
+pub use back_pressure::BACK_PRESSURE;
 use stations::{INCH, INLET, Station, stations};
 
 const VOLUMES: &str = "finite volumes, second order (validation/nozzle)";

@@ -18,7 +18,7 @@ pub(super) const BUFFER: f64 = layers::BUFFER as f64;
 
 /// How far an edge may be from a whole number of spacings, in spacings: round-off of decimal
 /// fractions, not more.
-const WHOLE: f64 = 1e-6;
+pub(super) const WHOLE: f64 = 1e-6;
 
 /// Box and sides of the scene.
 pub(super) fn domain<const D: usize>(file: &SceneFile) -> Result<Domain<D>, SceneError> {
@@ -34,13 +34,17 @@ pub(super) fn domain<const D: usize>(file: &SceneFile) -> Result<Domain<D>, Scen
         }
     }
     let bounds = Bounds::new(min, max);
-    Ok(Domain { bounds, sides })
+    Ok(Domain {
+        bounds,
+        sides,
+        openings: Vec::new(),
+    })
 }
 
 /// The box that particles of the gas may lie in: the domain with its open boundaries' buffers.
 pub(super) fn region<const D: usize>(domain: &Domain<D>, spacing: f64) -> Bounds<D> {
-    grown(domain, |side| {
-        if side.is_open() {
+    grown(domain, |axis, end| {
+        if domain.opens(axis, end) {
             BUFFER * spacing
         } else {
             0.0
@@ -51,8 +55,8 @@ pub(super) fn region<const D: usize>(domain: &Domain<D>, spacing: f64) -> Bounds
 /// The box that ghosts may lie in: grown by `margin` past sides that are open or closed by a
 /// body; not grown where a mirror, an image or a wall's own ghosts take over.
 pub(super) fn ghost_region<const D: usize>(domain: &Domain<D>, margin: f64) -> Bounds<D> {
-    grown(domain, |side| {
-        if side.is_open() || side == Side::Body {
+    grown(domain, |axis, end| {
+        if domain.opens(axis, end) || domain.sides[axis][end] == Side::Body {
             margin
         } else {
             0.0
@@ -60,20 +64,20 @@ pub(super) fn ghost_region<const D: usize>(domain: &Domain<D>, margin: f64) -> B
     })
 }
 
-fn grown<const D: usize>(domain: &Domain<D>, margin: impl Fn(Side) -> f64) -> Bounds<D> {
+fn grown<const D: usize>(domain: &Domain<D>, margin: impl Fn(usize, usize) -> f64) -> Bounds<D> {
     let mut region = domain.bounds;
     for k in 0..D {
-        region.min[k] -= margin(domain.sides[k][0]);
-        region.max[k] += margin(domain.sides[k][1]);
+        region.min[k] -= margin(k, 0);
+        region.max[k] += margin(k, 1);
     }
     region
 }
 
 fn sides<const D: usize>(entry: &SidesEntry) -> Result<[[Side; 2]; D], SceneError> {
     let all = [
-        [Some(entry.x_min), Some(entry.x_max)],
-        [entry.y_min, entry.y_max],
-        [entry.z_min, entry.z_max],
+        [Some(&entry.x_min), Some(&entry.x_max)],
+        [entry.y_min.as_ref(), entry.y_max.as_ref()],
+        [entry.z_min.as_ref(), entry.z_max.as_ref()],
     ];
     let name = |k: usize, end: usize| format!("domain.sides.{}_{}", AXES[k], ["min", "max"][end]);
     for k in D..all.len() {
@@ -90,7 +94,7 @@ fn sides<const D: usize>(entry: &SidesEntry) -> Result<[[Side; 2]; D], SceneErro
             let side = all[k][end].ok_or_else(|| {
                 SceneError::value(name(k, end), "missing; say what bounds the domain there")
             })?;
-            sides[k][end] = side.0;
+            sides[k][end] = side.side;
         }
         let periodic = sides[k].map(|side| side == Side::Periodic);
         if periodic[0] != periodic[1] {

@@ -145,7 +145,7 @@ pub struct DomainEntry {
 }
 
 /// `[domain.sides]`
-#[derive(Clone, Copy, Debug, Deserialize)]
+#[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SidesEntry {
     /// Lower side of the first axis.
@@ -160,6 +160,22 @@ pub struct SidesEntry {
     pub z_min: Option<SideEntry>,
     /// Upper side of the third axis.
     pub z_max: Option<SideEntry>,
+}
+
+impl SidesEntry {
+    /// Axis, end and entry of every side that is named.
+    pub(super) fn each(&self) -> impl Iterator<Item = (usize, usize, &SideEntry)> {
+        let all = [
+            Some(&self.x_min),
+            Some(&self.x_max),
+            self.y_min.as_ref(),
+            self.y_max.as_ref(),
+            self.z_min.as_ref(),
+            self.z_max.as_ref(),
+        ];
+        let named = all.into_iter().enumerate();
+        named.filter_map(|(n, entry)| Some((n / 2, n % 2, entry?)))
+    }
 }
 
 /// `[initial]`; the free stream everywhere unless given.

@@ -9,7 +9,7 @@ use super::number::Gamma;
 use super::vector::{AXES, vector_or_zero};
 use super::{earlier, field, stream};
 use crate::case::Stop;
-use aero_solver::problem::{Domain, Initial, Side, State};
+use aero_solver::problem::{Domain, Initial, Opening, Side, State};
 
 /// Ratio of specific heats of a diatomic gas.
 const DIATOMIC: f64 = 1.4;
@@ -85,6 +85,12 @@ pub(super) fn check_inlets<const D: usize>(
     for k in 0..D {
         for (end, inward) in [(0, 1.0), (1, -1.0)] {
             let speed = inward * free_stream.velocity[k];
+            let is_given = |opening: &Opening<D>| {
+                (opening.axis, opening.end) == (k, end) && opening.part.is_none()
+            };
+            if domain.openings.iter().any(is_given) {
+                continue;
+            }
             if domain.sides[k][end].is_inlet() && speed <= 0.0 {
                 let word = ["min", "max"][end];
                 return Err(SceneError::value(

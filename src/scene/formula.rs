@@ -119,12 +119,17 @@ impl Node {
 
     /// True of what is the same everywhere and at all times.
     fn is_constant(&self) -> bool {
+        !self.knows(&|variable| variable != Variable::Spacing)
+    }
+
+    /// True where any variable in it is as `is_sought` says.
+    fn knows(&self, is_sought: &impl Fn(Variable) -> bool) -> bool {
         match self {
-            Self::Number(_) | Self::Variable(Variable::Spacing) => true,
-            Self::Variable(_) => false,
-            Self::Negative(node) => node.is_constant(),
-            Self::Pair(_, nodes) => nodes.iter().all(Self::is_constant),
-            Self::Call(_, nodes) => nodes.iter().all(Self::is_constant),
+            Self::Number(_) => false,
+            Self::Variable(variable) => is_sought(*variable),
+            Self::Negative(node) => node.knows(is_sought),
+            Self::Pair(_, nodes) => nodes.iter().any(|node| node.knows(is_sought)),
+            Self::Call(_, nodes) => nodes.iter().any(|node| node.knows(is_sought)),
         }
     }
 }

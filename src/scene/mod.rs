@@ -53,6 +53,7 @@ pub mod manufactured;
 mod method;
 mod motion;
 pub mod number;
+mod openings;
 mod output;
 mod overrides;
 mod packed;
@@ -203,17 +204,18 @@ impl Scene {
         self.expect_dimension::<D>()?;
         let file = &self.file;
         let spacing = file.spacing.get();
-        let domain = domain::domain(file)?;
+        let mut domain = domain::domain(file)?;
         let solution = self.solution()?;
         let free_stream = flow::free_stream(file, &domain, solution.as_ref())?;
+        let stop = file.stop.map_or(Stop::EndTime, Into::into);
+        let method = method::method(&file.scheme, stop)?;
+        openings::open(file, &mut domain, &free_stream, method)?;
         flow::check_inlets(&domain, &free_stream)?;
         flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
         axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
         let initial = solution.as_ref().map_or(initial, Manufactured::initial);
-        let stop = file.stop.map_or(Stop::EndTime, Into::into);
         let end_time = flow::end_time(file, stop, &domain, &free_stream)?;
-        let method = method::method(&file.scheme, stop)?;
         let gas_constant = file.free_stream.as_ref().and_then(stream::gas_constant);
         let surroundings = region::Surroundings {
             domain: &domain,

@@ -56,6 +56,7 @@ mod tests {
         let mut domain = Domain {
             bounds: Bounds::new(Vector::repeat(-3.0), Vector::repeat(3.0)),
             sides: [[Side::Inlet, Side::Outlet]; D],
+            openings: Vec::new(),
         };
         domain.bounds.min[1] = 0.0;
         domain.sides[1] = sides;

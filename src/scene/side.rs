@@ -3,14 +3,54 @@
 use std::fmt;
 
 use serde::Deserialize;
-use serde::de::{Deserializer, Error, MapAccess, Visitor, value::MapAccessDeserializer};
+use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAccessDeserializer};
 
+use super::formula::TimedFormula;
 use super::number::{Finite, Positive};
 use aero_solver::problem::{Side, WallKind};
 
-/// What bounds the domain on one side: a word, or a table of one word.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct SideEntry(pub Side);
+/// What bounds the domain on one side: a word, a table of one word, or a list of a wall and the parts of it that are open.
+#[derive(Clone, Debug, PartialEq)]
+pub struct SideEntry {
+    /// What it is, but for its parts.
+    pub side: Side,
+    /// The gas beyond it, where that is not the free stream.
+    pub given: Option<GivenEntry>,
+    /// Its parts.
+    pub parts: Vec<PartEntry>,
+}
+
+/// A part of a side.
+#[derive(Clone, Debug, PartialEq)]
+pub struct PartEntry {
+    /// Where it is.
+    pub patch: PatchEntry,
+    /// What it is.
+    pub side: Side,
+    /// The gas beyond it, where that is not the free stream.
+    pub given: Option<GivenEntry>,
+}
+
+/// `patch`: a box on the side.
+#[derive(Clone, Debug, Deserialize, PartialEq)]
+#[serde(deny_unknown_fields)]
+pub struct PatchEntry {
+    /// Lowest corner.
+    pub min: Vec<Finite>,
+    /// Highest corner, the same along the axis across the side.
+    pub max: Vec<Finite>,
+}
+
+/// The state of the gas beyond a side: formulas of position and time; what is left out is the free stream's.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct GivenEntry {
+    /// Density.
+    pub density: Option<TimedFormula>,
+    /// Pressure.
+    pub pressure: Option<TimedFormula>,
+    /// Velocity, one formula per axis.
+    pub velocity: Option<Vec<TimedFormula>>,
+}
 
 /// Words that name a side without further values.
 const WORDS: [&str; 9] = [
@@ -27,32 +67,52 @@ const WORDS: [&str; 9] = [
 
 /// The tables that a side may be.
 const TABLES: &str = "`{ wall = { .. } }`, `{ inlet = { reflecting = false } }`, `{ outlet = { pressure = .. } }`, \
-    `{ reservoir = { relaxation = .. } }`";
+    `{ reservoir = { relaxation = .. } }`, `{ free-stream = { .. } }`";
 
 /// How fast an outlet goes back to its pressure where a scene does not say: Poinsot & Lele (1992) find 0.25 to hold it while
 /// sound still leaves.
 const RELAXATION: f64 = 0.25;
 
+const WALL: Side = Side::Wall {
+    kind: WallKind::Slip,
+    velocity: 0.0,
+    acceleration: 0.0,
+};
+
 /// The table form.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SideTable {
+    patch: Option<PatchEntry>,
     wall: Option<WallEntry>,
     inlet: Option<InletEntry>,
     outlet: Option<OutletEntry>,
     reservoir: Option<ReservoirEntry>,
+    #[serde(rename = "free-stream")]
+    free_stream: Option<StreamEntry>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct InletEntry {
-    reflecting: bool,
+    reflecting: Option<bool>,
+    density: Option<TimedFormula>,
+    pressure: Option<TimedFormula>,
+    velocity: Option<Vec<TimedFormula>>,
+}
+
+#[derive(Deserialize)]
+#[serde(deny_unknown_fields)]
+struct StreamEntry {
+    density: Option<TimedFormula>,
+    pressure: Option<TimedFormula>,
+    velocity: Option<Vec<TimedFormula>>,
 }
 
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct OutletEntry {
-    pressure: Positive,
+    pressure: TimedFormula,
     relaxation: Option<Positive>,
 }
 
@@ -89,6 +149,100 @@ impl From<WallWord> for WallKind {
     }
 }
 
+impl From<Side> for SideEntry {
+    fn from(side: Side) -> Self {
+        Self {
+            side,
+            given: None,
+            parts: Vec::new(),
+        }
+    }
+}
+
+impl GivenEntry {
+    /// None where nothing is given.
+    fn of(
+        density: Option<TimedFormula>,
+        pressure: Option<TimedFormula>,
+        velocity: Option<Vec<TimedFormula>>,
+    ) -> Option<Self> {
+        let given = Self {
+            density,
+            pressure,
+            velocity,
+        };
+        (given != Self::default()).then_some(given)
+    }
+}
+
+impl SideTable {
+    /// What it says, beside a patch.
+    fn side<E: Error>(self) -> Result<(Side, Option<GivenEntry>), E> {
+        let Self {
+            patch: _,
+            wall,
+            inlet,
+            outlet,
+            reservoir,
+            free_stream,
+        } = self;
+        Ok(match (wall, inlet, outlet, reservoir, free_stream) {
+            (Some(wall), None, None, None, None) => (wall.side(), None),
+            (None, Some(inlet), None, None, None) => {
+                let side = if inlet.reflecting == Some(false) {
+                    Side::SoftInlet
+                } else {
+                    Side::Inlet
+                };
+                let given = GivenEntry::of(inlet.density, inlet.pressure, inlet.velocity);
+                (side, given)
+            }
+            (None, None, Some(outlet), None, None) => outlet.side()?,
+            (None, None, None, Some(reservoir), None) => {
+                let relaxation = Some(reservoir.relaxation.get());
+                (Side::Reservoir { relaxation }, None)
+            }
+            (None, None, None, None, Some(stream)) => {
+                let given = GivenEntry::of(stream.density, stream.pressure, stream.velocity);
+                (Side::FreeStream, given)
+            }
+            _ => return Err(E::custom(format!("a side takes one table of {TABLES}"))),
+        })
+    }
+}
+
+impl WallEntry {
+    fn side(self) -> Side {
+        Side::Wall {
+            kind: self.kind.unwrap_or(WallWord::Slip).into(),
+            velocity: self.velocity.map_or(0.0, Finite::get),
+            acceleration: self.acceleration.map_or(0.0, Finite::get),
+        }
+    }
+}
+
+impl OutletEntry {
+    /// A pressure that is a number is the side's own.
+    fn side<E: Error>(self) -> Result<(Side, Option<GivenEntry>), E> {
+        let relaxation = self.relaxation.map_or(RELAXATION, Positive::get);
+        let side = |pressure| Side::HeldOutlet {
+            pressure,
+            relaxation,
+        };
+        match self.pressure.number() {
+            Some(pressure) => {
+                let pressure = Positive::try_from(pressure).map_err(E::custom)?;
+                Ok((side(pressure.get()), None))
+            }
+            // The number is found where the domain is known.
+            None => Ok((
+                side(f64::NAN),
+                GivenEntry::of(None, Some(self.pressure), None),
+            )),
+        }
+    }
+}
+
 impl<'de> Deserialize<'de> for SideEntry {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
         deserializer.deserialize_any(SideVisitor)
@@ -102,11 +256,15 @@ impl<'de> Visitor<'de> for SideVisitor {
     type Value = SideEntry;
 
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        write!(f, "one of {}, or {TABLES}", words())
+        write!(
+            f,
+            "one of {}, or {TABLES}, or a list of a wall and its open parts",
+            words()
+        )
     }
 
     fn visit_str<E: Error>(self, word: &str) -> Result<SideEntry, E> {
-        Ok(SideEntry(match word {
+        let side = match word {
             "inlet" => Side::Inlet,
             "outlet" => Side::Outlet,
             "free-stream" => Side::FreeStream,
@@ -115,39 +273,48 @@ impl<'de> Visitor<'de> for SideVisitor {
             "axis" => Side::Axis,
             "periodic" => Side::Periodic,
             "body" => Side::Body,
-            "wall" => Side::Wall {
-                kind: WallKind::Slip,
-                velocity: 0.0,
-                acceleration: 0.0,
-            },
+            "wall" => WALL,
             _ => return Err(E::unknown_variant(word, &WORDS)),
-        }))
+        };
+        Ok(side.into())
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<SideEntry, A::Error> {
         let table = SideTable::deserialize(MapAccessDeserializer::new(map))?;
-        let side = match (table.wall, table.inlet, table.outlet, table.reservoir) {
-            (Some(wall), None, None, None) => Side::Wall {
-                kind: wall.kind.unwrap_or(WallWord::Slip).into(),
-                velocity: wall.velocity.map_or(0.0, Finite::get),
-                acceleration: wall.acceleration.map_or(0.0, Finite::get),
-            },
-            (None, Some(InletEntry { reflecting: true }), None, None) => Side::Inlet,
-            (None, Some(InletEntry { reflecting: false }), None, None) => Side::SoftInlet,
-            (None, None, Some(outlet), None) => Side::HeldOutlet {
-                pressure: outlet.pressure.get(),
-                relaxation: outlet.relaxation.map_or(RELAXATION, Positive::get),
-            },
-            (None, None, None, Some(reservoir)) => Side::Reservoir {
-                relaxation: Some(reservoir.relaxation.get()),
-            },
-            _ => {
-                return Err(A::Error::custom(format!(
-                    "a side takes one table of {TABLES}"
-                )));
-            }
+        if table.patch.is_some() {
+            return Err(A::Error::custom(
+                "a patch is a part of a wall; give a list that begins with the wall: `[\"wall\", { patch = { .. }, .. }]`",
+            ));
+        }
+        let (side, given) = table.side()?;
+        Ok(SideEntry {
+            given,
+            ..side.into()
+        })
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, mut list: A) -> Result<SideEntry, A::Error> {
+        let whole: Option<SideEntry> = list.next_element()?;
+        let Some(mut entry) = whole.filter(|entry| entry.side.is_wall()) else {
+            return Err(A::Error::custom(
+                "a list of parts begins with the wall that they are in: `[\"wall\", { patch = { .. }, .. }]`",
+            ));
         };
-        Ok(SideEntry(side))
+        while let Some(mut table) = list.next_element::<SideTable>()? {
+            let Some(patch) = table.patch.take() else {
+                return Err(A::Error::custom(
+                    "a part of a side needs `patch = { min = [..], max = [..] }`, which says where it is",
+                ));
+            };
+            let (side, given) = table.side()?;
+            if !side.is_open() {
+                return Err(A::Error::custom(
+                    "a part of a wall is an inlet, an outlet, a reservoir or a free stream; leave out what is wall",
+                ));
+            }
+            entry.parts.push(PartEntry { patch, side, given });
+        }
+        Ok(entry)
     }
 }
 

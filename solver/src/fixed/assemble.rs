@@ -236,7 +236,7 @@ impl<const D: usize> Builder<'_, D> {
             return;
         }
         let (axis8, end8) = (axis as u8, end as u8);
-        match self.plot.domain.sides[axis][end] {
+        match self.plot.domain.side_at(axis, end, &centre) {
             Side::Wall { .. } | Side::Body => found.walls.push(WallFace {
                 i,
                 area,

@@ -20,9 +20,9 @@ impl EnergyFlux {
     /// A steady flow out of one stream has the total enthalpy of that stream everywhere, and one whose energy goes with the mass comes to
     /// just that [as of the schemes of Liou 1996, J. Comput. Phys. 129, 364-382, section 2.2]. Waves do not see to it: where gas circles
     /// behind a body they warm it by friction and let hardly any of the heat out, to several times the energy that the stream brings.
-    /// Sources may bring energy of their own, and in time flows have any.
+    /// In time flows have any, and so have those that sources heat or that several streams feed.
     pub fn of<const D: usize>(problem: &Problem<D>) -> Self {
-        if problem.method.settles() && problem.source.is_none() {
+        if problem.method.settles() && problem.has_one_enthalpy() {
             Self::Enthalpy
         } else {
             Self::Waves
@@ -50,9 +50,34 @@ fn total_enthalpy<G: Gas, const D: usize, R: Real>(gas: &G, state: &Primitive<D,
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use super::super::gas::IdealGas;
+    use super::super::tests::lattice::problem;
     use super::*;
+    use crate::method::{FixedPoints, Method, Time};
+    use crate::problem::{Given, Opening, Side};
     use approx::assert_relative_eq;
+
+    #[test]
+    fn energy_goes_with_the_mass_where_a_flow_settles_that_one_stream_feeds() {
+        let mut flow = problem([4], 0.25, [[Side::Inlet, Side::Outlet]]);
+        assert_eq!(EnergyFlux::of(&flow), EnergyFlux::Waves);
+        flow.method = Method::Fixed(FixedPoints {
+            time: Time::Settle,
+            ..FixedPoints::default()
+        });
+        assert_eq!(EnergyFlux::of(&flow), EnergyFlux::Enthalpy);
+        let stream = flow.free_stream;
+        flow.domain.openings.push(Opening {
+            axis: 0,
+            end: 0,
+            part: None,
+            side: Side::Inlet,
+            given: Some(Given(Arc::new(move |_, _| stream))),
+        });
+        assert_eq!(EnergyFlux::of(&flow), EnergyFlux::Waves);
+    }
 
     #[test]
     fn mass_takes_the_total_enthalpy_of_where_it_comes_from() {

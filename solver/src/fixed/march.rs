@@ -41,6 +41,7 @@ impl<const D: usize> FixedSimulation<D> {
         self.adapt_marching()?;
         self.wake();
         self.columns.careful.clear();
+        self.give(self.tally.time);
         let least = self.find_slopes();
         let points = self.problem.method.fixed().copied().unwrap_or_default();
         let free = 2.0 * points.cfl * least;
@@ -53,6 +54,7 @@ impl<const D: usize> FixedSimulation<D> {
         let (mut halvings, mut retries) = (0, 0);
         while let Err(bad) = self.try_step(step) {
             self.restore();
+            self.give(self.tally.time);
             let known = self.columns.careful.len();
             self.columns.careful.extend(&bad);
             self.columns.careful.sort_unstable();
@@ -87,6 +89,7 @@ impl<const D: usize> FixedSimulation<D> {
             time,
         });
         self.find_states()?;
+        self.give(time + step);
         self.find_slopes();
         let second = self.stage(Stage {
             new: 0.5,

@@ -19,6 +19,7 @@ mod filler;
 mod fluxes;
 mod folding;
 mod gas;
+mod given;
 mod gradients;
 mod ground;
 mod hll;
@@ -81,10 +82,10 @@ use crate::vectors::Arch;
 use crate::walls::wall_sides;
 use columns::Columns;
 use gas::IdealGas;
+use given::{GivenFace, beyond_faces, given_faces};
 use ground::Ground;
 use net::Net;
 use quiet::Quiet;
-use sides::Beyond;
 use state::Primitive;
 use sweeps::Sweeps;
 use tally::Tally;
@@ -99,6 +100,8 @@ pub struct FixedSimulation<const D: usize> {
     /// What the points came from, where more may come.
     ground: Option<Box<Ground<D>>>,
     net: Net<D>,
+    /// Faces that gas in a given state is beyond.
+    given: Vec<GivenFace<D>>,
     quiet: Quiet<D>,
     columns: Columns<D>,
     tally: Tally<D>,
@@ -169,6 +172,7 @@ impl<const D: usize> FixedSimulation<D> {
                 .into());
         }
         let net = Self::net(&cells, &problem)?;
+        let given = given_faces(&problem, &cells, &net);
         let gas = IdealGas::of(&problem.gas);
         let held = states.iter().map(|state| state.conserved(&gas)).collect();
         let mut simulation = Self {
@@ -179,6 +183,7 @@ impl<const D: usize> FixedSimulation<D> {
             points: cells.points,
             ground: None,
             net,
+            given,
             tally: Tally::default(),
             settling: Settling::default(),
             sweeps: None,
@@ -190,16 +195,12 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     fn net(cells: &Cells<D>, problem: &Problem<D>) -> Result<Net<D>, String> {
-        let mut beyond = [[Beyond::Same; 2]; D];
-        for face in &cells.sides {
-            let (axis, end) = (face.axis as usize, face.end as usize);
-            beyond[axis][end] = Beyond::of(problem, axis, end)?;
-        }
+        let beyond = beyond_faces(problem, cells)?;
         let sides = wall_sides(&problem.domain);
         let bodies = problem.bodies.len();
         Net::new(
             cells,
-            |axis, end| beyond[axis as usize][end as usize],
+            &beyond,
             |owner| match owner {
                 WallOwner::Body(body) => body,
                 WallOwner::Side { axis, end } => {
@@ -214,6 +215,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Finds out which blocks rest, and evaluates once so that loads can be told.
     fn start(&mut self) {
+        self.give(self.tally.time);
         self.find_quiet();
         self.wake();
         self.find_slopes();

@@ -89,13 +89,13 @@ impl<const D: usize> Block<D> {
 }
 
 impl<const D: usize> Net<D> {
-    /// The net of `cells`; `beyond` tells what is beyond a side, and whether there is an axis.
+    /// The net of `cells`; `beyond` is what is beyond each face on a side; and whether there is an axis.
     ///
     /// # Errors
     /// A cell without volume, or more cells than there are numbers for.
     pub fn new(
         cells: &Cells<D>,
-        beyond: impl Fn(u8, u8) -> Beyond<D>,
+        beyond: &[Beyond<D>],
         owner: impl Fn(WallOwner) -> u32,
         is_axisymmetric: bool,
     ) -> Result<Self, String> {
@@ -143,12 +143,8 @@ impl<const D: usize> Net<D> {
             wall.image = wall.image.at_radius(radius(foot));
             net.blocks[wall.i as usize / BLOCK].walls.push(wall);
         }
-        for face in &cells.sides {
-            let mut side = Side::new(
-                face,
-                &cells.points[face.i as usize],
-                beyond(face.axis, face.end),
-            );
+        for (face, &beyond) in cells.sides.iter().zip(beyond) {
+            let mut side = Side::new(face, &cells.points[face.i as usize], beyond);
             side.image = side.image.at_radius(radius(face.centre[RADIAL.min(D - 1)]));
             net.blocks[side.i as usize / BLOCK].sides.push(side);
         }

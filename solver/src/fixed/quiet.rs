@@ -77,7 +77,7 @@ impl<const D: usize> Quiet<D> {
         let is_kept = sides().any(|side| matches!(side, Side::Inlet | Side::FreeStream));
         let gas = &problem.free_stream;
         let is_kept = is_kept && problem.source.is_none();
-        let stream = (is_kept && problem.scheme.skip_undisturbed).then(|| Stream {
+        let stream = (is_kept && problem.skips_undisturbed()).then(|| Stream {
             state: Primitive::of(gas),
             sound: problem.gas.sound_speed_at(gas.density, gas.pressure),
         });

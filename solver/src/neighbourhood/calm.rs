@@ -52,7 +52,7 @@ impl<const D: usize> Calm<D> {
         let has_stream = domain.has(Side::keeps_free_stream);
         let has_other_gas = domain.has(|side| side.lets_in() && !side.keeps_free_stream());
         let is_disturbed = has_other_gas || problem.source.is_some();
-        if !problem.scheme.skip_undisturbed || !has_stream || is_disturbed {
+        if !problem.skips_undisturbed() || !has_stream || is_disturbed {
             return None;
         }
         let gas = &problem.free_stream;

@@ -103,5 +103,13 @@ pub fn open_side_distance<const D: usize>(domain: &Domain<D>, position: &Vector<
             distance = distance.min((bounds.max[axis] - position[axis]).max(0.0));
         }
     }
+    for opening in domain
+        .openings
+        .iter()
+        .filter(|opening| opening.side.is_open())
+    {
+        let plane = domain.face(opening.axis, opening.end);
+        distance = distance.min(opening.distance(position, plane));
+    }
     distance
 }

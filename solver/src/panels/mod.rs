@@ -57,7 +57,7 @@ impl<const D: usize> Panels<D> {
             for facet in &facets {
                 // What moves crosses the sides as it likes.
                 let region = (!body.motion.is_moving()).then_some(&region);
-                lay(problem, region, facet, &mut |corners| {
+                lay(problem, region, &[], facet, &mut |corners| {
                     all.extend(Panel::new(corners, None, number as u32));
                 });
             }
@@ -66,9 +66,14 @@ impl<const D: usize> Panels<D> {
             let mut normal = Vector::zeros();
             normal[axis] = if end == 0 { 1.0 } else { -1.0 };
             let owner = (problem.bodies.len() + number) as u32;
+            let domain = &problem.domain;
+            let cuts = rims(domain, axis, end);
             for facet in face(&region, axis, problem.domain.face(axis, end)) {
-                lay(problem, Some(&region), &facet, &mut |corners| {
-                    all.extend(Panel::new(corners, Some(normal), owner));
+                lay(problem, Some(&region), &cuts, &facet, &mut |corners| {
+                    let panel = Panel::new(corners, Some(normal), owner);
+                    let is_wall =
+                        |panel: &Panel<D>| domain.part_at(axis, end, &panel.centre).is_none();
+                    all.extend(panel.filter(is_wall));
                 });
             }
         }
@@ -126,8 +131,8 @@ impl<const D: usize> Panel<D> {
 /// Where panels are laid: the domain, and the buffers of sides that gas or bodies pass through.
 fn region<const D: usize>(problem: &Problem<D>) -> Bounds<D> {
     let domain = &problem.domain;
-    let margin = |side: Side| {
-        if side.is_open() || side == Side::Body {
+    let margin = |axis: usize, end: usize| {
+        if domain.opens(axis, end) || domain.sides[axis][end] == Side::Body {
             BUFFER as f64 * problem.spacing
         } else {
             0.0
@@ -135,17 +140,28 @@ fn region<const D: usize>(problem: &Problem<D>) -> Bounds<D> {
     };
     let mut region = domain.bounds;
     for axis in 0..D {
-        region.min[axis] -= margin(domain.sides[axis][0]);
-        region.max[axis] += margin(domain.sides[axis][1]);
+        region.min[axis] -= margin(axis, 0);
+        region.max[axis] += margin(axis, 1);
     }
     region
 }
 
+/// Axes and places of the rims of the parts of a side.
+fn rims<const D: usize>(domain: &Domain<D>, axis: usize, end: usize) -> Vec<(usize, f64)> {
+    let parts = domain.parts(axis, end).filter_map(|part| part.part);
+    let rims = parts.flat_map(|part| {
+        let others = (0..D).filter(move |&k| k != axis);
+        others.flat_map(move |k| [(k, part.min[k]), (k, part.max[k])])
+    });
+    rims.collect()
+}
+
 /// Hands `facet` out in pieces that are no longer than they may be; of one that does not move, what `region` holds, cut where the
-/// sides of the domain are.
+/// sides of the domain are, and at `cuts`.
 fn lay<const D: usize>(
     problem: &Problem<D>,
     region: Option<&Bounds<D>>,
+    cuts: &[(usize, f64)],
     facet: &[Vector<D>; D],
     take: &mut impl FnMut([Vector<D>; D]),
 ) {
@@ -169,6 +185,11 @@ fn lay<const D: usize>(
                 }
             }
         }
+    }
+    for &(axis, plane) in cuts {
+        let mut parts = clipped(&pieces, axis, plane, 1.0);
+        parts.extend(clipped(&pieces, axis, plane, -1.0));
+        pieces = parts;
     }
     halved(pieces, LONGEST * problem.spacing, take);
 }

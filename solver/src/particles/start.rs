@@ -6,7 +6,7 @@ use aero_geometry::kernel::SMOOTHING_RATIO;
 
 use super::{ByPressure, Particle, Particles};
 use crate::lattice;
-use crate::problem::{Body, Initial, Problem, State};
+use crate::problem::{Body, Domain, Initial, Problem, State};
 use crate::records::Matrix;
 use crate::rings::Rings;
 use crate::sides::{Buffers, OpenParticle, Rows, Zone};
@@ -28,11 +28,11 @@ impl<const D: usize> Problem<D> {
 
     /// As [`Self::is_free`], with the distance that each body wants.
     fn is_clear(&self, position: &Vector<D>, least: impl Fn(&Body<D>) -> f64) -> bool {
-        let bounds = &self.domain.bounds;
+        let Domain { bounds, .. } = &self.domain;
+        let is_closed = |axis, end| !self.domain.side_at(axis, end, position).is_open();
         let behind_closed_side = (0..D).any(|axis| {
-            let [lower, upper] = self.domain.sides[axis];
-            (position[axis] < bounds.min[axis] && !lower.is_open())
-                || (position[axis] > bounds.max[axis] && !upper.is_open())
+            (position[axis] < bounds.min[axis] && is_closed(axis, 0))
+                || (position[axis] > bounds.max[axis] && is_closed(axis, 1))
         });
         !behind_closed_side
             && self.bodies.iter().all(|body| {
@@ -64,10 +64,15 @@ impl<const D: usize> Problem<D> {
         }
     }
 
+    /// True where the free stream moves on without sums: all gas that enters is it.
+    pub fn skips_undisturbed(&self) -> bool {
+        self.scheme.skip_undisturbed && self.domain.openings.is_empty()
+    }
+
     /// True where the lattice starts as the undisturbed free stream, so that not even the first sums need be
     /// taken far from bodies and walls. Rings are not spread evenly, and must show that they are calm.
     fn starts_calm(&self) -> bool {
-        self.scheme.skip_undisturbed
+        self.skips_undisturbed()
             && self.source.is_none()
             && matches!(self.initial, Initial::FreeStream)
             && self.disorder == 0.0

@@ -1,7 +1,8 @@
 //! The box of the flow and what bounds it, as a problem states it.
 
-use aero_geometry::Bounds;
+use aero_geometry::{Bounds, Vector};
 
+use super::opening::Opening;
 use super::side::Side;
 
 /// Box of the flow and its sides.
@@ -11,6 +12,8 @@ pub struct Domain<const D: usize> {
     pub bounds: Bounds<D>,
     /// `[lower, upper]` side per axis.
     pub sides: [[Side; 2]; D],
+    /// Parts of sides that are others, and gas beyond sides that is not the free stream.
+    pub openings: Vec<Opening<D>>,
 }
 
 impl<const D: usize> Domain<D> {
@@ -19,9 +22,35 @@ impl<const D: usize> Domain<D> {
         self.has(|side| side == Side::Axis)
     }
 
-    /// True where any side is as `is_sought` says.
+    /// True where any side, or part of one, is as `is_sought` says.
     pub fn has(&self, is_sought: impl Fn(Side) -> bool) -> bool {
-        self.sides.iter().flatten().any(|side| is_sought(*side))
+        let mut parts = self.openings.iter().map(|opening| opening.side);
+        self.sides.iter().flatten().any(|side| is_sought(*side)) || parts.any(is_sought)
+    }
+
+    /// Parts of the side at `end` of `axis`.
+    pub fn parts(&self, axis: usize, end: usize) -> impl Iterator<Item = &Opening<D>> {
+        let is_own = move |opening: &&Opening<D>| {
+            (opening.axis, opening.end) == (axis, end) && opening.part.is_some()
+        };
+        self.openings.iter().filter(is_own)
+    }
+
+    /// The part of the side at `end` of `axis` that `place` lies in front of, or behind.
+    pub fn part_at(&self, axis: usize, end: usize, place: &Vector<D>) -> Option<&Opening<D>> {
+        self.parts(axis, end).find(|part| part.faces(place))
+    }
+
+    /// What the side at `end` of `axis` is where `place` lies in front of it, or behind.
+    pub fn side_at(&self, axis: usize, end: usize, place: &Vector<D>) -> Side {
+        let part = self.part_at(axis, end, place);
+        part.map_or(self.sides[axis][end], |part| part.side)
+    }
+
+    /// True where gas crosses the side at `end` of `axis`, if only through a part of it.
+    pub fn opens(&self, axis: usize, end: usize) -> bool {
+        let mut parts = self.parts(axis, end);
+        self.sides[axis][end].is_open() || parts.any(|part| part.side.is_open())
     }
 
     /// The face of side `end`, 0 the lower and 1 the upper one, of `axis`.

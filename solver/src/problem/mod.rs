@@ -6,11 +6,13 @@ use aero_geometry::Vector;
 
 mod body;
 mod domain;
+mod opening;
 mod side;
 mod source;
 
 pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
 pub use domain::Domain;
+pub use opening::{Given, Opening};
 pub use side::Side;
 pub use source::{Added, Source};
 
@@ -42,6 +44,15 @@ pub struct Problem<const D: usize> {
     pub bodies: Vec<Body<D>>,
     /// What is added to the equations, if anything.
     pub source: Option<Arc<dyn Source<D>>>,
+}
+
+impl<const D: usize> Problem<D> {
+    /// True where all gas that comes in has the total enthalpy of the free stream, and nothing gives it more on its way.
+    pub fn has_one_enthalpy(&self) -> bool {
+        let mut openings = self.domain.openings.iter();
+        self.source.is_none()
+            && openings.all(|opening| opening.given.is_none() || !opening.side.lets_in())
+    }
 }
 
 /// Density, velocity and pressure at a point.

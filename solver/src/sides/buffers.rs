@@ -4,6 +4,8 @@
 //! fluid; fluid that enters the lattice is absorbed. Fluid that crosses an outlet drifts on, as the outlet's model holds it, and
 //! is removed past the buffer.
 
+use std::ops::Range;
+
 use aero_geometry::Vector;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
@@ -128,12 +130,16 @@ impl<const D: usize> Buffers<D> {
             };
         }
         let entering = self.let_in(problem);
+        let gone = self.contents.particles.len();
+        self.go_on(problem, fluid, 0..gone, [before, now]);
         self.let_out(fluid, books);
+        // What leaves in this step has gone through it with the flow inside, and is seen at the middle of the next.
+        let all = self.contents.particles.len();
+        self.go_on(problem, fluid, gone..all, [0.5 * (before + now), now]);
         for particle in entering {
             books.cross(&particle, 1.0);
             fluid.add(particle);
         }
-        self.go_on(problem, fluid, now - before);
         for number in 0..self.contents.streams.len() {
             self.listen(problem, fluid, number, [before, now]);
             self.refill(problem, number, &earlier[number], now);
@@ -149,9 +155,15 @@ impl<const D: usize> Buffers<D> {
         }
     }
 
-    /// Lets the models of sides that gas leaves by say what becomes of what has left.
-    fn go_on(&mut self, problem: &Problem<D>, fluid: &[Particle<D>], step: f64) {
-        let particles = &mut self.contents.particles;
+    /// Lets the models of sides that gas leaves by say what becomes of what has left, of the particles of this range.
+    fn go_on(
+        &mut self,
+        problem: &Problem<D>,
+        fluid: &[Particle<D>],
+        range: Range<usize>,
+        times: [f64; 2],
+    ) {
+        let particles = &mut self.contents.particles[range];
         for (number, side) in self.sides.iter().enumerate() {
             if !side.model.goes_on() {
                 continue;
@@ -160,7 +172,10 @@ impl<const D: usize> Buffers<D> {
                 |open: &OpenParticle<D>| usize::from(open.side) == number && open.lattice.is_none();
             let own = particles.iter().filter(|open| is_own(open)).copied();
             let mut gone: Vec<_> = own.collect();
-            side.model.go_on(problem, fluid, &mut gone, step);
+            if gone.is_empty() {
+                continue;
+            }
+            side.model.go_on(problem, fluid, &mut gone, times);
             let places = particles.iter_mut().filter(|open| is_own(open));
             for (place, open) in places.zip(gone) {
                 *place = open;
@@ -182,10 +197,14 @@ impl<const D: usize> Buffers<D> {
                 open.particle.position = sides.rows.position(index, &streams[own].drift);
             }
             match sides.zone(&open.particle.position) {
+                Zone::Interior
+                    if sides.is_behind(usize::from(open.side), &open.particle.position) =>
+                {
+                    false
+                }
                 Zone::Interior => {
                     // The lattice is the free stream itself.
-                    open.particle.is_calm |=
-                        open.lattice.is_some() && problem.scheme.skip_undisturbed;
+                    open.particle.is_calm |= open.lattice.is_some() && problem.skips_undisturbed();
                     entering.push(open.particle);
                     false
                 }
@@ -236,13 +255,14 @@ impl<const D: usize> Buffers<D> {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         number: usize,
-        [before, now]: [f64; 2],
+        times: [f64; 2],
     ) {
+        let now = times[1];
         let mut own = self.sides.iter().filter(|s| s.stream == Some(number));
         let current = self.contents.streams[number].state;
         let answer = |side: &OpenSide<D>| {
             let model = &side.model;
-            model.answer(problem, fluid, &current, now - before)
+            model.answer(problem, fluid, &current, times)
         };
         let Some(state) = own.find_map(answer) else {
             return;

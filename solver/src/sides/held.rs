@@ -1,10 +1,15 @@
 //! Outlets that hold a pressure and let sound out.
 //!
 //! Below the speed of sound one wave comes in through an outlet, and what it brings is up to the outlet. With it given the
-//! pressure is held and sound comes back whole; here it rides along and relaxes to the pressure,
+//! pressure is held and sound comes back whole; here it relaxes to the pressure at the side,
 //! `dR-/dt = sigma (1 - M^2) (p - p_held) / (rho L)` with `L` the length of the domain [Poinsot & Lele 1992, J. Comput. Phys. 101,
-//! 104-129, eq. 40], so that waves shorter than the domain leave, and the mean pressure is held. Faster than sound nothing comes in
-//! but, where points stay, the shock of a pressure that the gas cannot pass; particles that left faster than sound take none back.
+//! 104-129, eq. 40], so that waves shorter than the domain leave, and the mean pressure is held: where nothing else comes,
+//! `p - p_held` falls as `exp(-sigma (1 - M^2) c t / 2 L)`. What the flow along the side does to the wave is taken off the flow
+//! inside [Yoo & Im 2007, Combust. Theory Model. 11, 259-286]: where a duct widens it would be off the pressure for good without.
+//! Faster than sound nothing comes in but, where points stay, the shock of a pressure that the gas cannot pass; particles that left
+//! faster than sound take none back.
+
+use aero_geometry::Vector;
 
 use super::model::{OpenModel, Place};
 use super::particle::OpenParticle;
@@ -13,7 +18,7 @@ use super::upstream::Upstream;
 use super::waves::{Along, Waves};
 use crate::gas::{Gas, IdealGas};
 use crate::particles::Particle;
-use crate::problem::{Problem, State};
+use crate::problem::{Given, Problem, State};
 
 /// An outlet that holds a pressure.
 #[derive(Clone, Copy, Debug)]
@@ -46,13 +51,28 @@ impl Held {
         }
     }
 
-    /// The wave that comes in after a `time` in which it rode along with gas in this state, its speed out of the domain; none
-    /// faster than sound.
-    fn incoming(&self, gas: &Along, time: f64) -> Option<f64> {
+    /// One that holds another pressure.
+    #[must_use]
+    pub fn at(self, pressure: f64) -> Self {
+        Self {
+            pressure,
+            plenum: self.plenum.at(pressure),
+            ..self
+        }
+    }
+
+    /// How fast the wave that comes in changes where gas is in this state, its speed out of the domain; none faster than sound.
+    fn rate(&self, gas: &Along) -> Option<f64> {
         let mach = gas.speed / gas.sound(self.gamma);
         let above = (gas.pressure - self.pressure) / gas.density;
-        let change = time * self.strength * (1.0 - mach * mach).max(0.0) * above;
-        (mach < 1.0).then(|| gas.waves(self.gamma).back + change)
+        (mach < 1.0).then(|| self.strength * (1.0 - mach * mach).max(0.0) * above)
+    }
+
+    /// The wave that comes in after a `time` in which it rode along with such gas, at a place before which it rises by `slope` out
+    /// of the domain: for those at rest it is `u` times that less.
+    fn ridden(&self, gas: &Along, time: f64, slope: f64) -> Option<f64> {
+        let rate = self.rate(gas)? + gas.speed * slope;
+        Some(gas.waves(self.gamma).back + time * rate)
     }
 
     /// What is behind the shock that runs into gas in this state, faster than sound and out of the domain, from the pressure
@@ -74,10 +94,11 @@ impl Held {
         })
     }
 
-    /// The state beyond a face whose cell is in state `gas` and has its mean half of `apart` before it: the wave that comes in
-    /// crosses that at `c - u` and changes by what it would on its way. Faster than sound it is the cell's own. What comes back in
-    /// comes from gas at rest at the pressure, as hot as the free stream's.
-    pub fn beyond(&self, gas: &Along, apart: f64) -> Along {
+    /// The state beyond a face whose cell is in state `gas` and has its mean at this `distance` before it: the wave that comes in
+    /// crosses that at `c - u` and changes by what it would on its way, beside what the flow along the side takes off it there,
+    /// `aside` per time. Faster than sound it is the cell's own. What comes back in comes from gas at rest at the pressure, as hot
+    /// as the free stream's.
+    pub fn beyond(&self, gas: &Along, distance: f64, aside: f64) -> Along {
         if gas.speed < 0.0 {
             let back = self.plenum.entering(-gas.waves(self.gamma).ahead);
             return Along {
@@ -88,15 +109,43 @@ impl Held {
         if let Some(behind) = self.shocked(gas) {
             return behind;
         }
-        let time = apart / (gas.sound(self.gamma) - gas.speed);
+        let time = distance / (gas.sound(self.gamma) - gas.speed);
         let waves = gas.waves(self.gamma);
-        let back = self.incoming(gas, time);
+        let back = self
+            .rate(gas)
+            .map(|rate| waves.back + time * (rate + aside));
         let there = back.and_then(|back| Waves { back, ..waves }.state(self.gamma));
         there.unwrap_or(*gas)
     }
 }
 
-impl<const D: usize> OpenModel<D> for Held {
+/// The outlet of particles.
+#[derive(Clone, Debug)]
+pub struct HeldOutlet<const D: usize> {
+    held: Held,
+    /// The pressure, where it is not the same everywhere and at all times.
+    given: Option<Given<D>>,
+}
+
+impl<const D: usize> HeldOutlet<D> {
+    /// One like `held`, whose pressure may be `given`.
+    pub fn new(held: Held, given: Option<&Given<D>>) -> Self {
+        Self {
+            held,
+            given: given.cloned(),
+        }
+    }
+
+    /// That of a place and time.
+    fn at(&self, position: &Vector<D>, time: f64) -> Held {
+        let given = self.given.as_ref();
+        given.map_or(self.held, |given| {
+            self.held.at(given.at(position, time).pressure)
+        })
+    }
+}
+
+impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
     fn inflow(&self, _problem: &Problem<D>) -> Option<State<D>> {
         None
     }
@@ -112,38 +161,43 @@ impl<const D: usize> OpenModel<D> for Held {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         gone: &mut [OpenParticle<D>],
-        step: f64,
+        [before, now]: [f64; 2],
     ) {
-        let (axis, outward) = (self.place.axis, -self.place.inward());
+        let Held { place, gamma, .. } = self.held;
+        let (axis, outward, step) = (place.axis, -place.inward(), now - before);
         let along = |particle: &Particle<D>| Along {
             density: particle.density,
             speed: outward * particle.velocity[axis],
             pressure: problem.gas.pressure(particle.density, particle.energy),
         };
-        let ahead = |particle: &Particle<D>| along(particle).waves(self.gamma).ahead;
-        let mut upstream = Upstream::new(self.place, problem.spacing);
+        let waves = |particle: &Particle<D>| {
+            let Waves { ahead, back, .. } = along(particle).waves(gamma);
+            [ahead, back]
+        };
+        let mut upstream = Upstream::new(place, problem.spacing);
         let reach = upstream.reach();
         let near = fluid
             .iter()
-            .filter(|particle| -self.place.depth(&particle.position) < reach);
+            .filter(|particle| -place.depth(&particle.position) < reach);
         let all = near.chain(gone.iter().map(|open| &open.particle));
         for particle in all {
-            upstream.add(particle.position, ahead(particle));
+            upstream.add(particle.position, waves(particle));
         }
         upstream.sort();
         for open in gone {
             let particle = &mut open.particle;
             let gas = along(particle);
-            let next = self.incoming(&gas, step).and_then(|back| {
-                let waves = gas.waves(self.gamma);
-                let slope = upstream.slope(&particle.position, waves.ahead);
-                let ahead = waves.ahead - step * gas.sound(self.gamma) * slope;
+            let held = self.at(&particle.position, now);
+            let waves = gas.waves(gamma);
+            let slopes = upstream.slopes(&particle.position, [waves.ahead, waves.back]);
+            let next = held.ridden(&gas, step, slopes[1]).and_then(|back| {
+                let ahead = waves.ahead - step * gas.sound(gamma) * slopes[0];
                 let next = Waves {
                     ahead,
                     back,
                     ..waves
                 };
-                next.state(self.gamma)
+                next.state(gamma)
             });
             let Some(next) = next else {
                 continue;
@@ -151,7 +205,7 @@ impl<const D: usize> OpenModel<D> for Held {
             let wider = (particle.density / next.density).powf(1.0 / D as f64);
             particle.smoothing_length *= wider;
             particle.density = next.density;
-            particle.energy = next.pressure / ((self.gamma - 1.0) * next.density);
+            particle.energy = next.pressure / ((gamma - 1.0) * next.density);
             particle.velocity[axis] = outward * next.speed;
         }
     }
@@ -171,6 +225,7 @@ mod tests {
             axis: 0,
             end: 1,
             face: 1.0,
+            part: None,
         };
         Held::new(&cube::<1>(8, Side::Outlet), place, pressure, 0.25)
     }
@@ -186,14 +241,14 @@ mod tests {
     #[test]
     fn gas_at_the_pressure_is_left_alone() {
         let inside = gas(0.5);
-        let beyond = outlet(inside.pressure).beyond(&inside, 0.1);
+        let beyond = outlet(inside.pressure).beyond(&inside, 0.1, 0.0);
         assert_relative_eq!(beyond.pressure, inside.pressure, epsilon = 1e-14);
         assert_relative_eq!(beyond.speed, inside.speed, epsilon = 1e-14);
     }
 
     #[test]
     fn gas_above_the_pressure_is_drawn_out() {
-        let beyond = outlet(0.9 / GAMMA).beyond(&gas(0.5), 0.1);
+        let beyond = outlet(0.9 / GAMMA).beyond(&gas(0.5), 0.1, 0.0);
         assert!(beyond.pressure < 1.0 / GAMMA && beyond.speed > 0.5);
     }
 
@@ -201,9 +256,9 @@ mod tests {
     fn gas_faster_than_sound_leaves_unless_a_shock_comes_in() {
         let inside = gas(2.0);
         // Behind a normal shock at Mach 2: 4.5 (NACA 1135, 1953, eq. 93).
-        let weak = outlet(4.4 / GAMMA).beyond(&inside, 0.1);
+        let weak = outlet(4.4 / GAMMA).beyond(&inside, 0.1, 0.0);
         assert_eq!(weak, inside);
-        let beyond = outlet(5.0 / GAMMA).beyond(&inside, 0.1);
+        let beyond = outlet(5.0 / GAMMA).beyond(&inside, 0.1, 0.0);
         // It moves in, and mass, momentum and energy go through it unchanged.
         let jump = beyond.density - inside.density;
         let flux = |gas: &Along| gas.density * gas.speed;
@@ -224,7 +279,7 @@ mod tests {
 
     #[test]
     fn what_comes_back_comes_from_rest() {
-        let beyond = outlet(1.2 / GAMMA).beyond(&gas(-0.2), 0.1);
+        let beyond = outlet(1.2 / GAMMA).beyond(&gas(-0.2), 0.1, 0.0);
         let rise = (1.2 / GAMMA / beyond.pressure).powf((GAMMA - 1.0) / GAMMA);
         let mach = -beyond.speed / beyond.sound(GAMMA);
         assert_relative_eq!(rise, 1.0 + 0.2 * mach * mach, epsilon = 1e-12);

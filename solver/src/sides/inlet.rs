@@ -1,53 +1,102 @@
-//! Inlets and free-stream sides: gas enters in the undisturbed state, whatever the flow inside [Lastiwka et al.
+//! Inlets and free-stream sides: gas enters in the undisturbed state, or in one that is given, whatever the flow inside [Lastiwka et al.
 //! 2009]; a free-stream side is one that the flow inside does not reach. Below the speed of sound that sends waves back in, and
 //! an inlet that lets them out holds two of three values: the entropy and the wave that come in with the stream.
+
+use aero_geometry::Vector;
 
 use super::model::{OpenModel, Place};
 use super::waves::{Along, Waves, inwards, outgoing};
 use crate::gas::{Gas, IdealGas};
 use crate::particles::Particle;
-use crate::problem::{Problem, State};
+use crate::problem::{Given, Problem, State};
 
-/// A side that the free stream is beyond.
-#[derive(Clone, Copy, Debug)]
-pub struct Inlet;
-
-impl<const D: usize> OpenModel<D> for Inlet {
-    fn inflow(&self, problem: &Problem<D>) -> Option<State<D>> {
-        Some(problem.free_stream)
-    }
+/// A side that the free stream, or gas in a state that is given, is beyond.
+#[derive(Clone, Debug)]
+pub struct Inlet<const D: usize> {
+    middle: Vector<D>,
+    given: Option<Given<D>>,
 }
 
-/// One that lets sound out.
-#[derive(Clone, Copy, Debug)]
-pub struct SoftInlet {
-    place: Place,
-    gamma: f64,
-    /// What comes in with the stream.
-    stream: Waves,
-}
-
-impl SoftInlet {
+impl<const D: usize> Inlet<D> {
     /// The one of `problem` at `place`.
-    pub fn new<const D: usize>(problem: &Problem<D>, place: Place) -> Self {
-        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
-        let stream = &problem.free_stream;
-        let along = Along {
-            density: stream.density,
-            speed: place.inward() * stream.velocity[place.axis],
-            pressure: stream.pressure,
-        };
+    pub fn new(problem: &Problem<D>, place: Place, given: Option<&Given<D>>) -> Self {
         Self {
-            place,
-            gamma,
-            stream: along.waves(gamma),
+            middle: place.middle(&problem.domain),
+            given: given.cloned(),
         }
     }
 }
 
-impl<const D: usize> OpenModel<D> for SoftInlet {
+impl<const D: usize> OpenModel<D> for Inlet<D> {
     fn inflow(&self, problem: &Problem<D>) -> Option<State<D>> {
-        Some(problem.free_stream)
+        let given = self.given.as_ref();
+        Some(given.map_or(problem.free_stream, |given| given.at(&self.middle, 0.0)))
+    }
+
+    /// What is given, at the middle of the side.
+    fn answer(
+        &self,
+        _problem: &Problem<D>,
+        _fluid: &[Particle<D>],
+        _before: &State<D>,
+        [_, now]: [f64; 2],
+    ) -> Option<State<D>> {
+        let given = self.given.as_ref()?;
+        Some(given.at(&self.middle, now))
+    }
+
+    fn answers(&self) -> bool {
+        self.given.is_some()
+    }
+
+    fn profile(&self, stream: &State<D>, position: &Vector<D>, time: f64) -> State<D> {
+        let given = self.given.as_ref();
+        given.map_or(*stream, |given| given.at(position, time))
+    }
+}
+
+/// One that lets sound out.
+#[derive(Clone, Debug)]
+pub struct SoftInlet<const D: usize> {
+    place: Place,
+    gamma: f64,
+    middle: Vector<D>,
+    /// The stream, where that is not the free one.
+    given: Option<Given<D>>,
+}
+
+impl<const D: usize> SoftInlet<D> {
+    /// The one of `problem` at `place`.
+    pub fn new(problem: &Problem<D>, place: Place, given: Option<&Given<D>>) -> Self {
+        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        Self {
+            place,
+            gamma,
+            middle: place.middle(&problem.domain),
+            given: given.cloned(),
+        }
+    }
+
+    /// The stream at a time.
+    fn stream(&self, problem: &Problem<D>, time: f64) -> State<D> {
+        let given = self.given.as_ref();
+        given.map_or(problem.free_stream, |given| given.at(&self.middle, time))
+    }
+
+    /// What comes in with `stream`.
+    fn waves(&self, stream: &State<D>) -> Waves {
+        let along = Along {
+            density: stream.density,
+            speed: self.place.inward() * stream.velocity[self.place.axis],
+            pressure: stream.pressure,
+        };
+        along.waves(self.gamma)
+    }
+}
+
+impl<const D: usize> OpenModel<D> for SoftInlet<D> {
+    fn inflow(&self, problem: &Problem<D>) -> Option<State<D>> {
+        Some(self.stream(problem, 0.0))
     }
 
     /// The stream's state less what the wave on its way out asks for; the stream's own where that would stop it, or where it is
@@ -57,18 +106,16 @@ impl<const D: usize> OpenModel<D> for SoftInlet {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         _before: &State<D>,
-        _step: f64,
+        [_, now]: [f64; 2],
     ) -> Option<State<D>> {
-        let (stream, axis) = (&problem.free_stream, self.place.axis);
+        let axis = self.place.axis;
+        let stream = self.stream(problem, now);
+        let entering = self.waves(&stream);
         let back = outgoing(&self.place, problem.spacing, self.gamma, fluid)?;
-        let waves = Waves {
-            back,
-            ..self.stream
-        };
-        let gas = waves.state(self.gamma)?;
-        let is_slower = gas.speed < gas.sound(self.gamma) && self.stream.back < 0.0;
+        let gas = Waves { back, ..entering }.state(self.gamma)?;
+        let is_slower = gas.speed < gas.sound(self.gamma) && entering.back < 0.0;
         if gas.speed <= 0.0 || !is_slower {
-            return Some(*stream);
+            return Some(stream);
         }
         let mut velocity = stream.velocity;
         velocity[axis] = inwards::<D>(&self.place, gas.speed)[axis];

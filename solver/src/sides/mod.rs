@@ -25,22 +25,23 @@ pub use rows::Rows;
 pub use waves::Along;
 pub use zone::Zone;
 
-use crate::problem::{Problem, Side};
-use held::Held;
+use crate::problem::{Given, Problem, Side, State};
+use held::{Held, HeldOutlet};
 use inlet::{Inlet, SoftInlet};
 use model::OpenModel;
 use outlet::Outlet;
 use reservoir::Reservoir;
 
-/// The model of a kind of side that particles cross; none of closed ones.
+/// The model of a kind of side that particles cross, with gas beyond it that may be `given`; none of closed ones.
 fn model_of<const D: usize>(
     problem: &Problem<D>,
     side: Side,
     place: Place,
+    given: Option<&Given<D>>,
 ) -> Option<Box<dyn OpenModel<D>>> {
     match side {
-        Side::Inlet | Side::FreeStream => Some(Box::new(Inlet)),
-        Side::SoftInlet => Some(Box::new(SoftInlet::new(problem, place))),
+        Side::Inlet | Side::FreeStream => Some(Box::new(Inlet::new(problem, place, given))),
+        Side::SoftInlet => Some(Box::new(SoftInlet::new(problem, place, given))),
         Side::Reservoir { relaxation } => {
             Some(Box::new(Reservoir::new(problem, place, relaxation)))
         }
@@ -48,7 +49,10 @@ fn model_of<const D: usize>(
         Side::HeldOutlet {
             pressure,
             relaxation,
-        } => Some(Box::new(Held::new(problem, place, pressure, relaxation))),
+        } => {
+            let held = Held::new(problem, place, pressure, relaxation);
+            Some(Box::new(HeldOutlet::new(held, given)))
+        }
         Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } | Side::Body => None,
     }
 }
@@ -81,12 +85,21 @@ impl Answering {
         }
     }
 
-    /// The state beyond a face whose cell is in state `gas` and has its mean half of `apart` before it; both speeds are out of the
-    /// domain.
-    pub fn beyond(&self, gas: &Along, apart: f64) -> Along {
+    /// The state beyond a face whose cell is in state `gas` and has its mean at this `distance` before it, where flow along the
+    /// side takes `aside` per time off the wave that comes in; both speeds are out of the domain.
+    pub fn beyond(&self, gas: &Along, distance: f64, aside: f64) -> Along {
         match self {
-            Self::Reservoir(reservoir) => reservoir.beyond(&gas.turned(), apart).turned(),
-            Self::Held(held) => held.beyond(gas, apart),
+            Self::Reservoir(reservoir) => reservoir.beyond(&gas.turned(), distance).turned(),
+            Self::Held(held) => held.beyond(gas, distance, aside),
+        }
+    }
+
+    /// The same beside gas whose state, of an outlet the pressure, is now this.
+    #[must_use]
+    pub fn at<const D: usize>(self, given: &State<D>) -> Self {
+        match self {
+            Self::Held(held) => Self::Held(held.at(given.pressure)),
+            Self::Reservoir(_) => self,
         }
     }
 

@@ -6,9 +6,9 @@ use aero_geometry::Vector;
 
 use super::particle::OpenParticle;
 use crate::particles::Particle;
-use crate::problem::{Problem, State};
+use crate::problem::{Domain, Opening, Problem, State};
 
-/// Where an open side is: a face of the domain.
+/// Where an open side is: a face of the domain, or a part of one.
 #[derive(Clone, Copy, Debug)]
 pub struct Place {
     /// Axis across the face.
@@ -17,9 +17,54 @@ pub struct Place {
     pub end: usize,
     /// Coordinate of the face.
     pub face: f64,
+    /// Where a part of it begins and ends along each axis.
+    pub part: Option<[[f64; 2]; 3]>,
 }
 
 impl Place {
+    /// The whole side at `end` of `axis`.
+    pub fn whole<const D: usize>(domain: &Domain<D>, axis: usize, end: usize) -> Self {
+        Self {
+            axis,
+            end,
+            face: domain.face(axis, end),
+            part: None,
+        }
+    }
+
+    /// Where `opening` is.
+    pub fn of<const D: usize>(domain: &Domain<D>, opening: &Opening<D>) -> Self {
+        let ends = |k: usize| match &opening.part {
+            Some(part) if k < D && k != opening.axis => [part.min[k], part.max[k]],
+            _ => [f64::NEG_INFINITY, f64::INFINITY],
+        };
+        Self {
+            part: opening.part.map(|_| std::array::from_fn(ends)),
+            ..Self::whole(domain, opening.axis, opening.end)
+        }
+    }
+
+    /// True of a position that it lies in front of, or behind.
+    pub fn faces<const D: usize>(&self, position: &Vector<D>) -> bool {
+        self.part.is_none_or(|ends| {
+            let mut ends = ends.iter().zip(position);
+            ends.all(|([low, high], x)| low <= x && x < high)
+        })
+    }
+
+    /// Its middle.
+    pub fn middle<const D: usize>(&self, domain: &Domain<D>) -> Vector<D> {
+        let bounds = &domain.bounds;
+        Vector::from_fn(|k, _| {
+            if k == self.axis {
+                return self.face;
+            }
+            let whole = [bounds.min[k], bounds.max[k]];
+            let [low, high] = self.part.map_or(whole, |ends| ends[k]);
+            0.5 * (low + high)
+        })
+    }
+
     /// How far `position` is beyond the face; negative in front of it.
     pub fn depth<const D: usize>(&self, position: &Vector<D>) -> f64 {
         if self.end == 0 {
@@ -51,14 +96,14 @@ pub trait OpenModel<const D: usize>: Debug + Send + Sync {
     /// State of the gas that enters at first; none through a side that gas only leaves by.
     fn inflow(&self, problem: &Problem<D>) -> Option<State<D>>;
 
-    /// State in which gas enters from now on, after a `step` that left the flow inside as `fluid`, and in which it entered in
-    /// state `before`; none where it stays as it was, and for a model that never answers.
+    /// State in which gas enters from now on, after a step from one time to another that left the flow inside as `fluid`, and in
+    /// which it entered in state `before`; none where it stays as it was, and for a model that never answers.
     fn answer(
         &self,
         _problem: &Problem<D>,
         _fluid: &[Particle<D>],
         _before: &State<D>,
-        _step: f64,
+        _times: [f64; 2],
     ) -> Option<State<D>> {
         None
     }
@@ -74,14 +119,14 @@ pub trait OpenModel<const D: usize>: Debug + Send + Sync {
         *stream
     }
 
-    /// What becomes, in a `step`, of the particles of the buffer that have left the domain here, `gone`, in the order in which
+    /// What becomes, in a step from one time to another, of the particles of the buffer that have left the domain here, `gone`, in the order in which
     /// the buffer keeps them; they have drifted on already. `fluid` is the flow inside.
     fn go_on(
         &self,
         _problem: &Problem<D>,
         _fluid: &[Particle<D>],
         _gone: &mut [OpenParticle<D>],
-        _step: f64,
+        _times: [f64; 2],
     ) {
     }
 

@@ -51,11 +51,11 @@ impl Reservoir {
         relaxed.filter(|gas| gas.speed >= 0.0).unwrap_or(held)
     }
 
-    /// The state beyond a face whose cell is in state `gas`, its speed into the domain, and has its mean half of `apart` behind
-    /// it: the wave that comes in crosses that at `u + c`.
-    pub fn beyond(&self, gas: &Along, apart: f64) -> Along {
+    /// The state beyond a face whose cell is in state `gas`, its speed into the domain, and has its mean at this `distance`
+    /// behind it: the wave that comes in crosses that at `u + c`.
+    pub fn beyond(&self, gas: &Along, distance: f64) -> Along {
         let gamma = self.plenum.gamma();
-        let time = apart / (gas.speed.max(0.0) + gas.sound(gamma));
+        let time = distance / (gas.speed.max(0.0) + gas.sound(gamma));
         self.entering(gas.waves(gamma).back, gas, time)
     }
 }
@@ -72,7 +72,7 @@ impl<const D: usize> OpenModel<D> for Reservoir {
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         before: &State<D>,
-        step: f64,
+        [earlier, now]: [f64; 2],
     ) -> Option<State<D>> {
         let back = outgoing(&self.place, problem.spacing, self.plenum.gamma(), fluid)?;
         let before = Along {
@@ -80,7 +80,7 @@ impl<const D: usize> OpenModel<D> for Reservoir {
             speed: self.place.inward() * before.velocity[self.place.axis],
             pressure: before.pressure,
         };
-        let gas = self.entering(back, &before, step);
+        let gas = self.entering(back, &before, now - earlier);
         Some(State {
             density: gas.density,
             velocity: inwards(&self.place, gas.speed),

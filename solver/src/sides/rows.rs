@@ -135,7 +135,7 @@ fn gap<const D: usize>(
     (along, end): (usize, usize),
     axis: usize,
 ) -> Option<Gap> {
-    let Domain { bounds, sides } = &problem.domain;
+    let Domain { bounds, sides, .. } = &problem.domain;
     let out = [-1.0, 1.0][end] * BUFFER as f64 * problem.spacing;
     let mut found: Option<Gap> = None;
     // Along the rim of the buffer, and in space at three places across it.
@@ -228,7 +228,7 @@ fn widest<const D: usize>(problem: &Problem<D>, point: Vector<D>, axis: usize) -
 
 /// The middle of an axis about which the scene is its own mirror image, with rows out of step.
 fn mirror<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<f64> {
-    let Domain { bounds, sides } = &problem.domain;
+    let Domain { bounds, sides, .. } = &problem.domain;
     let middle = 0.5 * (bounds.min[axis] + bounds.max[axis]);
     let near = |plane: f64| (plane - middle).abs() < IN_STEP * problem.spacing;
     let is_mirrored = sides[axis][0].is_open()

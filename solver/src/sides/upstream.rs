@@ -1,4 +1,4 @@
-//! How steeply a value rises out of the domain, read off the particles that gas comes from.
+//! How steeply values rise out of the domain, read off the particles that gas comes from.
 
 use aero_geometry::Vector;
 use nalgebra::SMatrix;
@@ -11,13 +11,13 @@ const REACH: f64 = 2.5;
 /// Condition number of the moments of neighbours that all but lie in a row.
 const FLAT: f64 = 1e3;
 
-/// Values on particles about an open side, by cells as wide as the reach.
+/// Pairs of values on particles about an open side, by cells as wide as the reach.
 #[derive(Debug)]
 pub struct Upstream<const D: usize> {
     place: Place,
     reach: f64,
-    /// Cell, position and value.
-    values: Vec<([i64; D], Vector<D>, f64)>,
+    /// Cell, position and values.
+    values: Vec<([i64; D], Vector<D>, [f64; 2])>,
 }
 
 impl<const D: usize> Upstream<D> {
@@ -35,9 +35,9 @@ impl<const D: usize> Upstream<D> {
         self.reach
     }
 
-    /// Adds a value.
-    pub fn add(&mut self, position: Vector<D>, value: f64) {
-        self.values.push((self.cell(&position), position, value));
+    /// Adds values.
+    pub fn add(&mut self, position: Vector<D>, values: [f64; 2]) {
+        self.values.push((self.cell(&position), position, values));
     }
 
     /// Brings them into the order of cells, after the last has been added.
@@ -50,12 +50,12 @@ impl<const D: usize> Upstream<D> {
         std::array::from_fn(|k| (position[k] / self.reach).floor() as i64)
     }
 
-    /// Slope out of the domain at `position`, where the value is `own`: of the plane that fits it and the values before it
+    /// Slopes out of the domain at `position`, where the values are `own`: of the planes that fit them and the values before them
     /// best. None where there are too few of them.
-    pub fn slope(&self, position: &Vector<D>, own: f64) -> f64 {
+    pub fn slopes(&self, position: &Vector<D>, own: [f64; 2]) -> [f64; 2] {
         let axis = self.place.axis;
         let mut moment = SMatrix::<f64, D, D>::zeros();
-        let mut rise = Vector::zeros();
+        let mut rises = [Vector::zeros(); 2];
         let home = self.cell(position);
         for offset in 0..3_i64.pow(D as u32) {
             let mut rest = offset;
@@ -65,7 +65,7 @@ impl<const D: usize> Upstream<D> {
                 k
             });
             let first = self.values.partition_point(|(other, ..)| *other < cell);
-            for (other, place, value) in &self.values[first..] {
+            for (other, place, values) in &self.values[first..] {
                 if *other != cell {
                     break;
                 }
@@ -74,20 +74,24 @@ impl<const D: usize> Upstream<D> {
                 if share > 0.0 && self.place.inward() * apart[axis] > 0.0 {
                     let weight = share * share;
                     moment += apart * apart.transpose() * weight;
-                    rise += apart * ((value - own) * weight);
+                    for n in 0..2 {
+                        rises[n] += apart * ((values[n] - own[n]) * weight);
+                    }
                 }
             }
         }
         let outward = -self.place.inward();
         let square = moment[(axis, axis)];
         if square <= 0.0 {
-            return 0.0;
+            return [0.0; 2];
         }
         // A plane where neighbours fix one, a line across the side where they do not.
         let plane = moment
             .try_inverse()
             .filter(|inverse| moment.norm() * inverse.norm() < FLAT);
-        outward * plane.map_or(rise[axis] / square, |inverse| (inverse * rise)[axis])
+        rises.map(|rise| {
+            outward * plane.map_or(rise[axis] / square, |inverse| (inverse * rise)[axis])
+        })
     }
 }
 
@@ -102,8 +106,9 @@ mod tests {
             axis: 0,
             end: 1,
             face: 0.0,
+            part: None,
         };
-        let value = |x: &Vector<2>| 2.0 - 3.0 * x[0] + 0.7 * x[1];
+        let value = |x: &Vector<2>| [2.0 - 3.0 * x[0] + 0.7 * x[1], 1.0 + x[0] + 4.0 * x[1]];
         let mut upstream = Upstream::new(place, 0.1);
         let points = (-4..4).flat_map(|i| (-4..4).map(move |j| (i, j)));
         for (i, j) in points {
@@ -111,11 +116,13 @@ mod tests {
             let at = Vector::<2>::new(0.1 * i + 0.01 * (j * 1.7).sin(), 0.1 * j);
             // What lies downstream is not asked.
             let beyond = if at[0] > 0.0 { 1e9 } else { 0.0 };
-            upstream.add(at, value(&at) + beyond);
+            upstream.add(at, value(&at).map(|value| value + beyond));
         }
         upstream.sort();
         let at = Vector::<2>::new(0.0, 0.03);
-        assert_relative_eq!(upstream.slope(&at, value(&at)), -3.0, epsilon = 1e-12);
+        let [first, second] = upstream.slopes(&at, value(&at));
+        assert_relative_eq!(first, -3.0, epsilon = 1e-12);
+        assert_relative_eq!(second, 1.0, epsilon = 1e-12);
     }
 
     #[test]
@@ -124,15 +131,15 @@ mod tests {
             axis: 1,
             end: 0,
             face: 0.0,
+            part: None,
         };
         let mut upstream = Upstream::<2>::new(place, 0.1);
-        assert_eq!(upstream.slope(&Vector::<2>::zeros(), 1.0), 0.0);
-        upstream.add(Vector::<2>::new(0.0, 0.1), 2.0);
+        let here = Vector::<2>::zeros();
+        assert_eq!(upstream.slopes(&here, [1.0; 2]), [0.0; 2]);
+        upstream.add(Vector::<2>::new(0.0, 0.1), [2.0, 1.0]);
         upstream.sort();
-        assert_relative_eq!(
-            upstream.slope(&Vector::<2>::zeros(), 1.0),
-            -10.0,
-            epsilon = 1e-12
-        );
+        let [first, second] = upstream.slopes(&here, [1.0; 2]);
+        assert_relative_eq!(first, -10.0, epsilon = 1e-12);
+        assert_eq!(second, 0.0);
     }
 }

@@ -85,7 +85,8 @@ pub fn outgoing<const D: usize>(
     let heat = gamma - 1.0;
     let (mut sum, mut mass) = (0.0, 0.0);
     for particle in fluid {
-        if -place.depth(&particle.position) < LAYER * spacing {
+        let is_near = -place.depth(&particle.position) < LAYER * spacing;
+        if is_near && place.faces(&particle.position) {
             let sound = (gamma * heat * particle.energy).sqrt();
             let wave = place.inward() * particle.velocity[place.axis] - 2.0 * sound / heat;
             sum += particle.mass * wave;

@@ -6,7 +6,7 @@ use super::model::{OpenModel, Place};
 use super::model_of;
 use super::rows::Rows;
 use crate::layers::BUFFER;
-use crate::problem::{Problem, State};
+use crate::problem::{Domain, Given, Opening, Problem, Side, State};
 
 /// Where a point is in relation to the domain.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,8 +34,8 @@ pub struct OpenSide<const D: usize> {
 #[derive(Debug)]
 pub struct OpenSides<const D: usize> {
     sides: Vec<OpenSide<D>>,
-    /// Numbers of those by axis and end.
-    numbers: [[Option<usize>; 2]; D],
+    /// Which ends of each axis have a buffer.
+    buffers: [[bool; 2]; D],
     spacing: f64,
     /// The lattice of the gas.
     pub rows: Rows<D>,
@@ -47,10 +47,9 @@ impl<const D: usize> OpenSides<D> {
     pub fn new(problem: &Problem<D>) -> (Self, Vec<State<D>>) {
         let mut sides: Vec<OpenSide<D>> = Vec::new();
         let mut streams = Vec::new();
-        let mut numbers = [[None; 2]; D];
-        for (axis, end, side, face) in problem.domain.each_side() {
-            let place = Place { axis, end, face };
-            let Some(model) = model_of(problem, side, place) else {
+        let mut buffers = [[false; 2]; D];
+        for (place, side, given) in crossed(&problem.domain) {
+            let Some(model) = model_of(problem, side, place, given) else {
                 continue;
             };
             let stream = model.inflow(problem).map(|state| {
@@ -63,7 +62,7 @@ impl<const D: usize> OpenSides<D> {
                     streams.len() - 1
                 })
             });
-            numbers[axis][end] = Some(sides.len());
+            buffers[place.axis][place.end] = true;
             sides.push(OpenSide {
                 place,
                 model,
@@ -72,7 +71,7 @@ impl<const D: usize> OpenSides<D> {
         }
         let all = Self {
             sides,
-            numbers,
+            buffers,
             spacing: problem.spacing,
             rows: Rows::new(problem),
         };
@@ -102,13 +101,19 @@ impl<const D: usize> OpenSides<D> {
         }
     }
 
+    /// True of a position that has gone round the rim of the part `number` of a side, behind the rest of it.
+    pub fn is_behind(&self, number: usize, position: &Vector<D>) -> bool {
+        let place = &self.sides[number].place;
+        !place.faces(position) && place.is_beyond(place.depth(position))
+    }
+
     /// The zone of `position`. Where buffers meet, that of the first side that gas enters through.
     pub fn zone(&self, position: &Vector<D>) -> Zone {
         let buffer = BUFFER as f64 * self.spacing;
         let mut zone = Zone::Interior;
         for (number, side) in self.sides.iter().enumerate() {
             let depth = side.place.depth(position);
-            if !side.place.is_beyond(depth) {
+            if !side.place.is_beyond(depth) || !side.place.faces(position) {
                 continue;
             }
             if depth > buffer {
@@ -129,7 +134,8 @@ impl<const D: usize> OpenSides<D> {
         for k in 0..D {
             let drift = drift[k] / self.rows.pitch(k);
             let cells = self.rows.cells(k);
-            let [lower, upper] = self.numbers[k].map(|n| n.map_or(0, |_| BUFFER as i64));
+            let [lower, upper] =
+                self.buffers[k].map(|is_there| if is_there { BUFFER as i64 } else { 0 });
             if lower + upper == 0 {
                 (first[k], last[k]) = (0, cells);
             } else {
@@ -146,7 +152,7 @@ impl<const D: usize> OpenSides<D> {
         let mut slabs = Vec::new();
         let depth = BUFFER as i64 + 3;
         for k in 0..D {
-            let [lower, upper] = self.numbers[k].map(|number| number.is_some());
+            let [lower, upper] = self.buffers[k];
             if lower && first[k] < last[k] {
                 let mut end = last;
                 end[k] = (first[k] + depth).min(last[k]);
@@ -162,4 +168,23 @@ impl<const D: usize> OpenSides<D> {
         }
         slabs
     }
+}
+
+/// Every side of `domain`, each followed by its parts: where it is, its kind, and the state of the gas beyond it if that is given.
+fn crossed<const D: usize>(
+    domain: &Domain<D>,
+) -> impl Iterator<Item = (Place, Side, Option<&Given<D>>)> {
+    domain.each_side().flat_map(|(axis, end, side, _)| {
+        let own = |opening: &&Opening<D>| (opening.axis, opening.end) == (axis, end);
+        let whole = domain
+            .openings
+            .iter()
+            .find(|opening| own(opening) && opening.part.is_none());
+        let given = whole.and_then(|whole| whole.given.as_ref());
+        let parts = domain.parts(axis, end);
+        let parts = parts.map(|part| (Place::of(domain, part), part.side, part.given.as_ref()));
+        [(Place::whole(domain, axis, end), side, given)]
+            .into_iter()
+            .chain(parts)
+    })
 }

@@ -52,6 +52,7 @@ pub(crate) fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
         domain: Domain {
             bounds,
             sides: [[side; 2]; D],
+            openings: Vec::new(),
         },
         free_stream: State {
             density: 1.4,

@@ -63,6 +63,7 @@ pub fn plane_walls<const D: usize>(domain: &Domain<D>, spacing: f64) -> Vec<Side
             let ghosts = slab(domain, spacing, axis, end)
                 .into_iter()
                 .filter(|position| !behind_earlier(position))
+                .filter(|position| domain.part_at(axis, end, position).is_none())
                 .map(|position| ghost(domain, spacing, position, axis))
                 .collect();
             SideWall {
@@ -123,18 +124,15 @@ fn slab<const D: usize>(
     let mut last = [0_i64; D];
     for k in 0..D {
         let cells = (domain.bounds.size()[k] / spacing).round() as i64;
-        let margin = |side: Side| match side {
-            side if side.is_open() => BUFFER as i64,
+        let margin = |e: usize| match domain.sides[k][e] {
+            _ if domain.opens(k, e) => BUFFER as i64,
             side if side.is_mirror() || side.is_periodic() => 0,
             _ => GHOSTS as i64,
         };
         (first[k], last[k]) = match (k == axis, end) {
             (true, 0) => (-(GHOSTS as i64), 0),
             (true, _) => (cells, cells + GHOSTS as i64),
-            _ => (
-                -margin(domain.sides[k][0]),
-                cells + margin(domain.sides[k][1]),
-            ),
+            _ => (-margin(0), cells + margin(1)),
         };
     }
     lattice::points(first, last)
@@ -160,6 +158,7 @@ mod tests {
         let domain = Domain {
             bounds,
             sides: [[WALL; 2]; 2],
+            openings: Vec::new(),
         };
         let walls = plane_walls(&domain, 0.1);
         let count: usize = walls.iter().map(|wall| wall.ghosts.len()).sum();

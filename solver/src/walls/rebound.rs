@@ -78,7 +78,8 @@ pub fn rebound<const D: usize>(
                 let depth = inward * (problem.domain.face(axis, end) - origin);
                 let mut normal = Vector::zeros();
                 normal[axis] = inward;
-                (depth > 0.0).then(|| Hit {
+                let is_open = || problem.domain.part_at(axis, end, position).is_some();
+                (depth > 0.0 && !is_open()).then(|| Hit {
                     normal,
                     depth,
                     to: position + normal * (2.0 * depth),

@@ -2,7 +2,7 @@
 
 use serde::de::{Deserialize, Deserializer, Error, Visitor};
 
-use super::{Formula, FormulaVisitor, Number, Place, parse};
+use super::{Formula, FormulaVisitor, Node, Number, Place, Variable, parse};
 
 /// A number, or a formula of position and time.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,6 +12,25 @@ impl TimedFormula {
     /// The value at `place`; not finite where the formula divides by zero and the like.
     pub fn at<T: Number>(&self, place: &Place<T>) -> T {
         self.0.at(place)
+    }
+
+    /// The number that it is; none of a formula.
+    pub fn number(&self) -> Option<f64> {
+        match self.0.0 {
+            Node::Number(number) => Some(number),
+            _ => None,
+        }
+    }
+
+    /// True where it changes with time.
+    pub fn knows_time(&self) -> bool {
+        self.0.0.knows(&|variable| variable == Variable::Time)
+    }
+
+    /// True where it changes from place to place.
+    pub fn knows_place(&self) -> bool {
+        let is_place = |variable| matches!(variable, Variable::Axis(_) | Variable::Radius);
+        self.0.0.knows(&is_place)
     }
 }
 

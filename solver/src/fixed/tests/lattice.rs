@@ -31,6 +31,7 @@ pub fn problem<const D: usize>(
                 max,
             },
             sides,
+            openings: Vec::new(),
         },
         free_stream: State {
             density: 1.0,

@@ -26,6 +26,7 @@ fn domain<const D: usize>(low: [f64; D], high: [f64; D]) -> Domain<D> {
     Domain {
         bounds: Bounds::new(Vector::from(low), Vector::from(high)),
         sides: [[Side::FreeStream; 2]; D],
+        openings: Vec::new(),
     }
 }
 
