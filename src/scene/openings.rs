@@ -188,7 +188,7 @@ impl<const D: usize> Sides<'_, D> {
             self.enters(name, &opening, self.stream)?;
             return Ok(opening);
         };
-        let velocity = self.velocity(name, entry)?;
+        let velocity = velocity::<D>(name, entry)?;
         self.can_carry(name, &opening, entry, &velocity)?;
         let (density, pressure) = (entry.density.clone(), entry.pressure.clone());
         let (stream, spacing) = (*self.stream, self.spacing);
@@ -227,20 +227,6 @@ impl<const D: usize> Sides<'_, D> {
         }
         opening.given = Some(given);
         Ok(opening)
-    }
-
-    fn velocity(&self, name: &str, entry: &GivenEntry) -> Result<Vec<TimedFormula>, SceneError> {
-        match &entry.velocity {
-            None => Ok(Vec::new()),
-            Some(formulas) if formulas.len() == D => Ok(formulas.clone()),
-            Some(formulas) => fail(
-                name,
-                format!(
-                    "has a velocity of {} formulas, but the scene has dimension {D}; give {D}",
-                    formulas.len()
-                ),
-            ),
-        }
     }
 
     /// Refuses an inlet that gas would leave by at the start.
@@ -316,6 +302,24 @@ impl<const D: usize> Sides<'_, D> {
         let mut middle = (bounds.min + bounds.max) * 0.5;
         middle[opening.axis] = self.domain.face(opening.axis, opening.end);
         middle
+    }
+}
+
+/// The formulas of the velocity; none where that is the free stream's.
+fn velocity<const D: usize>(
+    name: &str,
+    entry: &GivenEntry,
+) -> Result<Vec<TimedFormula>, SceneError> {
+    match &entry.velocity {
+        None => Ok(Vec::new()),
+        Some(formulas) if formulas.len() == D => Ok(formulas.clone()),
+        Some(formulas) => fail(
+            name,
+            format!(
+                "has a velocity of {} formulas, but the scene has dimension {D}; give {D}",
+                formulas.len()
+            ),
+        ),
     }
 }
 

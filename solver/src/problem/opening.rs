@@ -46,9 +46,12 @@ impl<const D: usize> Opening<D> {
     }
 }
 
+/// The state of the gas there and then.
+type Law<const D: usize> = dyn Fn(&Vector<D>, f64) -> State<D> + Send + Sync;
+
 /// A state of the gas as a function of position and time.
 #[derive(Clone)]
-pub struct Given<const D: usize>(pub Arc<dyn Fn(&Vector<D>, f64) -> State<D> + Send + Sync>);
+pub struct Given<const D: usize>(pub Arc<Law<D>>);
 
 impl<const D: usize> Given<D> {
     /// The state there and then.

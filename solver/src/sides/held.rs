@@ -69,10 +69,15 @@ impl Held {
     }
 
     /// The wave that comes in after a `time` in which it rode along with such gas, at a place before which it rises by `slope` out
-    /// of the domain: for those at rest it is `u` times that less.
+    /// of the domain. As seen from the side it has come against the gas, and changes by `u` times its slope more: that which it
+    /// would have if it changed there as it should, `rate / (c - u)`, and by `1 - M` the one that it has, which tells what else
+    /// there is. All of that near the speed of sound would send back what it hears.
     fn ridden(&self, gas: &Along, time: f64, slope: f64) -> Option<f64> {
-        let rate = self.rate(gas)? + gas.speed * slope;
-        Some(gas.waves(self.gamma).back + time * rate)
+        let mach = (gas.speed / gas.sound(self.gamma)).max(0.0);
+        let rate = self.rate(gas)?;
+        let told = (1.0 - mach) * gas.speed * slope;
+        let change = rate * (1.0 / (1.0 - mach) - mach) + told;
+        Some(gas.waves(self.gamma).back + time * change)
     }
 
     /// What is behind the shock that runs into gas in this state, faster than sound and out of the domain, from the pressure
