@@ -57,7 +57,7 @@ fn gas_at_rest_shows_its_pressure_on_a_body_that_stands_on_a_wall() {
         let centre = 0.5 * (ends[0][0] + ends[1][0]);
         // Nothing presses what is buried between post and wall.
         if ends[0][1] + ends[1][1] == 0.0 && (1.1..=1.9).contains(&centre) {
-            assert!(*pressure == 0.0 || (pressure - 1.0).abs() < 0.015);
+            assert!(*pressure <= 0.0, "{pressure} at {ends:?}");
             continue;
         }
         count += 1;
