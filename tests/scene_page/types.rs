@@ -89,7 +89,8 @@ impl Types {
                     value: Some(value(&field.ty)),
                     text: comment(&field.attrs),
                 });
-                (item.ident, comment(&item.attrs), keys.collect())
+                let keys = keys_of(&item.attrs, keys.collect());
+                (item.ident, comment(&item.attrs), keys)
             }
             Item::Enum(item) => {
                 let separator = separator(&item.attrs);
@@ -98,13 +99,7 @@ impl Types {
                     value: variant.fields.iter().next().map(|field| value(&field.ty)),
                     text: comment(&variant.attrs),
                 });
-                let keys: Vec<Key> = keys.collect();
-                // Only choices that are read as they stand name what a scene spells.
-                let keys = if derives_reading(&item.attrs) {
-                    keys
-                } else {
-                    Vec::new()
-                };
+                let keys = keys_of(&item.attrs, keys.collect());
                 (item.ident, comment(&item.attrs), keys)
             }
             // Numbers within a range: `/// comment` and a name.
@@ -194,6 +189,15 @@ fn comment(attributes: &[Attribute]) -> String {
             _ => None,
         });
     lines.collect::<Vec<_>>().join(" ")
+}
+
+/// What a scene spells of a type's keys: all where it is read as it stands, and none otherwise.
+fn keys_of(attributes: &[Attribute], keys: Vec<Key>) -> Vec<Key> {
+    if derives_reading(attributes) {
+        keys
+    } else {
+        Vec::new()
+    }
 }
 
 fn derives_reading(attributes: &[Attribute]) -> bool {

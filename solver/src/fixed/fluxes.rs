@@ -89,7 +89,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         }
         for side in &block.sides {
             let i = side.i as usize;
-            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i], energy);
+            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i]);
             boundary = boundary.plus(-side.image.size, &flux);
             cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
         }
@@ -183,12 +183,16 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             momentum[k] = mix.of(sharp.momentum[k], blunt.momentum[k]);
         }
         let mass = mix.of(sharp.mass, blunt.mass);
+        let by_waves = mix.of(sharp.energy, blunt.energy);
         Conserved {
             mass,
             momentum,
             energy: match energy {
-                EnergyFlux::Waves => mix.of(sharp.energy, blunt.energy),
-                EnergyFlux::Enthalpy => carried(gas, mass, &self.states),
+                EnergyFlux::Waves => by_waves,
+                EnergyFlux::Enthalpy(enthalpy) => {
+                    let (with_mass, share) = carried(gas, mass, &self.states, enthalpy);
+                    by_waves + smooth * share * (with_mass - by_waves)
+                }
             },
         }
     }

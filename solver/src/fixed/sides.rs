@@ -1,7 +1,6 @@
 //! Faces on the sides of the domain: what is beyond them, and what flows through.
 
 use super::cells::SideFace;
-use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
 use super::hll::Jump;
 use super::slopes::Slopes;
@@ -102,13 +101,7 @@ impl<const D: usize> Side<D> {
     }
 
     /// Flux through a unit area, out of the domain; `slopes` are the cell's.
-    pub fn flux<G: Gas>(
-        &self,
-        gas: &G,
-        cell: &Primitive<D>,
-        slopes: &Slopes<D>,
-        energy: EnergyFlux,
-    ) -> Conserved<D> {
+    pub fn flux<G: Gas>(&self, gas: &G, cell: &Primitive<D>, slopes: &Slopes<D>) -> Conserved<D> {
         let normal = self.image.normal;
         let other = match &self.beyond {
             Beyond::Stream(state) => *state,
@@ -148,14 +141,7 @@ impl<const D: usize> Side<D> {
                 }
             }
         };
-        let flux = Jump::new(gas, *cell, other, normal).hllc();
-        match energy {
-            EnergyFlux::Waves => flux,
-            EnergyFlux::Enthalpy => Conserved {
-                energy: carried(gas, flux.mass, &[*cell, other]),
-                ..flux
-            },
-        }
+        Jump::new(gas, *cell, other, normal).hllc()
     }
 }
 
@@ -218,7 +204,7 @@ mod tests {
             velocity: [speed, 0.4],
             pressure: 0.8,
         };
-        side.flux(&GAS, &cell, &Slopes::LEVEL, EnergyFlux::Waves)
+        side.flux(&GAS, &cell, &Slopes::LEVEL)
     }
 
     #[test]
@@ -289,7 +275,7 @@ mod tests {
             velocity: [0.5],
             pressure: 1.0 / 1.4,
         };
-        let flux = side.flux(&GAS, &cell, &Slopes::LEVEL, EnergyFlux::Waves);
+        let flux = side.flux(&GAS, &cell, &Slopes::LEVEL);
         let change = 0.25 * (1.0 - 0.25) * above * 0.05 / 0.5;
         // With du = change / 2 and dp = drho = -du: drho u + du, and dp + 2 u du + u^2 drho.
         let more = (flux.mass - 0.5) / (0.25 * change);
