@@ -5,6 +5,7 @@
 
 mod assemble;
 mod check;
+mod chords;
 mod copies;
 mod crossing;
 mod foot;

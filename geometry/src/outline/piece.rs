@@ -4,6 +4,7 @@
 
 use std::f64::consts::TAU;
 
+use super::chords::Chords;
 use crate::{Bounds, Vector};
 
 /// Chords turn no more than this (radians; 5 degrees), so that their length is the arc's to a part in three thousand.
@@ -214,7 +215,8 @@ impl Piece {
         }
     }
 
-    /// The part of the piece in `region` as chords: one of a straight piece, of an arc pieces about `size` long.
+    /// The part of the piece in `region` as chords, and maybe more: one of a straight piece, of an arc pieces about `size` long, those near
+    /// the region alone.
     pub(crate) fn chords(&self, size: f64, region: &Bounds<2>) -> Vec<[Vector<2>; 2]> {
         let [mut from, mut to] = self.range();
         let mut parts = 1.0;
@@ -242,10 +244,7 @@ impl Piece {
         if !(to > from && (to - from).is_finite()) {
             return Vec::new();
         }
-        let place = |n: usize| self.point(from + (to - from) * n as f64 / parts);
-        (0..parts as usize)
-            .map(|n| [place(n), place(n + 1)])
-            .collect()
+        Chords::new(self, [from, to], parts, region).all()
     }
 
     /// A box around the piece.

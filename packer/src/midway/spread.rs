@@ -154,7 +154,7 @@ fn add<const D: usize>(
             order.sort_by(|&a, &b| gaps[b].total_cmp(&gaps[a]).then(a.cmp(&b)));
             let mut added: Vec<usize> = Vec::new();
             for n in order {
-                if carry < 0.5 || gaps[n] < APART[D - 2] * spacing {
+                if carry < 0.5 || gaps[n] < APART[usize::from(D > 2)] * spacing {
                     break;
                 }
                 // What is known of places beside it is out of date then.

@@ -20,6 +20,7 @@ mod plane;
 mod sides;
 mod space;
 mod tubes;
+mod wakes;
 
 /// A box with open sides.
 fn domain<const D: usize>(low: [f64; D], high: [f64; D]) -> Domain<D> {
