@@ -76,7 +76,7 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
             "Rayleigh pitot (NACA 1135, 1953)",
             stagnation_pressure(flow),
             pitot_pressure_ratio(MACH, GAMMA),
-            [0.7, 2.0],
+            [1.2, 2.0],
         )
         .by_points(flow.variant.scheme.is_of_points(), [2.6, 2.0]),
         Row::informs(
