@@ -9,7 +9,7 @@ use super::under_way::simulate;
 use crate::case::{AnyCase, Case};
 use crate::output::{OutputError, Summary};
 use aero_solver::Flow;
-use aero_solver::frame::{Frame, Kind, Load, SurfaceFrame};
+use aero_solver::frame::{Frame, Kind, Load, PanelFrame, SurfaceFrame};
 
 /// The end of a run.
 #[derive(Clone, Debug)]
@@ -18,8 +18,10 @@ pub struct Outcome {
     pub frame: Frame,
     /// The moving gas alone, inside the domain.
     pub gas: Frame,
-    /// Surfaces.
+    /// Surfaces, one point per ghost of the wall layer.
     pub surface: SurfaceFrame,
+    /// The surfaces themselves.
+    pub panels: PanelFrame,
     /// Counts, loads, cost.
     pub summary: Summary,
     /// What was kept of the way there.
@@ -78,6 +80,7 @@ fn finish<const D: usize>(
         gas,
         frame,
         surface: simulation.surface(),
+        panels: simulation.panels(),
         summary,
         history: keeper.history,
     })
