@@ -101,10 +101,10 @@ pub fn evaluate<const D: usize>(
     walls.extrapolate(&around.arch, &around.wall_lists, &around.records);
     fill_ghosts(walls, around);
     renormalise(problem, fluid, around);
-    if problem.scheme.shield {
+    if problem.scheme.transport.shield {
         shield_walls(fluid, walls, around);
     }
-    if problem.scheme.shifting {
+    if problem.scheme.transport.shifting {
         shift(problem, fluid, around);
     }
     sum_rates(problem, fluid, around);
@@ -184,7 +184,7 @@ fn shield_walls<const D: usize>(
         let (ghost, sign) = images.seen(ghosts, slot - first);
         (
             sign.component_mul(&ghost.normal),
-            sign.component_mul(&ghost.wall_velocity),
+            sign.component_mul(&ghost.wall.velocity),
         )
     };
     let Columns { state, rates, .. } = fluid.columns();

@@ -78,7 +78,7 @@ fn near_of<const D: usize>(particle: &Particle<D>, mass: f64) -> Near<D> {
 fn state_of<const D: usize>(particle: &Particle<D>, gas: &Gas) -> State<D> {
     let pressure = gas.pressure(particle.density, particle.energy);
     let mut state = State::new(pressure, particle.density, particle.energy, gas);
-    state.strain = Symmetric::new(&particle.strain);
-    state.energy_slope = particle.energy_slope;
+    state.strain = Symmetric::new(&particle.spared.strain);
+    state.energy_slope = particle.spared.energy_slope;
     state
 }

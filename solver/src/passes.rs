@@ -57,11 +57,8 @@ impl<const D: usize> Simulation<D> {
             Pass::Rates => sum_rates(problem, fluid, around),
             Pass::TimeStep => {
                 let columns = fluid.columns();
-                let scheme = &problem.scheme;
-                let (state, rates) = (columns.state, columns.rates);
-                scheme
-                    .step
-                    .time_step(scheme.cfl, &problem.gas, state, rates);
+                let bound = problem.scheme.step;
+                bound.time_step(&problem.gas, columns.state, columns.rates);
             }
         }
     }

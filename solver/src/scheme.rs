@@ -12,7 +12,7 @@ pub struct Scheme {
     /// How state goes through time.
     pub integrator: Integrator,
     /// What bounds a step.
-    pub step: StepRule,
+    pub step: StepBound,
     /// Where densities come from.
     pub density: Density,
     /// Artificial viscosity.
@@ -21,12 +21,8 @@ pub struct Scheme {
     pub conduction: Conduction,
     /// How internal energy is kept.
     pub energy: Energy,
-    /// How the flow is kept in place where particles are shifted.
-    pub return_of_shift: ReturnOfShift,
-    /// Particles are shifted towards even spacing through the transport velocity.
-    pub shifting: bool,
-    /// Penetration shield through the transport velocity.
-    pub shield: bool,
+    /// How particles move otherwise than their gas.
+    pub transport: Transport,
     /// What ghosts show the gas.
     pub wall: WallTreatment,
     /// Gas on one side of a thin part feels neither gas nor ghosts of the other side.
@@ -35,8 +31,6 @@ pub struct Scheme {
     pub skip_undisturbed: bool,
     /// In what numbers pairs are computed.
     pub precision: Precision,
-    /// Courant number `C_CFL` [Villodi & Ramachandran 2024, eq. 33; 0.5 in section 3.4].
-    pub cfl: f64,
 }
 
 /// How state goes through time. Both are second order but for the dissipation.
@@ -49,7 +43,16 @@ pub enum Integrator {
     Leapfrog,
 }
 
-/// What bounds a step, by sound and by acceleration [Villodi & Ramachandran 2024, eqs 33-35].
+/// What bounds a step.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct StepBound {
+    /// Over what the bounds are taken.
+    pub rule: StepRule,
+    /// Courant number `C_CFL` [Villodi & Ramachandran 2024, eq. 33; 0.5 in section 3.4].
+    pub cfl: f64,
+}
+
+/// Over what the bounds of a step are taken, by sound and by acceleration [Villodi & Ramachandran 2024, eqs 33-35].
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum StepRule {
     /// The smallest smoothing length, the fastest sound and the largest acceleration, wherever they are.
@@ -98,6 +101,17 @@ pub enum Energy {
     Settled,
 }
 
+/// How particles move otherwise than their gas: through the transport velocity.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Transport {
+    /// They are shifted towards even spacing.
+    pub shifting: bool,
+    /// Walls shield themselves from penetration.
+    pub shield: bool,
+    /// How the flow is kept in place where particles are shifted.
+    pub return_of_shift: ReturnOfShift,
+}
+
 /// How the flow is kept in place where particles are shifted.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ReturnOfShift {
@@ -143,12 +157,18 @@ impl Scheme {
     pub const PAPER: Self = Self {
         name: "paper",
         integrator: Integrator::PredictorCorrector,
-        step: StepRule::Extremes,
+        step: StepBound {
+            rule: StepRule::Extremes,
+            ..Self::CONSERVATIVE.step
+        },
         density: Density::Continuity,
         viscosity: Viscosity::Bare,
         conduction: Conduction::ByVolume,
         energy: Energy::ByRate,
-        return_of_shift: ReturnOfShift::Advection,
+        transport: Transport {
+            return_of_shift: ReturnOfShift::Advection,
+            ..Self::CONSERVATIVE.transport
+        },
         wall: WallTreatment {
             follows_the_bend: false,
             keeps_entropy: false,
@@ -161,14 +181,19 @@ impl Scheme {
     pub const CONSERVATIVE: Self = Self {
         name: "conservative",
         integrator: Integrator::Leapfrog,
-        step: StepRule::EachParticle,
+        step: StepBound {
+            rule: StepRule::EachParticle,
+            cfl: 0.5,
+        },
         density: Density::Summation,
         viscosity: Viscosity::Limited,
         conduction: Conduction::Limited,
         energy: Energy::Settled,
-        return_of_shift: ReturnOfShift::Exchange,
-        shifting: false,
-        shield: false,
+        transport: Transport {
+            shifting: false,
+            shield: false,
+            return_of_shift: ReturnOfShift::Exchange,
+        },
         wall: WallTreatment {
             extrapolation: Extrapolation::Wom,
             follows_the_bend: true,
@@ -178,7 +203,6 @@ impl Scheme {
         surface_tags: true,
         skip_undisturbed: true,
         precision: Precision::Double,
-        cfl: 0.5,
     };
 
     /// The combinations that have a name.

@@ -24,7 +24,7 @@ pub fn find_shocks<const D: usize>(
     let scheme = &problem.scheme;
     let limits_viscosity = scheme.viscosity == Viscosity::Limited;
     let limits_conduction = scheme.conduction == Conduction::Limited;
-    if !(limits_viscosity || limits_conduction || scheme.shifting) {
+    if !(limits_viscosity || limits_conduction || scheme.transport.shifting) {
         return;
     }
     let gas = &problem.gas;
@@ -41,12 +41,12 @@ pub fn find_shocks<const D: usize>(
             let squared = compression * compression;
             let smooth = 0.5 * turn.norm_squared() + onset * onset;
             let spared = smooth / (squared + smooth);
-            particle.smoothness = spared;
+            particle.spared.smoothness = spared;
             if limits_viscosity {
-                particle.strain = strain * spared;
+                particle.spared.strain = strain * spared;
             }
             if limits_conduction {
-                particle.energy_slope = rates.energy_gradient * spared;
+                particle.spared.energy_slope = rates.energy_gradient * spared;
             }
         });
 }

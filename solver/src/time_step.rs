@@ -4,7 +4,7 @@ use rayon::prelude::*;
 
 use super::gas::Gas;
 use super::particles::{Particle, Rates};
-use crate::scheme::StepRule;
+use crate::scheme::{StepBound, StepRule};
 
 /// Factor of the force bound (Villodi & Ramachandran 2024, section 3.6).
 const C_FORCE: f64 = 0.5;
@@ -31,11 +31,10 @@ impl Bounds {
     }
 }
 
-impl StepRule {
+impl StepBound {
     /// The longest stable step of all `particles`.
     pub fn time_step<const D: usize>(
         self,
-        cfl: f64,
         gas: &Gas,
         particles: &[Particle<D>],
         rates: &[Rates<D>],
@@ -44,7 +43,7 @@ impl StepRule {
         let bounds = each
             .map(|(particle, rates)| self.bounds(gas, particle, rates))
             .reduce(Bounds::default, Bounds::tighter);
-        self.step(bounds, cfl, gas)
+        self.step(bounds, gas)
     }
 
     /// The bounds of one particle.
@@ -56,13 +55,13 @@ impl StepRule {
     ) -> Bounds {
         let h = particle.smoothing_length;
         let acceleration = rates.acceleration + rates.wall_acceleration;
-        Bounds(match self {
-            Self::Extremes => [
+        Bounds(match self.rule {
+            StepRule::Extremes => [
                 h,
                 -gas.sound_speed(particle.density, particle.energy),
                 -acceleration.norm_squared(),
             ],
-            Self::EachParticle => {
+            StepRule::EachParticle => {
                 let thins = particle.density / rates.density.abs();
                 let cools = particle.energy / (-rates.energy).max(0.0);
                 [
@@ -75,14 +74,15 @@ impl StepRule {
     }
 
     /// The longest step within `bounds`.
-    pub fn step(self, Bounds(bounds): Bounds, cfl: f64, gas: &Gas) -> f64 {
-        match self {
-            Self::Extremes => {
+    pub fn step(self, Bounds(bounds): Bounds, gas: &Gas) -> f64 {
+        let cfl = self.cfl;
+        match self.rule {
+            StepRule::Extremes => {
                 let [h, sound, acceleration] = bounds;
                 let acoustic = h / -sound;
                 cfl * acoustic.min(C_FORCE * (h / (-acceleration).sqrt()).sqrt())
             }
-            Self::EachParticle => {
+            StepRule::EachParticle => {
                 let [courant, force, change] = bounds;
                 let acoustic = courant.sqrt() / gas.sound_speed(1.0, 1.0);
                 let force = C_FORCE * force.sqrt().sqrt();

@@ -327,11 +327,11 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         scheme.limit_conduction(limits);
     }
     if let Some(cfl) = entry.cfl {
-        scheme.cfl = cfl.get();
+        scheme.step.cfl = cfl.get();
     }
     let switches = [
-        (&mut scheme.shield, entry.shield),
-        (&mut scheme.shifting, entry.shifting),
+        (&mut scheme.transport.shield, entry.shield),
+        (&mut scheme.transport.shifting, entry.shifting),
         (
             &mut scheme.wall.constant_volume,
             entry.constant_ghost_volume,

@@ -128,7 +128,7 @@ impl<const D: usize> Neighbourhood<D> {
                 return records.near[slot].velocity;
             };
             let (ghost, sign) = ghost_images.seen(&walls.ghosts, number);
-            sign.component_mul(&ghost.wall_velocity)
+            sign.component_mul(&ghost.wall.velocity)
         });
         let (rough, slots) = (&self.rough, |segment| records.segment(segment));
         let [own, beyond] = &self.orders;
@@ -205,14 +205,17 @@ impl<const D: usize> Neighbourhood<D> {
         let [h, fastest] = gas()
             .map(|p| [p.smoothing_length, p.velocity.norm_squared()])
             .reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
-        let h = ghosts.iter().map(|g| g.smoothing_length).fold(h, f64::max);
+        let h = ghosts
+            .iter()
+            .map(|g| g.shown.smoothing_length)
+            .fold(h, f64::max);
         // A copy is seen by nobody further off than the widest sees it, in the gas or beyond the wall.
         let reach =
             |own: f64| 0.5 * GROWTH * SUPPORT * (own + h) + 2.0 * half_step * fastest.sqrt();
         let gas: Vec<_> = gas().map(|p| (p.position, p.smoothing_length)).collect();
         let ghosts: Vec<_> = ghosts
             .iter()
-            .map(|g| (g.position, g.smoothing_length))
+            .map(|g| (g.position, g.shown.smoothing_length))
             .collect();
         self.copies.gas.rebuild(domain, &self.grid, &gas, reach);
         self.copies

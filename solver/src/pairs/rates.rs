@@ -28,8 +28,9 @@ pub fn rates<const D: usize>(
     scheme: &Scheme,
     rates: &mut [Rates<D>],
 ) {
-    let is_exchanged = scheme.shifting && scheme.return_of_shift == ReturnOfShift::Exchange;
-    let is_advected = (scheme.shifting || scheme.shield) && !is_exchanged;
+    let is_exchanged =
+        scheme.transport.shifting && scheme.transport.return_of_shift == ReturnOfShift::Exchange;
+    let is_advected = (scheme.transport.shifting || scheme.transport.shield) && !is_exchanged;
     let gradients = (
         VelocityGradient,
         EnergyGradient {

@@ -68,7 +68,7 @@ struct Presser<const D: usize> {
 pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<Pressed<D>> {
     let pressers = pressers(flow);
     let ghosts = flow.walls.own();
-    let of_ghosts = ghosts.iter().map(|g| SUPPORT * g.smoothing_length);
+    let of_ghosts = ghosts.iter().map(|g| SUPPORT * g.shown.smoothing_length);
     let reach = pressers.iter().map(|p| p.reach).chain(of_ghosts);
     let reach = reach.fold(0.0, f64::max);
     let seen = seen(flow, panels, reach);
@@ -96,7 +96,7 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     let solid: Vec<Vec<(u32, f64)>> = ghosts
         .par_iter()
         .map(|ghost| {
-            let met = met_by(&ghost.position, SUPPORT * ghost.smoothing_length);
+            let met = met_by(&ghost.position, SUPPORT * ghost.shown.smoothing_length);
             let in_front = met.iter().filter(|met| met.faces);
             let part = |met: &Met<D>| (met.number, met.kernel * ghost.volume);
             in_front.map(part).collect()

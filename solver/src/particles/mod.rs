@@ -9,7 +9,7 @@ use rayon::prelude::*;
 mod particle;
 mod start;
 
-pub use particle::{ByPressure, Particle, Rates};
+pub use particle::{ByPressure, Particle, Rates, Spared};
 pub use start::start;
 
 use super::pairs::renormalisation::Renormalisation;

@@ -24,13 +24,8 @@ pub struct Particle<const D: usize> {
     pub first_plane_mass: f64,
     /// Rates by pressure at the last evaluation, which the leapfrog predicts with.
     pub by_pressure: ByPressure<D>,
-    /// Rate of strain at the last evaluation that the artificial viscosity leaves alone.
-    pub strain: Matrix<D>,
-    /// Gradient of the specific internal energy at the last evaluation that the artificial conduction
-    /// leaves alone.
-    pub energy_slope: Vector<D>,
-    /// One in smooth flow, nothing in a shock, at the last evaluation; one where nobody asks.
-    pub smoothness: f64,
+    /// What dissipation leaves alone, by the last evaluation.
+    pub spared: Spared<D>,
     /// Moves with the undisturbed free stream ([`crate::neighbourhood::calm`]); without meaning where none is looked for.
     pub is_calm: bool,
     /// Number that the particle keeps for life.
@@ -59,6 +54,28 @@ impl<const D: usize> Particle<D> {
                 .iter()
                 .chain(&self.velocity)
                 .all(|x| x.is_finite())
+    }
+}
+
+/// What artificial viscosity and conduction leave alone at a particle.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Spared<const D: usize> {
+    /// Rate of strain.
+    pub strain: Matrix<D>,
+    /// Gradient of the specific internal energy.
+    pub energy_slope: Vector<D>,
+    /// One in smooth flow, nothing in a shock; one where nobody asks.
+    pub smoothness: f64,
+}
+
+impl<const D: usize> Spared<D> {
+    /// All is smooth, and nothing is known of it.
+    pub fn unknown() -> Self {
+        Self {
+            strain: Matrix::zeros(),
+            energy_slope: Vector::zeros(),
+            smoothness: 1.0,
+        }
     }
 }
 

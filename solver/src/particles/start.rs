@@ -4,10 +4,9 @@
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 
-use super::{ByPressure, Particle, Particles};
+use super::{ByPressure, Particle, Particles, Spared};
 use crate::lattice;
 use crate::problem::{Body, Domain, Initial, Problem, State};
-use crate::records::Matrix;
 use crate::rings::Rings;
 use crate::sides::{Buffers, OpenParticle, Rows, Zone};
 
@@ -56,9 +55,7 @@ impl<const D: usize> Problem<D> {
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,
             by_pressure: ByPressure::default(),
-            strain: Matrix::zeros(),
-            energy_slope: Vector::zeros(),
-            smoothness: 1.0,
+            spared: Spared::unknown(),
             is_calm: false,
             id,
         }

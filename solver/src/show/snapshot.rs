@@ -7,7 +7,7 @@ use crate::Simulation;
 use crate::books::add;
 use crate::frame::{Frame, Kind, Load, SurfaceFrame, Totals};
 use crate::gas::Gas;
-use crate::particles::{ByPressure, Particle};
+use crate::particles::{ByPressure, Particle, Spared};
 use crate::walls::rigid::pad;
 use crate::walls::{Ghost, loads};
 
@@ -71,16 +71,17 @@ impl<const D: usize> Simulation<D> {
         for (number, ghost) in self.walls.own().iter().enumerate() {
             let particle = Particle {
                 position: ghost.position,
-                velocity: ghost.velocity,
-                density: ghost.density,
-                energy: ghost.energy,
-                smoothing_length: ghost.smoothing_length,
-                mass: ghost.density * ghost.volume,
-                first_plane_mass: ghost.density * ghost.volume,
+                velocity: ghost.shown.velocity,
+                density: ghost.shown.density,
+                energy: ghost.shown.energy,
+                smoothing_length: ghost.shown.smoothing_length,
+                mass: ghost.shown.density * ghost.volume,
+                first_plane_mass: ghost.shown.density * ghost.volume,
                 by_pressure: ByPressure::default(),
-                strain: ghost.strain,
-                energy_slope: Vector::zeros(),
-                smoothness: 1.0,
+                spared: Spared {
+                    strain: ghost.shown.strain,
+                    ..Spared::unknown()
+                },
                 is_calm: false,
                 id: number as u64,
             };
@@ -103,8 +104,8 @@ impl<const D: usize> Simulation<D> {
         for ghost in self.walls.ghosts.iter().filter(is_shown) {
             surface.position.push(pad(&ghost.foot()).into());
             surface.normal.push(pad(&ghost.normal).into());
-            surface.pressure.push(ghost.wall_pressure);
-            let over = ghost.wall_pressure - gas.pressure;
+            surface.pressure.push(ghost.shown.wall_pressure);
+            let over = ghost.shown.wall_pressure - gas.pressure;
             let coefficient = if dynamic_pressure > 0.0 {
                 over / dynamic_pressure
             } else {

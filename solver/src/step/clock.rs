@@ -45,7 +45,7 @@ impl Clock {
         walls: &Walls<D>,
     ) -> f64 {
         const GROWTH_OF_STEP: f64 = 1.1;
-        let acoustic = acoustic_step(problem.scheme.cfl, &problem.gas, fluid);
+        let acoustic = acoustic_step(problem.scheme.step.cfl, &problem.gas, fluid);
         let mut step = acoustic.min(GROWTH_OF_STEP * self.last_step);
         if self.last_step.is_infinite() {
             step = step.min(crossing_time(problem, fluid, walls));
@@ -91,7 +91,7 @@ fn crossing_time<const D: usize>(
 ) -> f64 {
     let nowhere = Vector::<D>::repeat(f64::INFINITY);
     let gas = fluid.par_iter().map(|particle| particle.velocity);
-    let ghosts = walls.ghosts.par_iter().map(|ghost| ghost.wall_velocity);
+    let ghosts = walls.ghosts.par_iter().map(|ghost| ghost.wall.velocity);
     let (slowest, fastest) = gas
         .chain(ghosts)
         .map(|velocity| (velocity, velocity))

@@ -121,8 +121,8 @@ impl<const D: usize> Simulation<D> {
         evaluate(problem, moment, fluid, buffers, walls, around);
         stages::remember_rates(fluid);
         clock.stable_step = {
-            let rule = problem.scheme.step;
-            rule.time_step(problem.scheme.cfl, &problem.gas, fluid, fluid.rates())
+            let bound = problem.scheme.step;
+            bound.time_step(&problem.gas, fluid, fluid.rates())
         };
     }
 

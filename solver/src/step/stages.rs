@@ -74,10 +74,9 @@ pub fn correct<const D: usize>(
     let Problem { gas, scheme, .. } = problem;
     let Scheme {
         integrator,
-        step: rule,
+        step: bound,
         density,
         energy,
-        cfl,
         ..
     } = *scheme;
     let bounds = advance(fluid, books, |particle, saved, rates| {
@@ -99,14 +98,14 @@ pub fn correct<const D: usize>(
         let mut bounds = Bounds::default();
         if integrator == Integrator::Leapfrog {
             particle.by_pressure = rates.by_pressure;
-            bounds = rule.bounds(gas, particle, rates);
+            bounds = bound.bounds(gas, particle, rates);
         }
         if let Some(calm) = calm {
             particle.is_calm = calm.holds(particle, rates);
         }
         bounds
     })?;
-    Ok((integrator == Integrator::Leapfrog).then(|| rule.step(bounds, cfl, gas)))
+    Ok((integrator == Integrator::Leapfrog).then(|| bound.step(bounds, gas)))
 }
 
 /// Moves each particle of the fluid by its state at the start of the step and its rates; returns the tightest of

@@ -1,7 +1,7 @@
 //! Schemes put together from parts that no named scheme combines.
 
 use super::*;
-use crate::scheme::{Conduction, Density, Energy, Integrator, StepRule, Viscosity};
+use crate::scheme::{Conduction, Density, Energy, Integrator, StepBound, StepRule, Viscosity};
 
 /// Every integrator with every density, viscosity and rule of the step; heat in exchange.
 fn combinations() -> Vec<Scheme> {
@@ -9,12 +9,15 @@ fn combinations() -> Vec<Scheme> {
     for integrator in [Integrator::PredictorCorrector, Integrator::Leapfrog] {
         for density in [Density::Continuity, Density::Summation] {
             for viscosity in [Viscosity::Bare, Viscosity::Softened, Viscosity::Limited] {
-                for step in [StepRule::Extremes, StepRule::EachParticle] {
+                for rule in [StepRule::Extremes, StepRule::EachParticle] {
                     schemes.push(Scheme {
                         integrator,
                         density,
                         viscosity,
-                        step,
+                        step: StepBound {
+                            rule,
+                            ..Scheme::PAPER.step
+                        },
                         conduction: Conduction::Pairwise,
                         energy: Energy::Settled,
                         ..Scheme::PAPER

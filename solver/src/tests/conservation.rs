@@ -2,7 +2,7 @@ use super::*;
 
 fn pair_sums_balance<const D: usize>(cells: usize, shifting: bool) {
     let mut problem = stirred::<D>(cells);
-    problem.scheme.shifting = shifting;
+    problem.scheme.transport.shifting = shifting;
     let mut simulation = start(problem);
     let before = simulation.totals();
     let scale: f64 = simulation
@@ -46,8 +46,8 @@ fn mass_momentum_and_the_rate_of_energy_balance_to_round_off_in_a_periodic_box()
 fn the_energy_of_a_periodic_box_stays_to_round_off_at_any_time_step() {
     for (cfl, shifting) in [(0.5, false), (0.25, false), (0.5, true)] {
         let mut problem = stirred::<2>(20);
-        problem.scheme.cfl = cfl;
-        problem.scheme.shifting = shifting;
+        problem.scheme.step.cfl = cfl;
+        problem.scheme.transport.shifting = shifting;
         let mut simulation = start(problem);
         let before = simulation.totals().energy;
         advance_to(&mut simulation, 0.5);

@@ -6,7 +6,7 @@ const LOUDNESS: f64 = 0.02;
 /// A sound wave as long as 200 spacings, a tenth of a period later.
 fn sound(cfl: f64) -> Vec<Vector<1>> {
     let mut problem = cube::<1>(200, Side::Periodic);
-    problem.scheme.cfl = cfl;
+    problem.scheme.step.cfl = cfl;
     let wave = std::f64::consts::TAU / problem.domain.bounds.max[0];
     problem.initial = Initial::Field(Field(Arc::new(move |position: &Vector<1>| {
         let sine = LOUDNESS * (wave * position[0]).sin();

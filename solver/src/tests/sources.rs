@@ -39,7 +39,8 @@ const ENERGY: f64 = 1.0 / (0.4 * 1.4);
 /// Largest errors of velocity and energy at the end.
 fn errors(scheme: Scheme, cfl: f64) -> [f64; 2] {
     let mut problem = pushed(0.0);
-    problem.scheme = Scheme { cfl, ..scheme };
+    problem.scheme = scheme;
+    problem.scheme.step.cfl = cfl;
     let mut simulation = start(problem);
     advance_to(&mut simulation, END);
     let half = 0.5 * END * END;

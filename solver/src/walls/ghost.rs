@@ -13,10 +13,8 @@ pub struct Ghost<const D: usize> {
     pub position: Vector<D>,
     /// Normal now, into the gas.
     pub normal: Vector<D>,
-    /// Position at time zero.
-    pub origin: Vector<D>,
-    /// Normal at time zero.
-    pub origin_normal: Vector<D>,
+    /// Where it is at time zero, which the motion of its body starts from.
+    pub origin: Origin<D>,
     /// Depth below the surface, positive.
     pub depth: f64,
     /// Volume; constant unless the experiment without constant volume is asked for.
@@ -32,20 +30,43 @@ pub struct Ghost<const D: usize> {
     pub layer: u32,
     /// From where it is seen.
     pub sight: Sight,
-    /// Velocity of the wall here.
-    pub wall_velocity: Vector<D>,
-    /// Acceleration of the wall here.
-    pub wall_acceleration: Vector<D>,
-    /// Shape operator of the surface here at time zero.
-    pub origin_curvature: Matrix<D>,
-    /// Shape operator now: gas that slides at `u` is accelerated by `-u.K u` along the normal.
+    /// What the wall does above it now.
+    pub wall: WallAbove<D>,
+    /// What it shows the gas.
+    pub shown: Shown<D>,
+}
+
+/// Where a ghost is at time zero.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Origin<const D: usize> {
+    /// Position.
+    pub position: Vector<D>,
+    /// Normal, into the gas.
+    pub normal: Vector<D>,
+    /// Shape operator of the surface here.
+    pub curvature: Matrix<D>,
+}
+
+/// What a wall does where a ghost has its foot.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct WallAbove<const D: usize> {
+    /// Velocity.
+    pub velocity: Vector<D>,
+    /// Acceleration.
+    pub acceleration: Vector<D>,
+    /// Shape operator: gas that slides at `u` is accelerated by `-u.K u` along the normal.
     pub curvature: Matrix<D>,
     /// Twice normal times angular velocity: gas that slides at `u` over a turning wall is accelerated by its
     /// scalar product with `u` along the normal.
     pub coriolis: Vector<D>,
-    /// Velocity given to the gas.
+}
+
+/// The state that a ghost shows the gas.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+pub struct Shown<const D: usize> {
+    /// Velocity.
     pub velocity: Vector<D>,
-    /// Rate of strain given to the gas.
+    /// Rate of strain.
     pub strain: Matrix<D>,
     /// Pressure.
     pub pressure: f64,
@@ -57,6 +78,18 @@ pub struct Ghost<const D: usize> {
     pub density: f64,
     /// Smoothing length.
     pub smoothing_length: f64,
+}
+
+impl<const D: usize> WallAbove<D> {
+    /// A plane wall at rest.
+    pub fn at_rest() -> Self {
+        Self {
+            velocity: Vector::zeros(),
+            acceleration: Vector::zeros(),
+            curvature: Matrix::zeros(),
+            coriolis: Vector::zeros(),
+        }
+    }
 }
 
 impl<const D: usize> Ghost<D> {

@@ -24,7 +24,7 @@ pub fn join<const D: usize>(problem: &Problem<D>, ghosts: &mut [Ghost<D>]) {
     }
     for ghost in ghosts.iter_mut() {
         ghost.volume *= solids.share(ghost);
-        ghost.reference_mass = ghost.density * ghost.volume;
+        ghost.reference_mass = ghost.shown.density * ghost.volume;
     }
     let tolerance = TOUCHING * problem.spacing;
     let hidden: Vec<usize> = (0..ghosts.len())
@@ -50,18 +50,18 @@ pub fn join<const D: usize>(problem: &Problem<D>, ghosts: &mut [Ghost<D>]) {
             continue;
         };
         ghost.normal = normal;
-        ghost.origin_normal = normal;
+        ghost.origin.normal = normal;
         ghost.depth = arm.norm();
         ghost.layer = (ghost.depth / problem.spacing) as u32;
         let reached = solids.distance(&ghost.mirror());
         ghost.has_mirror = (reached - ghost.depth).abs() < MIRRORED * ghost.depth;
-        ghost.origin_curvature = Matrix::zeros();
+        ghost.origin.curvature = Matrix::zeros();
         if let Some(body) = problem.bodies.get(owner as usize)
             && problem.scheme.wall.follows_the_bend
             && ghost.has_mirror
         {
             let above = foot + normal * (0.1 * problem.spacing);
-            ghost.origin_curvature = shape_operator(&body.shape, &above, problem.spacing);
+            ghost.origin.curvature = shape_operator(&body.shape, &above, problem.spacing);
         }
     }
 }

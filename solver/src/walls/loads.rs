@@ -114,7 +114,7 @@ pub fn received<const D: usize>(
     if !is_open && walls.are_moving() {
         let forces = ghost_forces(problem, walls, around);
         for (ghost, force) in walls.ghosts.iter().zip(forces) {
-            work -= force.dot(&ghost.wall_velocity);
+            work -= force.dot(&ghost.wall.velocity);
         }
     }
     for k in 0..D {

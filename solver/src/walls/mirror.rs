@@ -54,7 +54,7 @@ impl<const D: usize> Walls<D> {
                 let kind = bodies[ghost.body as usize].1;
                 show(ghost, &gas, arm, kind, treatment.keeps_entropy, &law);
                 if !treatment.constant_volume {
-                    ghost.volume = ghost.reference_mass / ghost.density;
+                    ghost.volume = ghost.reference_mass / ghost.shown.density;
                 }
             });
         self.mirror_fallbacks = match self.treatment.extrapolation {
@@ -77,7 +77,9 @@ impl<const D: usize> Walls<D> {
             self.ghosts.iter_mut().zip(&self.found).zip(&self.mirrored)
         {
             if let Some(gas) = mirrored.filter(|_| ghost.has_mirror).or(*found) {
-                ghost.smoothing_length = gas.smoothing_length.min(GROWTH * ghost.smoothing_length);
+                ghost.shown.smoothing_length = gas
+                    .smoothing_length
+                    .min(GROWTH * ghost.shown.smoothing_length);
             }
         }
     }
@@ -93,8 +95,8 @@ fn show<const D: usize>(
     keeps_entropy: bool,
     law: &Gas,
 ) {
-    let wall = ghost.wall_velocity;
-    ghost.velocity = match kind {
+    let wall = ghost.wall.velocity;
+    ghost.shown.velocity = match kind {
         // Eqs 26-28 with the normal into the gas: the normal component relative to the wall
         // turns round, or all of the relative velocity.
         WallKind::Slip => {
@@ -104,7 +106,7 @@ fn show<const D: usize>(
     };
     // Beyond a slip wall the flow is the mirror image; beyond the other kind it is none, and the viscosity
     // there stays whole.
-    ghost.strain = match kind {
+    ghost.shown.strain = match kind {
         WallKind::Slip => {
             let mirror = Matrix::identity() - ghost.normal * ghost.normal.transpose() * 2.0;
             mirror * gas.strain * mirror
@@ -117,16 +119,16 @@ fn show<const D: usize>(
     let slide = slide - ghost.normal * slide.dot(&ghost.normal);
     let density = law.density(gas.pressure, gas.energy);
     let slope = density
-        * (ghost.wall_acceleration.dot(&ghost.normal) + ghost.coriolis.dot(&slide)
-            - slide.dot(&(ghost.curvature * slide)));
-    ghost.pressure = continued(gas.pressure, arm * slope);
-    ghost.wall_pressure = continued(gas.pressure, (arm - ghost.depth) * slope);
-    ghost.energy = gas.energy;
+        * (ghost.wall.acceleration.dot(&ghost.normal) + ghost.wall.coriolis.dot(&slide)
+            - slide.dot(&(ghost.wall.curvature * slide)));
+    ghost.shown.pressure = continued(gas.pressure, arm * slope);
+    ghost.shown.wall_pressure = continued(gas.pressure, (arm - ghost.depth) * slope);
+    ghost.shown.energy = gas.energy;
     if keeps_entropy && slope != 0.0 {
         // Pressure varies across the layer at the wall, entropy hardly [Dadone & Grossman 1994].
-        ghost.energy = law.isentropic_energy(gas.energy, gas.pressure, ghost.pressure);
+        ghost.shown.energy = law.isentropic_energy(gas.energy, gas.pressure, ghost.shown.pressure);
     }
-    ghost.density = law.density(ghost.pressure, ghost.energy);
+    ghost.shown.density = law.density(ghost.shown.pressure, ghost.shown.energy);
 }
 
 /// A pressure that rises by `rise` to first order, and stays positive where it falls.

@@ -16,7 +16,7 @@ mod setup;
 pub mod solids;
 mod turning;
 
-pub use ghost::Ghost;
+pub use ghost::{Ghost, Origin, Shown, WallAbove};
 pub use plane::wall_sides;
 pub use rebound::rebound;
 pub use ridges::part as part_ridges;
@@ -117,14 +117,14 @@ impl<const D: usize> Walls<D> {
             .collect();
         for ghost in &mut self.ghosts {
             let pose = &poses[ghost.body as usize];
-            ghost.position = pose.position(&ghost.origin);
-            ghost.normal = pose.direction(&ghost.origin_normal);
+            ghost.position = pose.position(&ghost.origin.position);
+            ghost.normal = pose.direction(&ghost.origin.normal);
             // The wall moves as its surface does, not as the ghost below it.
             let foot = ghost.foot();
-            ghost.wall_velocity = pose.velocity(&foot);
-            ghost.wall_acceleration = pose.acceleration(&foot);
-            ghost.curvature = pose.tensor(&ghost.origin_curvature);
-            ghost.coriolis = pose.coriolis(&ghost.normal);
+            ghost.wall.velocity = pose.velocity(&foot);
+            ghost.wall.acceleration = pose.acceleration(&foot);
+            ghost.wall.curvature = pose.tensor(&ghost.origin.curvature);
+            ghost.wall.coriolis = pose.coriolis(&ghost.normal);
         }
     }
 
@@ -196,14 +196,19 @@ impl<const D: usize> Walls<D> {
             .for_each(|((near, state), ghost)| {
                 *near = Near {
                     position: ghost.position,
-                    half_h: 0.5 * ghost.smoothing_length,
+                    half_h: 0.5 * ghost.shown.smoothing_length,
                     volume: ghost.volume,
-                    mass: ghost.density * ghost.volume,
-                    half_density: 0.5 * ghost.density,
-                    velocity: ghost.velocity,
+                    mass: ghost.shown.density * ghost.volume,
+                    half_density: 0.5 * ghost.shown.density,
+                    velocity: ghost.shown.velocity,
                 };
-                *state = State::new(ghost.pressure, ghost.density, ghost.energy, &self.gas);
-                state.strain = Symmetric::new(&ghost.strain);
+                *state = State::new(
+                    ghost.shown.pressure,
+                    ghost.shown.density,
+                    ghost.shown.energy,
+                    &self.gas,
+                );
+                state.strain = Symmetric::new(&ghost.shown.strain);
                 state.renormalise(&even, &Vector::zeros(), ghost.volume);
             });
     }
@@ -224,8 +229,8 @@ fn sorted<const D: usize>(
 fn seeker<const D: usize>(ghost: &Ghost<D>) -> Seeker<D> {
     Seeker {
         position: ghost.position,
-        half_h: 0.5 * ghost.smoothing_length,
-        velocity: ghost.wall_velocity,
+        half_h: 0.5 * ghost.shown.smoothing_length,
+        velocity: ghost.wall.velocity,
     }
 }
 

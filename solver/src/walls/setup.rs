@@ -6,10 +6,10 @@ use rayon::prelude::*;
 
 use super::super::faces::{Faces, Sight, ThinParts, View, is_edge, thin_parts};
 use super::super::records::Matrix;
-use super::Ghost;
 use super::curvature::shape_operator;
 use super::joints::join;
 use super::plane::SideWall;
+use super::{Ghost, Origin, Shown, WallAbove};
 use crate::problem::Problem;
 
 /// So high over its foot, in spacings, a ghost's own face is the nearest.
@@ -27,7 +27,7 @@ pub fn ghosts<const D: usize>(
             let depth = -body.ghosts.distance[g];
             let mut ghost = blank(problem, position, body.ghosts.normal[g], depth);
             ghost.volume = body.ghosts.volume[g] * modelled_share(problem, &position);
-            ghost.reference_mass = ghost.density * ghost.volume;
+            ghost.reference_mass = ghost.shown.density * ghost.volume;
             ghost.body = number as u32;
             ghost.layer = body.ghosts.layer[g];
             let reached = body.shape.signed_distance(&ghost.mirror());
@@ -48,7 +48,7 @@ pub fn ghosts<const D: usize>(
                     } else {
                         ghost.foot() + lift
                     };
-                    ghost.origin_curvature = shape_operator(&body.shape, &place, problem.spacing);
+                    ghost.origin.curvature = shape_operator(&body.shape, &place, problem.spacing);
                 });
         }
     }
@@ -103,13 +103,15 @@ fn blank<const D: usize>(
 ) -> Ghost<D> {
     let gas = &problem.free_stream;
     let spacing = problem.spacing_at(&position);
-    let h = SMOOTHING_RATIO * spacing;
     let volume = spacing.powi(D as i32);
     Ghost {
         position,
         normal,
-        origin: position,
-        origin_normal: normal,
+        origin: Origin {
+            position,
+            normal,
+            curvature: Matrix::zeros(),
+        },
         depth,
         volume,
         reference_mass: gas.density * volume,
@@ -117,18 +119,16 @@ fn blank<const D: usize>(
         body: 0,
         layer: 0,
         sight: Sight::default(),
-        wall_velocity: Vector::zeros(),
-        wall_acceleration: Vector::zeros(),
-        origin_curvature: Matrix::zeros(),
-        curvature: Matrix::zeros(),
-        coriolis: Vector::zeros(),
-        velocity: Vector::zeros(),
-        strain: Matrix::zeros(),
-        pressure: gas.pressure,
-        wall_pressure: gas.pressure,
-        energy: problem.gas.energy(gas.density, gas.pressure),
-        density: gas.density,
-        smoothing_length: h,
+        wall: WallAbove::at_rest(),
+        shown: Shown {
+            velocity: Vector::zeros(),
+            strain: Matrix::zeros(),
+            pressure: gas.pressure,
+            wall_pressure: gas.pressure,
+            energy: problem.gas.energy(gas.density, gas.pressure),
+            density: gas.density,
+            smoothing_length: SMOOTHING_RATIO * spacing,
+        },
     }
 }
 
@@ -162,7 +162,7 @@ fn seen_by_face<const D: usize>(
         // The plane of a face goes on beyond the body's tip, where nothing bends.
         let shape = body.shape.as_ref();
         if !is_edge(shape, &shape.closest(&above), problem.spacing) {
-            seen.origin_curvature = shape_operator(shape, &above, problem.spacing);
+            seen.origin.curvature = shape_operator(shape, &above, problem.spacing);
         }
     }
     seen

@@ -69,14 +69,14 @@ impl<const D: usize> Solver<D> {
             Wall {
                 point: Point {
                     position: ghost.position,
-                    velocity: ghost.velocity,
-                    density: ghost.density,
-                    energy: ghost.energy,
-                    pressure: ghost.pressure,
-                    h: ghost.smoothing_length,
-                    mass: ghost.density * ghost.volume,
+                    velocity: ghost.shown.velocity,
+                    density: ghost.shown.density,
+                    energy: ghost.shown.energy,
+                    pressure: ghost.shown.pressure,
+                    h: ghost.shown.smoothing_length,
+                    mass: ghost.shown.density * ghost.volume,
                     volume: ghost.volume,
-                    strain: ghost.strain,
+                    strain: ghost.shown.strain,
                     energy_slope: Vector::zeros(),
                     smoothness: 1.0,
                     renormalisation: even_renormalisation(),
@@ -85,13 +85,13 @@ impl<const D: usize> Solver<D> {
                 },
                 normal: ghost.normal,
                 depth: ghost.depth,
-                surface_velocity: ghost.wall_velocity,
-                surface_acceleration: ghost.wall_acceleration,
-                surface_pressure: ghost.wall_pressure,
+                surface_velocity: ghost.wall.velocity,
+                surface_acceleration: ghost.wall.acceleration,
+                surface_pressure: ghost.shown.wall_pressure,
                 spin: body.map_or(Vector3::zeros(), |body| {
                     body.motion.turning.rate(simulation.time())
                 }),
-                curvature: ghost.curvature,
+                curvature: ghost.wall.curvature,
                 slips: slips[ghost.body as usize],
                 has_mirror: ghost.has_mirror,
                 body: ghost.body as usize,
@@ -130,9 +130,9 @@ impl<const D: usize> Solver<D> {
             if !rings.are_real() {
                 particle.first_plane_mass = point.mass;
             }
-            particle.strain = point.strain;
-            particle.energy_slope = point.energy_slope;
-            particle.smoothness = point.smoothness;
+            particle.spared.strain = point.strain;
+            particle.spared.energy_slope = point.energy_slope;
+            particle.spared.smoothness = point.smoothness;
         }
     }
 
@@ -222,9 +222,8 @@ impl<const D: usize> Solver<D> {
     /// The stable step at the rates of the last evaluation.
     pub fn stable_step(&self) -> f64 {
         let Simulation { problem, fluid, .. } = &self.0;
-        let scheme = &problem.scheme;
-        let rule = scheme.step;
-        rule.time_step(scheme.cfl, &problem.gas, fluid, fluid.rates())
+        let bound = problem.scheme.step;
+        bound.time_step(&problem.gas, fluid, fluid.rates())
     }
 
     /// Takes one step; returns its length.
@@ -249,9 +248,9 @@ fn point_of<const D: usize>(simulation: &Simulation<D>, particle: &Particle<D>) 
         h: particle.smoothing_length,
         mass,
         volume: mass / particle.density,
-        strain: particle.strain,
-        energy_slope: particle.energy_slope,
-        smoothness: particle.smoothness,
+        strain: particle.spared.strain,
+        energy_slope: particle.spared.energy_slope,
+        smoothness: particle.spared.smoothness,
         renormalisation: nalgebra::SMatrix::identity(),
         density_gradient: Vector::zeros(),
         shift: Vector::zeros(),

@@ -53,8 +53,8 @@ impl Setup {
         } else {
             Extrapolation::Wom
         };
-        scheme.shield = self.shield;
-        scheme.shifting = self.shifting;
+        scheme.transport.shield = self.shield;
+        scheme.transport.shifting = self.shifting;
         scheme.limit_viscosity(self.limits_viscosity);
         scheme.limit_conduction(self.limits_conduction);
         scheme.skip_undisturbed = false;
