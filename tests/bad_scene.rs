@@ -102,6 +102,75 @@ fn a_missing_scene_file_is_named() {
 }
 
 #[test]
+fn a_wall_that_gas_would_stick_to_without_viscosity_is_refused_with_the_mend() {
+    let sticky = "x_max = { wall = { kind = \"no-slip\" } }";
+    for motion in ["", "[scheme]\nmotion = \"fixed\"\n\n"] {
+        let scene =
+            box_with("x_max = \"wall\"", sticky).replace("[domain]", &format!("{motion}[domain]"));
+        refused(
+            &scene,
+            &[
+                "domain.sides.x_max",
+                "`no-slip`",
+                "add `viscosity` to [gas]",
+                "use `slip`",
+            ],
+        );
+    }
+}
+
+#[test]
+fn what_a_wall_cannot_have_is_refused_with_the_mend() {
+    for (wall, words) in [
+        ("temperature = 300.0", "add `kind = \"no-slip\"`"),
+        (
+            "kind = \"no-slip\", temperature = 300.0, heat_flux = 1.0",
+            "one of temperature and heat_flux",
+        ),
+        (
+            "kind = \"no-slip\", temperature = -3.0",
+            "not a positive number",
+        ),
+        (
+            "velocity = [0.0, 1.0]",
+            "does not feel how its surface moves",
+        ),
+        ("kind = \"no-slip\", velocity = [1.0]", "holds 1 numbers"),
+        (
+            "kind = \"no-slip\", temperature = 300.0",
+            "gas.gas_constant",
+        ),
+    ] {
+        let side = format!("x_max = {{ wall = {{ {wall} }} }}");
+        let scene = box_with("x_max = \"wall\"", &side).replace(
+            "[domain]",
+            "[scheme]\nmotion = \"fixed\"\n\n[gas]\nviscosity = 1e-3\n\n[domain]",
+        );
+        refused(&scene, &[words]);
+    }
+}
+
+#[test]
+fn a_viscosity_that_makes_no_sense_is_refused_with_the_mend() {
+    for (gas, words) in [
+        ("viscosity = -1e-3", "-0.001 is not a positive number"),
+        ("viscosity = { sutherland = {} }", "give `gas.gas_constant`"),
+        ("viscosity = { reynolds = 100.0 }", "which is at rest"),
+        ("prandtl = 0.7", "add `viscosity`"),
+        ("viscosity = 1e-3\nprandtl = nan", "not a positive number"),
+    ] {
+        let fixed = format!("[scheme]\nmotion = \"fixed\"\n\n[gas]\n{gas}\n\n[domain]");
+        refused(&box_with("[domain]", &fixed), &[words]);
+    }
+}
+
+#[test]
+fn viscous_particles_are_refused_by_name() {
+    let scene = box_with("[domain]", "[gas]\nviscosity = 1e-3\n\n[domain]");
+    refused(&scene, &["gas.viscosity", "motion = \"fixed\""]);
+}
+
+#[test]
 fn a_periodic_side_opposite_to_a_wall_is_refused() {
     let scene = box_with("y_max = \"periodic\"", "y_max = \"wall\"");
     refused(

@@ -15,9 +15,11 @@ use super::probe::ProbeEntry;
 use super::refine::RefineEntry;
 use super::region::RegionEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
-use super::side::{SideEntry, WallWord};
+use super::side::SideEntry;
 use super::spin::Spin;
 use super::views::LatticeEntry;
+use super::viscosity::ViscosityEntry;
+use super::wall::BodyWallEntry;
 use super::words::{
     ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName, StopWord, TimeWord,
 };
@@ -68,6 +70,12 @@ pub struct SceneFile {
 pub struct GasEntry {
     /// Ratio of specific heats; 1.4 unless given.
     pub gamma: Option<Gamma>,
+    /// Specific gas constant in J/(kg K), which makes temperatures of pressures and densities; that of the free stream unless given.
+    pub gas_constant: Option<Positive>,
+    /// Dynamic viscosity, which heat conduction goes with; none unless given.
+    pub viscosity: Option<ViscosityEntry>,
+    /// Prandtl number, `viscosity * heat capacity / conductivity`; 0.72 (air) unless given.
+    pub prandtl: Option<Positive>,
 }
 
 /// `[scheme]`
@@ -268,8 +276,8 @@ pub struct BodyEntry {
     pub name: Name,
     /// Its surface.
     pub shape: ShapeEntry,
-    /// Whether the gas slides along it; `slip` unless given.
-    pub wall: Option<WallWord>,
+    /// Whether the gas slides along it or sticks to it, and what heat does there; `slip` unless given.
+    pub wall: Option<BodyWallEntry>,
     /// Ghost spacing, from an eighth of the scene's to one and a half times; the scene's unless given.
     pub spacing: Option<Positive>,
     /// Fly it all the same where more than two per cent of its surface have no ghosts; off unless given.

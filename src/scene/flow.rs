@@ -19,6 +19,15 @@ pub(super) fn gamma(file: &SceneFile) -> f64 {
     file.gas.gamma.map_or(DIATOMIC, Gamma::get)
 }
 
+/// A free stream whose temperature goes with the gas constant of the scene, where it says none itself.
+pub(super) fn with_constant(file: &SceneFile, entry: &FreeStreamEntry) -> FreeStreamEntry {
+    let mut entry = entry.clone();
+    if entry.temperature.is_some() {
+        entry.gas_constant = entry.gas_constant.or(file.gas.gas_constant);
+    }
+    entry
+}
+
 /// The undisturbed state: `[free_stream]`, or, in a domain that nothing enters, the left state of a
 /// Riemann problem or the state in the lowest corner of a field or of a manufactured solution.
 pub(super) fn free_stream<const D: usize>(
@@ -27,7 +36,7 @@ pub(super) fn free_stream<const D: usize>(
     solution: Option<&Manufactured<D>>,
 ) -> Result<State<D>, SceneError> {
     if let Some(entry) = &file.free_stream {
-        return stream::state(entry, gamma(file));
+        return stream::state(&with_constant(file, entry), gamma(file));
     }
     if let Some(solution) = solution {
         return Ok(solution.state(&domain.bounds.min, 0.0));
@@ -151,7 +160,7 @@ fn of_frame<const D: usize>(
 ) -> Result<Initial<D>, SceneError> {
     let turned = |section: &str, path: &Path, stream: Option<&FreeStreamEntry>| {
         let place = format!("{section}.stream");
-        let stream = stream.map(|entry| stream::state(entry, gamma(file)));
+        let stream = stream.map(|entry| stream::state(&with_constant(file, entry), gamma(file)));
         let stream = stream.transpose();
         let stream = stream.map_err(|error| error.moved("free_stream", &place))?;
         let streams = stream.as_ref().map(|before| [before, free_stream]);

@@ -68,6 +68,8 @@ pub mod spin;
 mod stream;
 mod vector;
 mod views;
+pub mod viscosity;
+pub mod wall;
 mod words;
 
 pub use bodies::{BodyPlan, PackWishes};
@@ -77,7 +79,6 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
-use aero_solver::gas::Gas;
 use aero_solver::problem::Problem;
 use aero_solver::scheme::Scheme;
 use file::{SceneFile, SchemeEntry};
@@ -216,7 +217,8 @@ impl Scene {
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
         let initial = solution.as_ref().map_or(initial, Manufactured::initial);
         let end_time = flow::end_time(file, stop, &domain, &free_stream)?;
-        let gas_constant = file.free_stream.as_ref().and_then(stream::gas_constant);
+        let gas_constant = viscosity::gas_constant(file);
+        let gas = viscosity::gas(file, &free_stream)?;
         let surroundings = region::Surroundings {
             domain: &domain,
             spacing,
@@ -235,7 +237,7 @@ impl Scene {
         let probes = probe::probes(&file.probe, &domain, &bodies, spacing)?;
         let problem = Problem {
             spacing,
-            gas: Gas::ideal(flow::gamma(file)),
+            gas,
             method,
             scheme: scheme(file.scheme),
             domain,
@@ -245,6 +247,8 @@ impl Scene {
             bodies,
             source: None,
         };
+        wall::check(&problem, gas_constant.is_some())?;
+        wall::refuse_viscous_particles(&problem)?;
         let problem = match solution {
             None => problem,
             Some(solution) => {

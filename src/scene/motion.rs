@@ -49,7 +49,10 @@ fn turning<const D: usize>(place: &str, spin: &Spin) -> Result<Turning, SceneErr
 }
 
 /// A rotation vector of the scene's dimension.
-fn rotation<const D: usize>(place: &str, rate: &Rate) -> Result<Vector3<f64>, SceneError> {
+pub(super) fn rotation<const D: usize>(
+    place: &str,
+    rate: &Rate,
+) -> Result<Vector3<f64>, SceneError> {
     match (rate, D) {
         (Rate::Plane(rate), 2) => Ok(Vector3::new(0.0, 0.0, *rate)),
         (Rate::Vector(numbers), 3) => vector::<3>(place, numbers),

@@ -7,13 +7,16 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAc
 
 use super::formula::TimedFormula;
 use super::number::{Finite, Positive};
+use super::wall::{WallVelocity, WallWord, kind};
 use aero_solver::problem::{Side, WallKind};
 
 /// What bounds the domain on one side: a word, a table of one word, or a list of a wall and the parts of it that are open.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SideEntry {
-    /// What it is, but for its parts.
+    /// What it is, but for its parts and the velocity of a wall along itself.
     pub side: Side,
+    /// Velocity of a wall as a vector.
+    pub velocity: Option<Vec<Finite>>,
     /// The gas beyond it, where that is not the free stream.
     pub given: Option<GivenEntry>,
     /// Its parts.
@@ -126,33 +129,17 @@ struct ReservoirEntry {
 #[serde(deny_unknown_fields)]
 struct WallEntry {
     kind: Option<WallWord>,
-    velocity: Option<Finite>,
+    temperature: Option<Positive>,
+    heat_flux: Option<Finite>,
+    velocity: Option<WallVelocity>,
     acceleration: Option<Finite>,
-}
-
-/// Slip or no slip, as a scene spells it.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum WallWord {
-    /// The gas slides along the wall.
-    Slip,
-    /// The gas sticks to the wall.
-    NoSlip,
-}
-
-impl From<WallWord> for WallKind {
-    fn from(word: WallWord) -> Self {
-        match word {
-            WallWord::Slip => Self::Slip,
-            WallWord::NoSlip => Self::NoSlip,
-        }
-    }
 }
 
 impl From<Side> for SideEntry {
     fn from(side: Side) -> Self {
         Self {
             side,
+            velocity: None,
             given: None,
             parts: Vec::new(),
         }
@@ -187,7 +174,7 @@ impl SideTable {
             free_stream,
         } = self;
         Ok(match (wall, inlet, outlet, reservoir, free_stream) {
-            (Some(wall), None, None, None, None) => (wall.side(), None),
+            (Some(wall), None, None, None, None) => (wall.side()?, None),
             (None, Some(inlet), None, None, None) => {
                 let side = if inlet.reflecting == Some(false) {
                     Side::SoftInlet
@@ -212,11 +199,23 @@ impl SideTable {
 }
 
 impl WallEntry {
-    fn side(self) -> Side {
-        Side::Wall {
-            kind: self.kind.unwrap_or(WallWord::Slip).into(),
-            velocity: self.velocity.map_or(0.0, Finite::get),
+    /// What it says, but for a velocity along it.
+    fn side<E: Error>(self) -> Result<Side, E> {
+        Ok(Side::Wall {
+            kind: kind(self.kind, self.temperature, self.heat_flux).map_err(E::custom)?,
+            velocity: match self.velocity {
+                Some(WallVelocity::Across(velocity)) => velocity,
+                Some(WallVelocity::Vector(_)) | None => 0.0,
+            },
             acceleration: self.acceleration.map_or(0.0, Finite::get),
+        })
+    }
+
+    /// Its velocity where that is a vector.
+    fn vector(&self) -> Option<Vec<Finite>> {
+        match &self.velocity {
+            Some(WallVelocity::Vector(numbers)) => Some(numbers.clone()),
+            _ => None,
         }
     }
 }
@@ -286,8 +285,10 @@ impl<'de> Visitor<'de> for SideVisitor {
                 "a patch is a part of a wall; give a list that begins with the wall: `[\"wall\", { patch = { .. }, .. }]`",
             ));
         }
+        let velocity = table.wall.as_ref().and_then(WallEntry::vector);
         let (side, given) = table.side()?;
         Ok(SideEntry {
+            velocity,
             given,
             ..side.into()
         })

@@ -1,14 +1,14 @@
 //! What cannot be flown on points that stay where they are.
 
 use crate::method::Time;
-use crate::problem::{Problem, Side, WallKind};
+use crate::problem::{Problem, Side};
 
 /// The remedy for what moves.
 const REMEDY: &str =
     "points that stay where they are cannot follow it; use `scheme.motion = \"with-the-gas\"`";
 
 impl<const D: usize> Problem<D> {
-    /// Refuses by name what moves, what the gas sticks to, and sources that settle.
+    /// Refuses by name what moves, what gas without viscosity would stick to, and sources that settle.
     ///
     /// # Errors
     /// What it is and the remedy.
@@ -26,7 +26,7 @@ impl<const D: usize> Problem<D> {
             if body.motion.is_moving() {
                 return Err(format!("body `{name}` moves; {REMEDY}"));
             }
-            if body.wall == WallKind::NoSlip {
+            if body.wall.sticks() && !self.gas.is_viscous() {
                 return Err(sticks(&format!("body `{name}`")));
             }
         }
@@ -44,7 +44,7 @@ impl<const D: usize> Problem<D> {
                 if *velocity != 0.0 || *acceleration != 0.0 {
                     return Err(format!("{name} moves; {REMEDY}"));
                 }
-                if *kind == WallKind::NoSlip {
+                if kind.sticks() && !self.gas.is_viscous() {
                     return Err(sticks(&name));
                 }
             }
@@ -55,7 +55,7 @@ impl<const D: usize> Problem<D> {
 
 fn sticks(what: &str) -> String {
     format!(
-        "{what} is `no-slip`, but gas without viscosity slides on points that stay where they are; use `slip`"
+        "{what} is `no-slip`, but gas without viscosity slides on points that stay where they are; give the gas a viscosity, or use `slip`"
     )
 }
 

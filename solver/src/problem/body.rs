@@ -5,16 +5,8 @@ use std::sync::Arc;
 use aero_geometry::{Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 
+use super::WallKind;
 use crate::walls::rigid::Pose;
-
-/// Condition on the velocity at a wall.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum WallKind {
-    /// The gas slides along the wall.
-    Slip,
-    /// The gas sticks to the wall.
-    NoSlip,
-}
 
 /// A rigid body with its packed ghosts.
 #[derive(Clone, Debug)]

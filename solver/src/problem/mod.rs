@@ -9,12 +9,14 @@ mod domain;
 mod opening;
 mod side;
 mod source;
+mod wall;
 
-pub use body::{Body, Motion, PackedFluid, Turning, WallKind};
+pub use body::{Body, Motion, PackedFluid, Turning};
 pub use domain::Domain;
 pub use opening::{Given, Opening};
 pub use side::Side;
 pub use source::{Added, Source};
+pub use wall::{NoSlip, Slide, WallHeat, WallKind};
 
 use crate::gas::Gas;
 use crate::method::Method;

@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::body::WallKind;
+use super::WallKind;
 
 /// What bounds the domain on one side.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -38,7 +38,7 @@ fn ghosts_of_a_turning_cylinder_show_what_the_reference_shows() {
             ..PUBLISHED
         },
     ] {
-        for wall in [WallKind::Slip, WallKind::NoSlip] {
+        for wall in [WallKind::Slip, WallKind::STICKY] {
             compare(setup, &cylinder(wall));
         }
     }

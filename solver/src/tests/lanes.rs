@@ -52,7 +52,7 @@ const PISTON: Side = Side::Wall {
 };
 
 const STICKY: Side = Side::Wall {
-    kind: WallKind::NoSlip,
+    kind: WallKind::STICKY,
     velocity: 0.0,
     acceleration: 0.0,
 };

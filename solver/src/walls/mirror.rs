@@ -102,7 +102,7 @@ fn show<const D: usize>(
         WallKind::Slip => {
             gas.velocity - ghost.normal * (2.0 * (gas.velocity - wall).dot(&ghost.normal))
         }
-        WallKind::NoSlip => wall * 2.0 - gas.velocity,
+        WallKind::NoSlip(_) => wall * 2.0 - gas.velocity,
     };
     // Beyond a slip wall the flow is the mirror image; beyond the other kind it is none, and the viscosity
     // there stays whole.
@@ -111,7 +111,7 @@ fn show<const D: usize>(
             let mirror = Matrix::identity() - ghost.normal * ghost.normal.transpose() * 2.0;
             mirror * gas.strain * mirror
         }
-        WallKind::NoSlip => Matrix::zeros(),
+        WallKind::NoSlip(_) => Matrix::zeros(),
     };
     // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure; gas
     // that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.

@@ -3,7 +3,11 @@
 //! A state is a density `rho` and a specific internal energy `e`, in numbers or in one number per lane
 //! ([`aero_geometry::Real`]); pressure, temperature and speed of sound follow from both.
 
+mod transport;
+
 use aero_geometry::Real;
+
+pub use transport::{Transport, TransportCoefficients, Viscosity};
 
 /// A gas.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -19,15 +23,8 @@ pub struct IdealGas {
     pub gamma: f64,
     /// Specific gas constant `R`, J / (kg K); at one, a temperature is a pressure over a density.
     pub constant: f64,
-}
-
-/// What makes momentum and heat flow through gas at rest.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct TransportCoefficients {
-    /// Dynamic viscosity, Pa s.
-    pub viscosity: f64,
-    /// Thermal conductivity, W / (m K).
-    pub conductivity: f64,
+    /// Viscosity and heat conduction; none makes the equations Euler's.
+    pub transport: Option<Transport>,
 }
 
 impl Gas {
@@ -36,6 +33,7 @@ impl Gas {
         Self::Ideal(IdealGas {
             gamma,
             constant: 1.0,
+            transport: None,
         })
     }
 
@@ -104,11 +102,33 @@ impl Gas {
         }
     }
 
-    /// Viscosity and conductivity at `rho` and `e`: none, which makes the equations Euler's.
-    pub fn transport(&self, _density: f64, _energy: f64) -> TransportCoefficients {
+    /// Viscosity and heat conduction; none of a gas that has neither.
+    #[inline(always)]
+    pub const fn transport(&self) -> Option<&Transport> {
         match self {
-            Self::Ideal(_) => TransportCoefficients::default(),
+            Self::Ideal(gas) => gas.transport.as_ref(),
         }
+    }
+
+    /// True of a gas with viscosity.
+    #[inline(always)]
+    pub const fn is_viscous(&self) -> bool {
+        self.transport().is_some()
+    }
+
+    /// Heat capacity `c_p` at constant pressure, J/(kg K).
+    pub fn heat_capacity(&self) -> f64 {
+        match self {
+            Self::Ideal(gas) => gas.gamma * gas.constant / gas.heat(),
+        }
+    }
+
+    /// Viscosity and conductivity at `rho` and `e`; none where the equations are Euler's.
+    pub fn coefficients(&self, density: f64, energy: f64) -> TransportCoefficients {
+        self.transport()
+            .map_or_else(TransportCoefficients::default, |transport| {
+                transport.at(self.temperature(density, energy), self.heat_capacity())
+            })
     }
 }
 
@@ -130,6 +150,7 @@ mod tests {
         let air = Gas::Ideal(IdealGas {
             gamma: 1.4,
             constant: 287.053,
+            transport: None,
         });
         let energy = air.energy(1.225, 101_325.0);
         assert!((air.temperature(1.225, energy) - 288.15).abs() < 0.01);
@@ -144,6 +165,28 @@ mod tests {
         assert!((gas.pressure(0.7, energy) - 2.3).abs() < 1e-15);
         assert!((gas.density(2.3, energy) - 0.7).abs() < 1e-15);
         assert!((gas.pressure_over_density(0.7, energy) - 2.3 / 0.7).abs() < 1e-15);
+    }
+
+    /// Air at 300 K conducts 0.0262 W/(m K) [White 2006, Viscous Fluid Flow, table 1-3].
+    #[test]
+    fn the_conductivity_follows_from_the_prandtl_number() {
+        let air = Gas::Ideal(IdealGas {
+            gamma: 1.4,
+            constant: 287.05,
+            transport: Some(Transport {
+                viscosity: Viscosity::AIR,
+                prandtl: 0.71,
+            }),
+        });
+        let energy = air.energy(1.2, 1.2 * 287.05 * 300.0);
+        let found = air.coefficients(1.2, energy);
+        assert!((found.viscosity - 1.846e-5).abs() < 1e-8, "{found:?}");
+        assert!((found.conductivity - 0.0262).abs() < 2e-4, "{found:?}");
+        assert!(!Gas::ideal(1.4).is_viscous());
+        assert_eq!(
+            Gas::ideal(1.4).coefficients(1.2, energy),
+            TransportCoefficients::default()
+        );
     }
 
     /// `de = p / rho^2 d rho` at constant entropy, by differences.

@@ -1,0 +1,115 @@
+//! What makes momentum and heat flow through a gas: its viscosity, and the Prandtl number that its conductivity follows from.
+
+/// Viscosity and heat conduction of a gas.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Transport {
+    /// Dynamic viscosity.
+    pub viscosity: Viscosity,
+    /// Prandtl number `mu c_p / k`.
+    pub prandtl: f64,
+}
+
+/// How the dynamic viscosity, Pa s, depends on the temperature, K.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Viscosity {
+    /// It does not.
+    Constant(f64),
+    /// `mu = mu_0 (T / T_0)^n`.
+    Power {
+        /// `mu_0`, Pa s.
+        viscosity: f64,
+        /// `T_0`, K.
+        temperature: f64,
+        /// `n`.
+        exponent: f64,
+    },
+    /// `mu = mu_0 (T / T_0)^(3/2) (T_0 + S) / (T + S)` [Sutherland 1893, Phil. Mag. 36, 507-531].
+    Sutherland {
+        /// `mu_0`, Pa s.
+        viscosity: f64,
+        /// `T_0`, K.
+        temperature: f64,
+        /// `S`, K.
+        constant: f64,
+    },
+}
+
+/// What makes momentum and heat flow through gas in a state.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct TransportCoefficients {
+    /// Dynamic viscosity, Pa s.
+    pub viscosity: f64,
+    /// Thermal conductivity, W / (m K).
+    pub conductivity: f64,
+}
+
+impl Viscosity {
+    /// Sutherland's law for air [White 2006, Viscous Fluid Flow, table 1-2].
+    pub const AIR: Self = Self::Sutherland {
+        viscosity: 1.716e-5,
+        temperature: 273.15,
+        constant: 110.4,
+    };
+
+    /// Dynamic viscosity at a temperature.
+    #[inline]
+    pub fn at(&self, temperature: f64) -> f64 {
+        match *self {
+            Self::Constant(viscosity) => viscosity,
+            Self::Power {
+                viscosity,
+                temperature: reference,
+                exponent,
+            } => viscosity * (temperature / reference).powf(exponent),
+            Self::Sutherland {
+                viscosity,
+                temperature: reference,
+                constant,
+            } => {
+                let ratio = temperature / reference;
+                viscosity * ratio * ratio.sqrt() * (reference + constant) / (temperature + constant)
+            }
+        }
+    }
+
+    /// True where it has to know the temperature.
+    pub fn asks_for_temperature(&self) -> bool {
+        !matches!(self, Self::Constant(_))
+    }
+}
+
+impl Transport {
+    /// Viscosity and conductivity `mu c_p / Pr` at a temperature, of gas with the heat capacity `c_p` at constant pressure, J/(kg K).
+    #[inline]
+    pub fn at(&self, temperature: f64, heat_capacity: f64) -> TransportCoefficients {
+        let viscosity = self.viscosity.at(temperature);
+        TransportCoefficients {
+            viscosity,
+            conductivity: viscosity * heat_capacity / self.prandtl,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// Air at sea level and at 20 km of the U.S. Standard Atmosphere 1976 (table II), which takes other constants.
+    #[test]
+    fn air_is_as_viscous_as_the_standard_atmosphere_says() {
+        assert_relative_eq!(Viscosity::AIR.at(288.15), 1.7894e-5, max_relative = 2e-3);
+        assert_relative_eq!(Viscosity::AIR.at(216.65), 1.4216e-5, max_relative = 2e-3);
+    }
+
+    #[test]
+    fn a_power_of_the_temperature_is_one_of_ratios() {
+        let law = Viscosity::Power {
+            viscosity: 2.0,
+            temperature: 100.0,
+            exponent: 0.75,
+        };
+        assert_relative_eq!(law.at(1600.0), 16.0, max_relative = 1e-14);
+    }
+}
