@@ -165,8 +165,10 @@ fn a_viscosity_that_makes_no_sense_is_refused_with_the_mend() {
 }
 
 #[test]
-fn viscous_particles_are_refused_by_name() {
+fn viscous_particles_about_an_axis_are_refused_by_name() {
     let scene = box_with("[domain]", "[gas]\nviscosity = 1e-3\n\n[domain]");
+    let scene = scene.replace("y_min = \"periodic\"", "y_min = \"axis\"");
+    let scene = scene.replace("y_max = \"periodic\"", "y_max = \"wall\"");
     refused(&scene, &["gas.viscosity", "motion = \"fixed\""]);
 }
 

@@ -4,6 +4,7 @@
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use rayon::prelude::*;
 
+use super::diffusion;
 use super::fill::{fill_gas, fill_ghosts, fill_near};
 use super::neighbourhood::{Neighbourhood, limit_widths};
 use super::neighbours::GROWTH;
@@ -101,13 +102,16 @@ pub fn evaluate<const D: usize>(
     walls.extrapolate(&around.arch, &around.wall_lists, &around.records);
     fill_ghosts(walls, around);
     renormalise(problem, fluid, around);
-    if problem.scheme.transport.shield {
+    if problem.scheme.transport_velocity.shield {
         shield_walls(fluid, walls, around);
     }
-    if problem.scheme.transport.shifting {
+    if problem.scheme.transport_velocity.shifting {
         shift(problem, fluid, around);
     }
     sum_rates(problem, fluid, around);
+    if problem.gas.is_viscous() {
+        diffusion::add(problem, fluid, buffers, walls, around);
+    }
     if let Some(source) = &problem.source {
         sources::add(&**source, moment.start + moment.ahead, fluid);
     }

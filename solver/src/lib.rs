@@ -38,6 +38,8 @@ mod backend;
 mod books;
 mod carrier;
 mod compiled;
+mod diffusion;
+mod diffusive;
 mod evaluation;
 mod faces;
 mod fill;

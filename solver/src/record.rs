@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 use nalgebra::{SMatrix, SVector, Scalar};
 
+use super::diffusive::Diffusive;
 use super::gas::Gas;
 
 /// A `D x D` matrix.
@@ -29,6 +30,8 @@ pub struct Read<'a, const D: usize, N: Number> {
     pub state: &'a [State<D, N>],
     /// Shift of the gas, up to the first ghost.
     pub shift: &'a [SVector<N, D>],
+    /// What flows by viscosity and conduction, of viscous gas.
+    pub diffusive: &'a [Diffusive<D, N>],
     /// The inverse of what lengths are measured in.
     pub per_length: f64,
     /// From where places are measured.

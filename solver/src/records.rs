@@ -3,6 +3,7 @@
 
 use aero_geometry::Vector;
 
+pub use super::diffusive::Diffusive;
 pub use super::record::{Matrix, Near, Number, Read, State, Symmetric};
 pub use super::rounding::Rounded;
 
@@ -19,6 +20,7 @@ impl Kept for f64 {
             near: &records.near,
             state: &records.state,
             shift: &records.shift,
+            diffusive: &records.diffusive,
             per_length: 1.0,
             origin: Vector::zeros(),
         }
@@ -41,6 +43,10 @@ pub struct Records<const D: usize> {
     pub state: Vec<State<D>>,
     /// Shift of the gas, renormalised, up to the first ghost; empty where particles are not shifted.
     pub shift: Vec<Vector<D>>,
+    /// What flows by viscosity and conduction; empty where the gas has neither.
+    pub diffusive: Vec<Diffusive<D>>,
+    /// The gas has viscosity and conduction.
+    pub is_viscous: bool,
     /// The same in `f32`, where pairs are computed so; empty elsewhere.
     pub rounded: Rounded<D>,
     /// First slot of the segments fluid, open, flow images, ghosts, ghost images; then the end.
@@ -53,6 +59,8 @@ impl<const D: usize> Default for Records<D> {
             near: Vec::new(),
             state: Vec::new(),
             shift: Vec::new(),
+            diffusive: Vec::new(),
+            is_viscous: false,
             rounded: Rounded::default(),
             start: [0; 6],
         }
@@ -96,6 +104,9 @@ impl<const D: usize> Records<D> {
             stress: Symmetric::zeros(),
         };
         self.state.resize(end, state);
+        if self.is_viscous {
+            self.diffusive.resize(end, Diffusive::zeros());
+        }
     }
 
     /// Slots of one segment.

@@ -89,6 +89,8 @@ impl<const D: usize> Rounded<D> {
             near,
             state,
             shift,
+            // Its pass is in `f64`.
+            diffusive: &[],
             per_length: 1.0 / length,
             origin: *origin,
         }

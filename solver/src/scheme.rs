@@ -22,7 +22,7 @@ pub struct Scheme {
     /// How internal energy is kept.
     pub energy: Energy,
     /// How particles move otherwise than their gas.
-    pub transport: Transport,
+    pub transport_velocity: TransportVelocity,
     /// What ghosts show the gas.
     pub wall: WallTreatment,
     /// Gas on one side of a thin part feels neither gas nor ghosts of the other side.
@@ -103,7 +103,7 @@ pub enum Energy {
 
 /// How particles move otherwise than their gas: through the transport velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Transport {
+pub struct TransportVelocity {
     /// They are shifted towards even spacing.
     pub shifting: bool,
     /// Walls shield themselves from penetration.
@@ -165,9 +165,9 @@ impl Scheme {
         viscosity: Viscosity::Bare,
         conduction: Conduction::ByVolume,
         energy: Energy::ByRate,
-        transport: Transport {
+        transport_velocity: TransportVelocity {
             return_of_shift: ReturnOfShift::Advection,
-            ..Self::CONSERVATIVE.transport
+            ..Self::CONSERVATIVE.transport_velocity
         },
         wall: WallTreatment {
             follows_the_bend: false,
@@ -189,7 +189,7 @@ impl Scheme {
         viscosity: Viscosity::Limited,
         conduction: Conduction::Limited,
         energy: Energy::Settled,
-        transport: Transport {
+        transport_velocity: TransportVelocity {
             shifting: false,
             shield: false,
             return_of_shift: ReturnOfShift::Exchange,

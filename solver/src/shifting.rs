@@ -35,7 +35,7 @@ pub fn shift<const D: usize>(
     let gas = around.records.start[GHOSTS];
     around.records.shift.clear();
     around.records.shift.resize(gas, Vector::zeros());
-    let is_shielded = problem.scheme.transport.shield;
+    let is_shielded = problem.scheme.transport_velocity.shield;
     let (near, state) = (&around.records.near, &around.records.state);
     let Columns {
         state: particles,

@@ -24,7 +24,7 @@ pub fn find_shocks<const D: usize>(
     let scheme = &problem.scheme;
     let limits_viscosity = scheme.viscosity == Viscosity::Limited;
     let limits_conduction = scheme.conduction == Conduction::Limited;
-    if !(limits_viscosity || limits_conduction || scheme.transport.shifting) {
+    if !(limits_viscosity || limits_conduction || scheme.transport_velocity.shifting) {
         return;
     }
     let gas = &problem.gas;

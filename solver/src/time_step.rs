@@ -14,13 +14,16 @@ const C_FORCE: f64 = 0.5;
 /// the gas thins.
 const C_CHANGE: f64 = 1.0;
 
+/// Diffusion number of a step, over the square of the smoothing length [Morris, Fox & Zhu 1997, eq. 27].
+const C_DIFFUSION: f64 = 0.125;
+
 /// What bounds the step, each the smaller the tighter; what they are is up to the [`StepRule`].
 #[derive(Clone, Copy, Debug)]
-pub struct Bounds([f64; 3]);
+pub struct Bounds([f64; 4]);
 
 impl Default for Bounds {
     fn default() -> Self {
-        Self([f64::INFINITY; 3])
+        Self([f64::INFINITY; 4])
     }
 }
 
@@ -55,7 +58,7 @@ impl StepBound {
     ) -> Bounds {
         let h = particle.smoothing_length;
         let acceleration = rates.acceleration + rates.wall_acceleration;
-        Bounds(match self.rule {
+        let [first, second, third] = match self.rule {
             StepRule::Extremes => [
                 h,
                 -gas.sound_speed(particle.density, particle.energy),
@@ -70,26 +73,41 @@ impl StepBound {
                     thins.min(cools),
                 ]
             }
-        })
+        };
+        let diffusion = if gas.is_viscous() {
+            C_DIFFUSION * h * h / diffusivity(gas, particle.density, particle.energy)
+        } else {
+            f64::INFINITY
+        };
+        Bounds([first, second, third, diffusion])
     }
 
     /// The longest step within `bounds`.
     pub fn step(self, Bounds(bounds): Bounds, gas: &Gas) -> f64 {
         let cfl = self.cfl;
-        match self.rule {
+        let [first, second, third, diffusion] = bounds;
+        let step = match self.rule {
             StepRule::Extremes => {
-                let [h, sound, acceleration] = bounds;
+                let [h, sound, acceleration] = [first, second, third];
                 let acoustic = h / -sound;
                 cfl * acoustic.min(C_FORCE * (h / (-acceleration).sqrt()).sqrt())
             }
             StepRule::EachParticle => {
-                let [courant, force, change] = bounds;
+                let [courant, force, change] = [first, second, third];
                 let acoustic = courant.sqrt() / gas.sound_speed(1.0, 1.0);
                 let force = C_FORCE * force.sqrt().sqrt();
                 cfl * acoustic.min(force).min(C_CHANGE * change)
             }
-        }
+        };
+        step.min(diffusion)
     }
+}
+
+/// The larger of the diffusivities of momentum, `mu / rho`, and of heat, `k / (rho c_v)`.
+fn diffusivity(gas: &Gas, density: f64, energy: f64) -> f64 {
+    let coefficients = gas.coefficients(density, energy);
+    let heat = coefficients.conductivity / gas.heat_capacity_at_volume();
+    coefficients.viscosity.max(heat) / density
 }
 
 /// The bound from the speed of sound alone, known before any rate.

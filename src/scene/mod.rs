@@ -248,7 +248,7 @@ impl Scene {
             source: None,
         };
         wall::check(&problem, gas_constant.is_some())?;
-        wall::refuse_viscous_particles(&problem)?;
+        wall::refuse_viscous_rings(&problem)?;
         let problem = match solution {
             None => problem,
             Some(solution) => {
@@ -334,8 +334,8 @@ fn scheme(entry: SchemeEntry) -> Scheme {
         scheme.step.cfl = cfl.get();
     }
     let switches = [
-        (&mut scheme.transport.shield, entry.shield),
-        (&mut scheme.transport.shifting, entry.shifting),
+        (&mut scheme.transport_velocity.shield, entry.shield),
+        (&mut scheme.transport_velocity.shifting, entry.shifting),
         (
             &mut scheme.wall.constant_volume,
             entry.constant_ghost_volume,

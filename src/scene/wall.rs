@@ -258,14 +258,13 @@ fn side_name(axis: usize, end: usize) -> String {
     format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end])
 }
 
-/// Refuses viscosity of particles, which have no law for it yet.
-pub(super) fn refuse_viscous_particles<const D: usize>(
-    problem: &Problem<D>,
-) -> Result<(), SceneError> {
-    if problem.gas.is_viscous() && problem.method.fixed().is_none() {
+/// Refuses viscosity of particles about an axis, where they have no law for it.
+pub(super) fn refuse_viscous_rings<const D: usize>(problem: &Problem<D>) -> Result<(), SceneError> {
+    let has_axis = problem.domain.has(|side| side == Side::Axis);
+    if problem.gas.is_viscous() && has_axis && problem.method.fixed().is_none() {
         return Err(SceneError::value(
             "gas.viscosity",
-            "is felt by points that stay where they are alone; add `motion = \"fixed\"` to [scheme], or leave it out",
+            "is felt about an axis by points that stay where they are alone; add `motion = \"fixed\"` to [scheme], or leave it out",
         ));
     }
     Ok(())

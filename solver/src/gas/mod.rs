@@ -123,6 +123,18 @@ impl Gas {
         }
     }
 
+    /// Heat capacity `c_v` at constant volume, J/(kg K).
+    pub fn heat_capacity_at_volume(&self) -> f64 {
+        match self {
+            Self::Ideal(gas) => gas.constant / gas.heat(),
+        }
+    }
+
+    /// Specific internal energy at a temperature.
+    pub fn energy_at(&self, temperature: f64) -> f64 {
+        self.heat_capacity_at_volume() * temperature
+    }
+
     /// Viscosity and conductivity at `rho` and `e`; none where the equations are Euler's.
     pub fn coefficients(&self, density: f64, energy: f64) -> TransportCoefficients {
         self.transport()

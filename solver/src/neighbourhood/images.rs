@@ -145,6 +145,18 @@ impl<const D: usize> Images<D> {
             });
     }
 
+    /// Copies what flows by viscosity and conduction through the sources.
+    pub fn refresh_diffusive(&self, records: &mut Records<D>) {
+        let (sources, first) = (records.start[self.owner], records.start[self.segment]);
+        let (own, images) = records.diffusive.split_at_mut(first);
+        self.copies
+            .par_iter()
+            .zip(images)
+            .for_each(|(image, copy)| {
+                *copy = own[sources + image.source as usize].reflected(&image.sign);
+            });
+    }
+
     /// Source of image `number` and the reflection that maps vectors to it.
     pub fn source(&self, number: usize) -> (usize, Vector<D>) {
         (

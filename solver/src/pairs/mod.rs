@@ -13,6 +13,7 @@ pub mod advection;
 pub mod artificial_conduction;
 pub mod artificial_viscosity;
 pub mod density_diffusion;
+pub mod diffusion;
 pub mod energy_gradient;
 pub mod exchange;
 pub mod pressure_force;

@@ -28,13 +28,16 @@ pub fn rates<const D: usize>(
     scheme: &Scheme,
     rates: &mut [Rates<D>],
 ) {
-    let is_exchanged =
-        scheme.transport.shifting && scheme.transport.return_of_shift == ReturnOfShift::Exchange;
-    let is_advected = (scheme.transport.shifting || scheme.transport.shield) && !is_exchanged;
+    let is_exchanged = scheme.transport_velocity.shifting
+        && scheme.transport_velocity.return_of_shift == ReturnOfShift::Exchange;
+    let is_advected =
+        (scheme.transport_velocity.shifting || scheme.transport_velocity.shield) && !is_exchanged;
     let gradients = (
         VelocityGradient,
         EnergyGradient {
-            is_sought: is_advected || scheme.conduction == Conduction::Limited,
+            is_sought: is_advected
+                || records.is_viscous
+                || scheme.conduction == Conduction::Limited,
         },
     );
     // The conduction goes by what the viscosity finds.

@@ -283,9 +283,10 @@ fn seen<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>, reach: f64) ->
         .collect();
     for axis in 0..D {
         let domain: &Domain<D> = &flow.problem.domain;
-        for (end, map) in Map::of_axis(domain, axis).into_iter().enumerate() {
-            let Some(map) = map else { continue };
-            let plane = domain.face(axis, end);
+        // Beyond a period the image of what is near one end is near the other.
+        let ends = [0, 1].map(|end| domain.face(axis, end));
+        let is_near = |place: f64| ends.iter().any(|end| (place - end).abs() < reach);
+        for map in Map::of_axis(domain, axis).into_iter().flatten() {
             let images: Vec<_> = seen
                 .iter()
                 .map(|own| {
@@ -295,7 +296,7 @@ fn seen<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>, reach: f64) ->
                     image.sign[axis] *= map.sign;
                     image
                 })
-                .filter(|image| (image.centre[axis] - plane).abs() < reach)
+                .filter(|image| is_near(image.centre[axis]))
                 .collect();
             seen.extend(images);
         }

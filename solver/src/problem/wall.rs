@@ -57,6 +57,16 @@ impl WallKind {
         },
     });
 
+    /// True where its surface moves along itself.
+    pub fn slides(&self) -> bool {
+        matches!(self, Self::NoSlip(wall) if !wall.slide.is_none())
+    }
+
+    /// True where heat goes through it.
+    pub fn conducts(&self) -> bool {
+        matches!(self, Self::NoSlip(wall) if wall.heat != WallHeat::Adiabatic)
+    }
+
     /// True where gas sticks to it.
     pub const fn sticks(&self) -> bool {
         matches!(self, Self::NoSlip(_))

@@ -13,6 +13,7 @@ use serde::{Deserialize, Serialize};
 use super::particle::OpenParticle;
 use super::zone::{OpenSide, OpenSides, Zone};
 use crate::books::Books;
+use crate::diffusive::Gradients;
 use crate::lattice;
 use crate::particles::{Particle, Particles};
 use crate::problem::{Problem, State};
@@ -237,12 +238,17 @@ impl<const D: usize> Buffers<D> {
             books.cross(&particle, -1.0);
             if let (Zone::Beyond(side), None) = (zone, sides.stream_at(zone)) {
                 let frozen = &fluid.renormalisations()[i];
+                let rates = &fluid.rates()[i];
                 self.contents.particles.push(OpenParticle {
                     particle,
                     side: side as u8,
                     lattice: None,
                     renormalisation: frozen.matrix,
                     gradient: frozen.density_gradient,
+                    gradients: Gradients {
+                        velocity: rates.velocity_gradient,
+                        energy: rates.energy_gradient,
+                    },
                 });
             }
         }

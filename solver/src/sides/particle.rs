@@ -4,6 +4,7 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use serde::{Deserialize, Serialize};
 
+use crate::diffusive::Gradients;
 use crate::lattice;
 use crate::particles::Particle;
 use crate::records::Matrix;
@@ -23,6 +24,8 @@ pub struct OpenParticle<const D: usize> {
     pub renormalisation: Matrix<D>,
     /// Density gradient when it left.
     pub gradient: Vector<D>,
+    /// Gradients of velocity and energy when it left, of viscous gas.
+    pub gradients: Gradients<D>,
 }
 
 impl<const D: usize> OpenParticle<D> {
@@ -34,6 +37,7 @@ impl<const D: usize> OpenParticle<D> {
             lattice,
             renormalisation: Matrix::identity() * lattice::renormalisation::<D>(SMOOTHING_RATIO),
             gradient: Vector::zeros(),
+            gradients: Gradients::zeros(),
         }
     }
 }

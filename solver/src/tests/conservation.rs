@@ -2,7 +2,7 @@ use super::*;
 
 fn pair_sums_balance<const D: usize>(cells: usize, shifting: bool) {
     let mut problem = stirred::<D>(cells);
-    problem.scheme.transport.shifting = shifting;
+    problem.scheme.transport_velocity.shifting = shifting;
     let mut simulation = start(problem);
     let before = simulation.totals();
     let scale: f64 = simulation
@@ -47,7 +47,7 @@ fn the_energy_of_a_periodic_box_stays_to_round_off_at_any_time_step() {
     for (cfl, shifting) in [(0.5, false), (0.25, false), (0.5, true)] {
         let mut problem = stirred::<2>(20);
         problem.scheme.step.cfl = cfl;
-        problem.scheme.transport.shifting = shifting;
+        problem.scheme.transport_velocity.shifting = shifting;
         let mut simulation = start(problem);
         let before = simulation.totals().energy;
         advance_to(&mut simulation, 0.5);

@@ -59,7 +59,7 @@ fn a_moving_frame_gives_the_same_flow() {
 fn is_the_same_in_a_moving_frame(shifting: bool) {
     let drift = Vector::<2>::new(3.0, -2.0);
     let mut problem = stirred::<2>(20);
-    problem.scheme.transport.shifting = shifting;
+    problem.scheme.transport_velocity.shifting = shifting;
     let mut still = start(problem.clone());
     let mut moving = start(problem);
     for particle in &mut moving.fluid {
@@ -89,7 +89,7 @@ fn half_equals_the_whole(shifting: bool) {
         })));
     };
     let mut whole = cube::<2>(20, WALL);
-    whole.scheme.transport.shifting = shifting;
+    whole.scheme.transport_velocity.shifting = shifting;
     whole.domain.bounds.min[1] = -1.0;
     whole.domain.bounds.max[1] = 1.0;
     symmetric(&mut whole);
@@ -123,8 +123,8 @@ fn bits(threads: usize, shifting: bool, precision: Precision) -> Vec<u64> {
         problem.domain.sides = [[Side::Inlet, Side::Outlet], [WALL, Side::Symmetry]];
         problem.free_stream.velocity = Vector::<2>::new(2.0, 0.0);
         problem.scheme.wall.extrapolation = Extrapolation::Wm;
-        problem.scheme.transport.shield = true;
-        problem.scheme.transport.shifting = shifting;
+        problem.scheme.transport_velocity.shield = true;
+        problem.scheme.transport_velocity.shifting = shifting;
         problem.scheme.precision = precision;
         let mut simulation = start(problem);
         advance(&mut simulation, 40);

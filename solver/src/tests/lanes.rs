@@ -3,6 +3,7 @@
 use super::agreement::compare;
 use super::seam::{DEFAULT, PUBLISHED, Setup};
 use super::*;
+use crate::problem::{NoSlip, Slide, WallHeat};
 
 const SWITCHES: [Setup; 10] = [
     DEFAULT,
@@ -56,6 +57,49 @@ const STICKY: Side = Side::Wall {
     velocity: 0.0,
     acceleration: 0.0,
 };
+
+/// A wall that gas sticks to and that does this to heat; its surface moves along itself.
+fn sticky(heat: WallHeat) -> Side {
+    Side::Wall {
+        kind: WallKind::NoSlip(NoSlip {
+            heat,
+            slide: Slide {
+                velocity: [0.0, 0.7, 0.2],
+                ..Slide::default()
+            },
+        }),
+        velocity: 0.3,
+        acceleration: 0.0,
+    }
+}
+
+/// The schemes with viscous gas.
+fn viscous() -> [Setup; 3] {
+    [DEFAULT, SWITCHES[1], PUBLISHED].map(|setup| Setup {
+        viscous: true,
+        ..setup
+    })
+}
+
+#[test]
+fn lanes_match_the_reference_with_viscous_gas() {
+    let warm = sticky(WallHeat::Temperature(1.3));
+    let heated = sticky(WallHeat::Flux(0.8));
+    for setup in viscous() {
+        compare(setup, &disordered(30, [[warm, heated]]));
+        compare(setup, &disordered(30, [[Side::Inlet, Side::Outlet]]));
+        let sides = [[warm, Side::Symmetry], [heated, WALL]];
+        compare(setup, &disordered(12, sides));
+        let sides = [[Side::Inlet, Side::Outlet], [STICKY, WALL]];
+        compare(setup, &disordered(16, sides));
+    }
+    let sides = [
+        [warm, Side::Symmetry],
+        [WALL, STICKY],
+        [Side::Symmetry, heated],
+    ];
+    compare(viscous()[0], &disordered(7, sides));
+}
 
 fn disordered<const D: usize>(cells: usize, sides: [[Side; 2]; D]) -> Problem<D> {
     let mut problem = cube::<D>(cells, Side::Periodic);

@@ -29,7 +29,7 @@ fn furthest<const D: usize>(a: &Simulation<D>, b: &Simulation<D>, drift: &Vector
 
 fn keeps<const D: usize>(cells: usize, shifting: bool) {
     let mut problem = mixed(stirred::<D>(cells));
-    problem.scheme.transport.shifting = shifting;
+    problem.scheme.transport_velocity.shifting = shifting;
     let mut simulation = start(problem);
     let before = simulation.totals();
     advance(&mut simulation, 50);
@@ -55,7 +55,7 @@ fn mass_stays_and_momentum_and_energy_drift_by_less_than_a_part_in_ten_million()
 fn follows<const D: usize>(cells: usize, scheme: Scheme, shifting: bool) {
     let mut problem = stirred::<D>(cells);
     problem.scheme = scheme;
-    problem.scheme.transport.shifting = shifting;
+    problem.scheme.transport_velocity.shifting = shifting;
     let (mut double, mut mixed) = (start(problem.clone()), start(mixed(problem)));
     advance(&mut double, 20);
     advance(&mut mixed, 20);

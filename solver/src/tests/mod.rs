@@ -23,6 +23,7 @@ mod sources;
 mod steps;
 mod surfaces;
 mod thin;
+mod viscous;
 mod walls;
 
 use std::sync::Arc;

@@ -143,3 +143,14 @@ fn panels_under_more_than_the_free_streams_pressure_have_a_positive_coefficient(
         }
     }
 }
+
+#[test]
+fn gas_at_rest_shows_its_pressure_on_walls_as_far_as_periodic_sides() {
+    let mut problem = cube::<2>(20, Side::Periodic);
+    problem.domain.sides[1] = [WALL; 2];
+    let shown = start(problem).panels();
+    assert!(shown.pressure.len() > 2 * 20);
+    for (pressure, ends) in shown.pressure.iter().zip(shown.points.chunks(2)) {
+        assert!((pressure - 1.0).abs() < 1e-6, "{pressure} at {ends:?}");
+    }
+}

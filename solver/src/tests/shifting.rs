@@ -5,7 +5,7 @@ use crate::shifting::FASTEST;
 fn settled(shifting: bool) -> Simulation<2> {
     let mut problem = cube::<2>(20, Side::Periodic);
     problem.disorder = 0.2;
-    problem.scheme.transport.shifting = shifting;
+    problem.scheme.transport_velocity.shifting = shifting;
     let mut simulation = start(problem);
     advance_to(&mut simulation, 4.0);
     simulation
@@ -33,7 +33,7 @@ fn entropy_spread(simulation: &Simulation<2>) -> f64 {
 fn nothing_drifts_on_a_lattice_within_walls() {
     let mut problem = cube::<2>(12, WALL);
     problem.domain.sides[1][0] = Side::Symmetry;
-    problem.scheme.transport.shifting = true;
+    problem.scheme.transport_velocity.shifting = true;
     let mut simulation = start(problem);
     advance(&mut simulation, 20);
     for (particle, rates) in simulation.fluid.iter().zip(simulation.fluid.rates()) {
@@ -47,7 +47,7 @@ fn nothing_drifts_in_a_uniform_stream() {
     let mut problem = cube::<2>(20, Side::FreeStream);
     problem.free_stream.velocity = Vector::<2>::new(2.5, 0.3);
     problem.scheme.skip_undisturbed = false;
-    problem.scheme.transport.shifting = true;
+    problem.scheme.transport_velocity.shifting = true;
     let mut simulation = start(problem);
     advance(&mut simulation, 40);
     for (particle, rates) in simulation.fluid.iter().zip(simulation.fluid.rates()) {
@@ -86,7 +86,7 @@ fn isentropic(cells: usize, shifting: bool) -> f64 {
     let mut problem = cube::<2>(cells, Side::Periodic);
     problem.spacing = 1.0 / cells as f64;
     problem.domain.bounds.max = Vector::repeat(1.0);
-    problem.scheme.transport.shifting = shifting;
+    problem.scheme.transport_velocity.shifting = shifting;
     let wave = std::f64::consts::TAU;
     problem.initial = Initial::Field(Field(Arc::new(move |position: &Vector<2>| {
         let density = 1.4 + 0.2 * (wave * position[0]).sin() * (wave * position[1]).cos();
@@ -116,7 +116,7 @@ fn shifting_makes_no_entropy_in_smooth_isentropic_flow() {
 fn next_to_a_wall_nothing_drifts_into_it_and_nowhere_faster_than_allowed() {
     let mut problem = stirred::<2>(20);
     problem.domain.sides = [[WALL; 2]; 2];
-    problem.scheme.transport.shifting = true;
+    problem.scheme.transport_velocity.shifting = true;
     let mut simulation = start(problem);
     advance(&mut simulation, 30);
     let end = simulation.problem.domain.bounds.max[0];

@@ -52,6 +52,8 @@ pub struct Origin<const D: usize> {
 pub struct WallAbove<const D: usize> {
     /// Velocity.
     pub velocity: Vector<D>,
+    /// Velocity of the surface along itself beside that, of what gas sticks to.
+    pub slide: Vector<D>,
     /// Acceleration.
     pub acceleration: Vector<D>,
     /// Shape operator: gas that slides at `u` is accelerated by `-u.K u` along the normal.
@@ -85,6 +87,7 @@ impl<const D: usize> WallAbove<D> {
     pub fn at_rest() -> Self {
         Self {
             velocity: Vector::zeros(),
+            slide: Vector::zeros(),
             acceleration: Vector::zeros(),
             curvature: Matrix::zeros(),
             coriolis: Vector::zeros(),

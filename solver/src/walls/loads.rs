@@ -8,6 +8,7 @@ use super::rigid::pad;
 use super::{Ghost, Walls};
 use crate::frame::{Load, Totals};
 use crate::neighbourhood::Neighbourhood;
+use crate::pairs::diffusion::diffuse_into_ghosts;
 use crate::pairs::rates::reactions;
 use crate::particles::{Particles, Rates};
 use crate::problem::{Domain, Problem, Side};
@@ -30,7 +31,7 @@ pub fn loads<const D: usize>(
     walls: &Walls<D>,
     around: &Neighbourhood<D>,
 ) -> Vec<Load> {
-    let forces = ghost_forces(problem, walls, around);
+    let forces = on_ghosts(problem, walls, around);
     let mut loads = vec![Load::default(); walls.body_count()];
     let (bodies, domain) = (&problem.bodies, &problem.domain);
     let rings = Rings::new(problem);
@@ -49,7 +50,7 @@ pub fn loads<const D: usize>(
             None => Vector3::zeros(),
         })
         .collect();
-    for (ghost, force) in walls.ghosts.iter().zip(&forces) {
+    for (ghost, OnGhost { force, .. }) in walls.ghosts.iter().zip(&forces) {
         let body = ghost.body as usize;
         if body < bodies.len() && !domain.bounds.contains(&foot(domain, ghost)) {
             continue;
@@ -111,10 +112,13 @@ pub fn received<const D: usize>(
         impulse += block_impulse;
         work += block_work;
     }
-    if !is_open && walls.are_moving() {
-        let forces = ghost_forces(problem, walls, around);
-        for (ghost, force) in walls.ghosts.iter().zip(forces) {
-            work -= force.dot(&ghost.wall.velocity);
+    if !is_open && (walls.are_moving() || walls.are_sliding() || walls.are_conducting()) {
+        let all = on_ghosts(problem, walls, around);
+        for (ghost, OnGhost { force, heat }) in walls.ghosts.iter().zip(all) {
+            work -= force.dot(&(ghost.wall.velocity + ghost.wall.slide));
+            if walls.kind(ghost.body).conducts() {
+                work -= heat;
+            }
         }
     }
     for k in 0..D {
@@ -124,29 +128,38 @@ pub fn received<const D: usize>(
     received
 }
 
-/// Force of the gas on each ghost, all around an axis if there is one.
-fn ghost_forces<const D: usize>(
+/// What the gas does to a ghost, all around an axis if there is one.
+struct OnGhost<const D: usize> {
+    /// Force.
+    force: Vector<D>,
+    /// Heat that goes into it per time.
+    heat: f64,
+}
+
+/// What the gas does to each ghost.
+fn on_ghosts<const D: usize>(
     problem: &Problem<D>,
     walls: &Walls<D>,
     around: &Neighbourhood<D>,
-) -> Vec<Vector<D>> {
+) -> Vec<OnGhost<D>> {
     let mut rates = vec![Rates::default(); walls.ghosts.len()];
-    reactions(
-        &around.arch,
-        &around.wall_lists.near,
-        &around.records,
-        &problem.scheme,
-        &mut rates,
-    );
+    let (lists, records) = (&around.wall_lists.near, &around.records);
+    reactions(&around.arch, lists, records, &problem.scheme, &mut rates);
+    if problem.gas.is_viscous() {
+        diffuse_into_ghosts(&around.arch, lists, records, &mut rates);
+    }
     let rings = Rings::new(problem);
-    let masses = &around.records.near[around.records.segment(GHOSTS)];
+    let masses = &records.near[records.segment(GHOSTS)];
     rates
         .iter()
         .zip(masses)
         .zip(&walls.ghosts)
         .map(|((rates, near), ghost)| {
-            let around_the_axis = rings.circumference(&foot(&problem.domain, ghost));
-            rates.acceleration * (near.mass * around_the_axis)
+            let mass = near.mass * rings.circumference(&foot(&problem.domain, ghost));
+            OnGhost {
+                force: rates.acceleration * mass,
+                heat: rates.energy * mass,
+            }
         })
         .collect()
 }

@@ -1,12 +1,13 @@
 //! The state that ghosts show the gas: that of the gas nearby, mirrored at the wall.
 
+use aero_geometry::Vector;
 use rayon::prelude::*;
 
 use super::super::backend::Backend;
 use super::super::neighbours::GROWTH;
 use super::super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
 use super::super::records::{Matrix, Records};
-use super::{Ghost, WallLists, Walls, mirror_seeker, seeker};
+use super::{Ghost, WallLists, Walls, mirror_seeker, seeker, sticking};
 use crate::gas::Gas;
 use crate::problem::WallKind;
 use crate::scheme::Extrapolation;
@@ -96,35 +97,38 @@ fn show<const D: usize>(
     law: &Gas,
 ) {
     let wall = ghost.wall.velocity;
+    let slide = gas.velocity - wall;
+    let across = slide.dot(&ghost.normal);
     ghost.shown.velocity = match kind {
-        // Eqs 26-28 with the normal into the gas: the normal component relative to the wall
-        // turns round, or all of the relative velocity.
-        WallKind::Slip => {
-            gas.velocity - ghost.normal * (2.0 * (gas.velocity - wall).dot(&ghost.normal))
-        }
-        WallKind::NoSlip(_) => wall * 2.0 - gas.velocity,
+        // Eqs 26-28 with the normal into the gas: the normal component relative to the wall turns round.
+        WallKind::Slip => gas.velocity - ghost.normal * (2.0 * across),
+        WallKind::NoSlip(_) => sticking::velocity(ghost, gas, arm),
     };
-    // Beyond a slip wall the flow is the mirror image; beyond the other kind it is none, and the viscosity
-    // there stays whole.
+    // Beyond a slip wall the flow is the mirror image; beyond the other kind it goes on.
     ghost.shown.strain = match kind {
         WallKind::Slip => {
             let mirror = Matrix::identity() - ghost.normal * ghost.normal.transpose() * 2.0;
             mirror * gas.strain * mirror
         }
-        WallKind::NoSlip(_) => Matrix::zeros(),
+        WallKind::NoSlip(_) => gas.strain,
     };
     // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure; gas
     // that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.
-    let slide = gas.velocity - wall;
-    let slide = slide - ghost.normal * slide.dot(&ghost.normal);
+    let slide = match kind {
+        WallKind::Slip => slide - ghost.normal * across,
+        WallKind::NoSlip(_) => Vector::zeros(),
+    };
     let density = law.density(gas.pressure, gas.energy);
     let slope = density
         * (ghost.wall.acceleration.dot(&ghost.normal) + ghost.wall.coriolis.dot(&slide)
             - slide.dot(&(ghost.wall.curvature * slide)));
     ghost.shown.pressure = continued(gas.pressure, arm * slope);
     ghost.shown.wall_pressure = continued(gas.pressure, (arm - ghost.depth) * slope);
-    ghost.shown.energy = gas.energy;
-    if keeps_entropy && slope != 0.0 {
+    ghost.shown.energy = match kind {
+        WallKind::Slip => gas.energy,
+        WallKind::NoSlip(wall) => sticking::energy(ghost, gas, arm, wall.heat, law),
+    };
+    if keeps_entropy && slope != 0.0 && !kind.conducts() {
         // Pressure varies across the layer at the wall, entropy hardly [Dadone & Grossman 1994].
         ghost.shown.energy = law.isentropic_energy(gas.energy, gas.pressure, ghost.shown.pressure);
     }

@@ -14,12 +14,14 @@ mod ridges;
 pub mod rigid;
 mod setup;
 pub mod solids;
+mod sticking;
 mod turning;
 
 pub use ghost::{Ghost, Origin, Shown, WallAbove};
 pub use plane::wall_sides;
 pub use rebound::rebound;
 pub use ridges::part as part_ridges;
+pub use sticking::beyond;
 
 use rigid::Pose;
 
@@ -103,6 +105,21 @@ impl<const D: usize> Walls<D> {
         self.bodies.len()
     }
 
+    /// What gas and heat do at the surface of body `number`.
+    pub fn kind(&self, number: u32) -> WallKind {
+        self.bodies[number as usize].1
+    }
+
+    /// True where heat goes through a surface.
+    pub fn are_conducting(&self) -> bool {
+        self.bodies.iter().any(|(_, kind)| kind.conducts())
+    }
+
+    /// True where a surface moves along itself.
+    pub fn are_sliding(&self) -> bool {
+        self.bodies.iter().any(|(_, kind)| kind.slides())
+    }
+
     /// Pose of body `number` at `time`.
     pub fn pose(&self, number: usize, time: f64) -> Pose<D> {
         Pose::new(&self.bodies[number].0, time)
@@ -116,12 +133,17 @@ impl<const D: usize> Walls<D> {
             .map(|(motion, _)| Pose::new(motion, time))
             .collect();
         for ghost in &mut self.ghosts {
-            let pose = &poses[ghost.body as usize];
+            let number = ghost.body as usize;
+            let pose = &poses[number];
             ghost.position = pose.position(&ghost.origin.position);
             ghost.normal = pose.direction(&ghost.origin.normal);
             // The wall moves as its surface does, not as the ghost below it.
             let foot = ghost.foot();
             ghost.wall.velocity = pose.velocity(&foot);
+            ghost.wall.slide = match self.bodies[number].1 {
+                WallKind::Slip => Vector::zeros(),
+                WallKind::NoSlip(wall) => pose.direction(&wall.slide.at(&ghost.origin.position)),
+            };
             ghost.wall.acceleration = pose.acceleration(&foot);
             ghost.wall.curvature = pose.tensor(&ghost.origin.curvature);
             ghost.wall.coriolis = pose.coriolis(&ghost.normal);

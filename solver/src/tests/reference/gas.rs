@@ -199,7 +199,10 @@ pub fn stable_step<const D: usize>(
         let fastest = gas.iter().map(|i| sound(i.energy)).fold(0.0, f64::max);
         let strongest = rates.iter().map(|r| r.acceleration.norm());
         let strongest = strongest.fold(0.0, f64::max);
-        return cfl * (h / fastest).min(0.5 * (h / strongest).sqrt());
+        let tame = cfl * (h / fastest).min(0.5 * (h / strongest).sqrt());
+        return laws
+            .viscous
+            .map_or(tame, |viscous| tame.min(viscous.stable_step(gas)));
     }
     let each = both().map(|(i, rate)| {
         let acoustic = i.h / sound(i.energy);
@@ -212,7 +215,9 @@ pub fn stable_step<const D: usize>(
         };
         acoustic.min(force).min(thins).min(cools)
     });
-    cfl * each.fold(f64::INFINITY, f64::min)
+    let tame = cfl * each.fold(f64::INFINITY, f64::min);
+    laws.viscous
+        .map_or(tame, |viscous| tame.min(viscous.stable_step(gas)))
 }
 
 /// The largest smoothing length that `i` may have: its kernel ends within the five layers of ghosts behind a wall, or `room` and

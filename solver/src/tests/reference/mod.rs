@@ -1,6 +1,7 @@
 //! The method once more, as plain loops over all pairs in plain numbers: slow, short, and written from the equations
 //! rather than from the lanes, which have to match it to round-off.
 
+pub mod diffusion;
 pub mod gas;
 mod images;
 pub mod kernel;
@@ -56,8 +57,31 @@ pub struct Wall<const D: usize> {
     /// Shape operator.
     pub curvature: Matrix<D>,
     pub slips: bool,
+    /// Velocity of the surface along itself, beside the wall's.
+    pub slide: Vector<D>,
+    pub heat: Heat,
     pub has_mirror: bool,
     pub body: usize,
+}
+
+/// What heat does at a wall.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum Heat {
+    Kept,
+    /// The wall has this energy.
+    Passes {
+        energy: f64,
+    },
+    /// From the wall into the gas.
+    Flows(f64),
+}
+
+/// Viscosity `mu_0 T^n`, and heat conduction.
+#[derive(Clone, Copy, Debug)]
+pub struct Viscous {
+    pub viscosity: f64,
+    pub exponent: f64,
+    pub prandtl: f64,
 }
 
 /// Rates of one particle.
@@ -90,4 +114,5 @@ pub struct Laws {
     pub limits_viscosity: bool,
     pub limits_conduction: bool,
     pub transport: Transport,
+    pub viscous: Option<Viscous>,
 }

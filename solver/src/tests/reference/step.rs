@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 
 use super::gas::{Renormalised, density, drift, rate, renormalise, smoothness};
 use super::wall::{force, shield, show};
-use super::{Laws, Map, Point, Rate, Wall, images};
+use super::{Laws, Map, Point, Rate, Viscous, Wall, diffusion, images};
 
 /// All that there is at one time.
 #[derive(Clone, Debug)]
@@ -81,12 +81,36 @@ impl<const D: usize> World<D> {
         each.collect()
     }
 
+    /// Adds what viscosity and conduction do, from the gradients in `rates`. Gas in buffers has those of an even stream.
+    fn diffuse(&self, viscous: Viscous, rates: &mut [Rate<D>], forces: &mut [Vector<D>]) {
+        let mut world = self.clone();
+        for (i, rate) in world.gas.iter_mut().zip(&*rates) {
+            i.strain = rate.velocity_gradient;
+            i.energy_slope = rate.energy_gradient;
+        }
+        for open in &mut world.buffers {
+            open.strain.fill(0.0);
+            open.energy_slope.fill(0.0);
+        }
+        let gas = world.all_gas();
+        for wall in &mut world.walls {
+            wall.point = diffusion::with_gradients(viscous, wall, &gas);
+        }
+        let ghosts = world.all_ghosts();
+        for (i, rate) in world.gas.iter().zip(rates) {
+            diffusion::add(viscous, i, &gas, &ghosts, rate);
+        }
+        for (wall, force) in world.walls.iter().zip(forces) {
+            *force += diffusion::friction(viscous, &wall.point, &gas);
+        }
+    }
+
     /// Ghosts, renormalisation, shifts, rates and forces. `room` is the distance from the nearest open side.
     pub fn evaluate(mut self, asked: Asked, room: impl Fn(&Vector<D>) -> f64) -> Evaluation<D> {
         let Asked { laws, .. } = asked;
         let gas = self.all_gas();
         for wall in &mut self.walls {
-            *wall = show(wall, &gas, asked.mirrors, !laws.published);
+            *wall = show(wall, &gas, asked.mirrors, laws);
         }
         let ghosts = self.all_ghosts();
         let walls = self.all_walls();
@@ -109,15 +133,19 @@ impl<const D: usize> World<D> {
         }
         let gas = self.all_gas();
         let each = self.gas.iter().map(|i| rate(laws, i, &gas, &ghosts));
-        let rates: Vec<_> = each.collect();
+        let mut rates: Vec<_> = each.collect();
+        let mut forces: Vec<_> = self
+            .walls
+            .iter()
+            .map(|wall| force(laws, &wall.point, &gas))
+            .collect();
+        if let Some(viscous) = laws.viscous {
+            self.diffuse(viscous, &mut rates, &mut forces);
+        }
         let both = self.gas.iter().zip(&rates);
         Evaluation {
             smoothness: both.map(|(i, rate)| smoothness(i, rate, 0.0)).collect(),
-            forces: self
-                .walls
-                .iter()
-                .map(|wall| force(laws, &wall.point, &gas))
-                .collect(),
+            forces,
             walls: self.walls,
             renormalised,
             rates,

@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::laws::{Pair, closing_speed, viscous_pressure};
-use super::{GAMMA, Laws, Matrix, Point, Wall, kernel};
+use super::{GAMMA, Heat, Laws, Matrix, Point, Wall, kernel};
 
 /// Gas as it is seen from a point: `centroid` is where the interpolation looked, relative to the point.
 pub struct Seen<const D: usize> {
@@ -104,8 +104,9 @@ pub fn show<const D: usize>(
     wall: &Wall<D>,
     gas: &[Point<D>],
     mirrors: bool,
-    keeps_entropy: bool,
+    laws: Laws,
 ) -> Wall<D> {
+    let keeps_entropy = !laws.published && wall.heat == Heat::Kept;
     let place = wall.point.position;
     let h = wall.point.h;
     let mirror = place + wall.normal * (2.0 * wall.depth);
@@ -128,11 +129,18 @@ pub fn show<const D: usize>(
         mirror -= n * n.transpose() * 2.0;
         shown.strain = mirror * seen.strain * mirror.transpose();
     } else {
-        shown.velocity = wall.surface_velocity - relative;
-        shown.strain = Matrix::zeros();
+        // A straight line through the wall's velocity at the wall.
+        let above = (height - wall.depth).max(0.1 * h);
+        shown.velocity =
+            wall.surface_velocity + wall.slide - (relative - wall.slide) * (wall.depth / above);
+        shown.strain = seen.strain;
     }
     // Gas that follows the wall: dp/dn = -rho n.a, with n.a that of the wall, of Coriolis and of the bend.
-    let slide = relative - n * relative.dot(&n);
+    let slide = if wall.slips {
+        relative - n * relative.dot(&n)
+    } else {
+        Vector::zeros()
+    };
     let full = |v: &Vector<D>| Vector3::from_fn(|k, _| if k < D { v[k] } else { 0.0 });
     let coriolis = wall.spin.cross(&full(&slide)) * 2.0;
     let normal_acceleration = wall.surface_acceleration.dot(&n) + coriolis.dot(&full(&n))
@@ -147,7 +155,19 @@ pub fn show<const D: usize>(
         }
     };
     shown.pressure = continued(height);
-    shown.energy = seen.energy;
+    // A straight line through the wall's energy at the wall, or of the flux's slope.
+    shown.energy = match (wall.heat, laws.viscous) {
+        (Heat::Passes { energy }, _) => {
+            let above = (height - wall.depth).max(0.1 * h);
+            let beyond = energy - (seen.energy - energy) * (wall.depth / above);
+            beyond.max(0.1 * energy.min(seen.energy))
+        }
+        (Heat::Flows(flux), Some(viscous)) => {
+            let beyond = seen.energy - height * viscous.slope(flux, seen.energy);
+            beyond.max(0.1 * seen.energy)
+        }
+        _ => seen.energy,
+    };
     if keeps_entropy {
         shown.energy *= (shown.pressure / seen.pressure).powf((GAMMA - 1.0) / GAMMA);
     }

@@ -6,12 +6,12 @@ mod problems;
 use aero_geometry::Vector;
 use nalgebra::Vector3;
 
-use super::reference::{GAMMA, Point, Rate, Wall};
+use super::reference::{GAMMA, Heat, Point, Rate, Wall};
 use crate::Simulation;
 use crate::evaluation::{Moment, evaluate, read_densities};
 use crate::pairs::renormalisation::{Renormalisation, even_renormalisation};
 use crate::particles::Particle;
-use crate::problem::{Problem, Side, WallKind};
+use crate::problem::{Problem, Side, WallHeat, WallKind};
 use crate::rings::Rings;
 use crate::scheme::Precision;
 use crate::step::prepare;
@@ -63,7 +63,7 @@ impl<const D: usize> Solver<D> {
     pub fn ghosts(&self) -> Vec<Wall<D>> {
         let simulation = &self.0;
         let bodies = &simulation.problem.bodies;
-        let slips = self.slips();
+        let kinds = self.kinds();
         let wall = |ghost: &Ghost<D>| {
             let body = bodies.get(ghost.body as usize);
             Wall {
@@ -92,7 +92,9 @@ impl<const D: usize> Solver<D> {
                     body.motion.turning.rate(simulation.time())
                 }),
                 curvature: ghost.wall.curvature,
-                slips: slips[ghost.body as usize],
+                slips: !kinds[ghost.body as usize].sticks(),
+                slide: ghost.wall.slide,
+                heat: heat_of(kinds[ghost.body as usize]),
                 has_mirror: ghost.has_mirror,
                 body: ghost.body as usize,
             }
@@ -100,8 +102,8 @@ impl<const D: usize> Solver<D> {
         simulation.walls.own().iter().map(wall).collect()
     }
 
-    /// Whether gas slides along each body and wall side.
-    fn slips(&self) -> Vec<bool> {
+    /// What each body and wall side is to the gas.
+    fn kinds(&self) -> Vec<WallKind> {
         let problem = &self.0.problem;
         let bodies = problem.bodies.iter().map(|body| body.wall);
         let sides = wall_sides(&problem.domain).into_iter();
@@ -109,8 +111,7 @@ impl<const D: usize> Solver<D> {
             Side::Wall { kind, .. } => kind,
             _ => unreachable!("only wall sides are listed"),
         });
-        let kinds = bodies.chain(sides);
-        kinds.map(|kind| kind == WallKind::Slip).collect()
+        bodies.chain(sides).collect()
     }
 
     /// Gives the gas new states: number by number what `change` makes of the old one. Rings remember the plane mass that they
@@ -234,6 +235,20 @@ impl<const D: usize> Solver<D> {
     /// The number that a particle keeps for life, in the order of [`Self::gas`].
     pub fn ids(&self) -> Vec<u64> {
         self.0.fluid.iter().map(|particle| particle.id).collect()
+    }
+}
+
+/// What heat does at a wall, in energies of gas whose gas constant is one.
+fn heat_of(kind: WallKind) -> Heat {
+    let WallKind::NoSlip(wall) = kind else {
+        return Heat::Kept;
+    };
+    match wall.heat {
+        WallHeat::Adiabatic => Heat::Kept,
+        WallHeat::Temperature(temperature) => Heat::Passes {
+            energy: temperature / (GAMMA - 1.0),
+        },
+        WallHeat::Flux(flux) => Heat::Flows(flux),
     }
 }
 

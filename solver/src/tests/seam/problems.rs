@@ -6,7 +6,8 @@ use aero_geometry::{Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 use nalgebra::Vector3;
 
-use super::super::reference::{Laws, Map, Transport};
+use super::super::reference::{Laws, Map, Transport, Viscous};
+use crate::gas::{self, Gas};
 use crate::lattice;
 use crate::problem::{Body, Motion, Problem, Side, Turning, WallKind};
 use crate::scheme::{Extrapolation, Scheme};
@@ -21,7 +22,15 @@ pub struct Setup {
     pub shifting: bool,
     pub limits_viscosity: bool,
     pub limits_conduction: bool,
+    pub viscous: bool,
 }
+
+/// Viscosity and conduction of viscous gas.
+const VISCOUS: Viscous = Viscous {
+    viscosity: 0.3,
+    exponent: 0.7,
+    prandtl: 0.72,
+};
 
 /// The default scheme.
 pub const DEFAULT: Setup = Setup {
@@ -31,6 +40,7 @@ pub const DEFAULT: Setup = Setup {
     shifting: false,
     limits_viscosity: true,
     limits_conduction: true,
+    viscous: false,
 };
 
 /// The published scheme.
@@ -53,11 +63,22 @@ impl Setup {
         } else {
             Extrapolation::Wom
         };
-        scheme.transport.shield = self.shield;
-        scheme.transport.shifting = self.shifting;
+        scheme.transport_velocity.shield = self.shield;
+        scheme.transport_velocity.shifting = self.shifting;
         scheme.limit_viscosity(self.limits_viscosity);
         scheme.limit_conduction(self.limits_conduction);
         scheme.skip_undisturbed = false;
+        if self.viscous {
+            let Gas::Ideal(gas) = &mut problem.gas;
+            gas.transport = Some(gas::Transport {
+                viscosity: gas::Viscosity::Power {
+                    viscosity: VISCOUS.viscosity,
+                    temperature: 1.0,
+                    exponent: VISCOUS.exponent,
+                },
+                prandtl: VISCOUS.prandtl,
+            });
+        }
         problem
     }
 
@@ -67,6 +88,7 @@ impl Setup {
             published: self.published,
             limits_viscosity: self.limits_viscosity,
             limits_conduction: self.limits_conduction,
+            viscous: self.viscous.then_some(VISCOUS),
             transport: match (self.published, self.shifting, self.shield) {
                 (_, false, false) => Transport::None,
                 (false, true, _) => Transport::Exchange,

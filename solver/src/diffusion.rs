@@ -1,0 +1,138 @@
+//! Viscosity and heat conduction of the particles: from the gradients of an evaluation to what they add to its rates.
+
+use aero_geometry::kernel::{QuinticSpline, SUPPORT};
+use rayon::prelude::*;
+
+use super::diffusive::{Diffusive, Gradients};
+use super::gas::Gas;
+use super::neighbourhood::Neighbourhood;
+use super::neighbours::Lists;
+use super::pairs::diffusion::diffuse;
+use super::pairs::renormalisation::even_renormalisation;
+use super::particles::{Columns, Particles};
+use super::problem::Problem;
+use super::records::{GHOSTS, Near, Records};
+use super::sides::Buffers;
+use super::walls::{Walls, beyond};
+
+/// Adds what viscosity and conduction do to the rates of the fluid, whose gradients they hold.
+pub fn add<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    buffers: &Buffers<D>,
+    walls: &Walls<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    fill(problem, fluid, buffers, &mut around.records);
+    around.copies.gas.refresh_diffusive(&mut around.records);
+    fill_ghosts(
+        &problem.gas,
+        walls,
+        &around.wall_lists.near,
+        &mut around.records,
+    );
+    around.copies.ghosts.refresh_diffusive(&mut around.records);
+    let rates = fluid.columns().rates;
+    diffuse(&around.arch, &around.lists, &around.records, rates);
+}
+
+/// Writes what flows through the gas, and through what has left.
+fn fill<const D: usize>(
+    problem: &Problem<D>,
+    fluid: &mut Particles<D>,
+    buffers: &Buffers<D>,
+    records: &mut Records<D>,
+) {
+    let gas = &problem.gas;
+    let heat_capacity = gas.heat_capacity_at_volume();
+    let Columns {
+        state,
+        rates,
+        renormalisations,
+        ..
+    } = fluid.columns();
+    let (near, diffusive) = (&records.near, &mut records.diffusive);
+    let count = state.len();
+    diffusive[..count]
+        .par_iter_mut()
+        .zip(&*state)
+        .zip(&*rates)
+        .zip(&*renormalisations)
+        .zip(near)
+        .for_each(|((((diffusive, particle), rates), r), near)| {
+            let gradients = Gradients {
+                velocity: rates.velocity_gradient,
+                energy: rates.energy_gradient,
+            };
+            let coefficients = gas.coefficients(particle.density, particle.energy);
+            let weight = (near.volume, &r.matrix);
+            *diffusive = Diffusive::new(&gradients, weight, coefficients, heat_capacity);
+        });
+    for (slot, open) in (count..).zip(buffers.particles()) {
+        let coefficients = gas.coefficients(open.particle.density, open.particle.energy);
+        let weight = (near[slot].volume, &open.renormalisation);
+        diffusive[slot] = Diffusive::new(&open.gradients, weight, coefficients, heat_capacity);
+    }
+}
+
+/// Writes what flows through ghosts: what flows through the gas nearby, as it goes on beyond the wall.
+fn fill_ghosts<const D: usize>(
+    gas: &Gas,
+    walls: &Walls<D>,
+    lists: &Lists,
+    records: &mut Records<D>,
+) {
+    let first = records.start[GHOSTS];
+    let heat_capacity = gas.heat_capacity_at_volume();
+    let even = even_renormalisation();
+    let (seen, own) = records.diffusive.split_at_mut(first);
+    let near = &records.near;
+    own[..walls.ghosts.len()]
+        .par_chunks_mut(lists.run_targets())
+        .zip(lists.par_runs())
+        .for_each(|(own, run)| {
+            let first_target = run.clusters.first().map_or(0, |first| first.targets.start);
+            for cluster in run.clusters {
+                let gas_near = &run.entries[cluster.gas.clone()];
+                for target in cluster.targets.clone() {
+                    let ghost = &walls.ghosts[target];
+                    let Some(inside) = mean(&near[first + target], gas_near, near, seen) else {
+                        continue;
+                    };
+                    let gradients = beyond(gas, walls.kind(ghost.body), ghost, &inside);
+                    let coefficients = gas.coefficients(ghost.shown.density, ghost.shown.energy);
+                    let weight = (ghost.volume, &even);
+                    own[target - first_target] =
+                        Diffusive::new(&gradients, weight, coefficients, heat_capacity);
+                }
+            }
+        });
+}
+
+/// Mean gradients of the gas in reach, by Shepard's sum; none where there is none.
+fn mean<const D: usize>(
+    at: &Near<D>,
+    listed: &[u32],
+    near: &[Near<D>],
+    diffusive: &[Diffusive<D>],
+) -> Option<Gradients<D>> {
+    let mut sum = Gradients::zeros();
+    let mut weights = 0.0;
+    for &slot in listed {
+        let other = &near[slot as usize];
+        let apart = (other.position - at.position).norm();
+        let h = at.half_h + other.half_h;
+        if apart >= SUPPORT * h {
+            continue;
+        }
+        let weight = QuinticSpline::<D>::value(apart, h);
+        let gradients = diffusive[slot as usize].gradients();
+        sum.velocity += gradients.velocity * weight;
+        sum.energy += gradients.energy * weight;
+        weights += weight;
+    }
+    (weights > 0.0).then(|| Gradients {
+        velocity: sum.velocity / weights,
+        energy: sum.energy / weights,
+    })
+}

@@ -1,0 +1,164 @@
+//! Diffusion of momentum and heat by the gas's own viscosity and conductivity: a second pass over the pairs, which only viscous gas asks
+//! for, over the gradients that the first one found.
+//!
+//! A flux `f`, stress or heat, is summed as pressure is, `sum_j (V_j f_i L_i + V_i f_j L_j) grad_i W_ij`, which conserves what it
+//! carries. That sum of a sum is blind to the shortest wave; what neighbours differ by beyond their gradients is exchanged as well,
+//! by the Laplacian of pairs [Morris, Fox & Zhu 1997, eq. 22; Cleary & Monaghan 1999], and vanishes where the flow is smooth.
+
+mod heat_flux;
+mod viscous_stress;
+
+use aero_geometry::Vector;
+
+pub use heat_flux::HeatFlux;
+pub use viscous_stress::{ViscousStress, stress};
+
+use super::law::Basis;
+use super::pair::{LaneVector, Pair, Target};
+use crate::backend::Backend;
+use crate::lanes::Lane;
+use crate::neighbours::Lists;
+use crate::particles::Rates;
+use crate::records::{Diffusive, GHOSTS, Matrix, Near, Read, Records};
+use crate::vectors::Vectors;
+
+/// Adds to the rates of every listed particle of the fluid what its viscosity and conductivity do; always in `f64`.
+pub fn diffuse<const D: usize>(
+    backend: &impl Backend,
+    lists: &Lists,
+    records: &Records<D>,
+    rates: &mut [Rates<D>],
+) {
+    let met = Neighbours { records, first: 0 };
+    backend.sweep_in_double(lists, records, &met, &(ViscousStress, HeatFlux), rates);
+}
+
+/// Adds what the gas would do to ghosts of mass `rho V`: accelerate them by its friction, and heat them through the wall. Ghosts have no heat
+/// of friction: no work is done inside of a wall.
+pub fn diffuse_into_ghosts<const D: usize>(
+    backend: &impl Backend,
+    lists: &Lists,
+    records: &Records<D>,
+    rates: &mut [Rates<D>],
+) {
+    let first = records.start[GHOSTS];
+    let met = Neighbours { records, first };
+    let mut heated = vec![Rates::default(); rates.len()];
+    backend.sweep_in_double(lists, records, &met, &ViscousStress, rates);
+    backend.sweep_in_double(lists, records, &met, &HeatFlux, &mut heated);
+    for (rates, heated) in rates.iter_mut().zip(heated) {
+        rates.energy = heated.energy;
+    }
+}
+
+/// What a pass reads.
+pub struct Neighbours<'a, const D: usize> {
+    records: &'a Records<D>,
+    first: usize,
+}
+
+/// The particles `i`, one per lane.
+#[derive(Clone, Copy)]
+pub struct Own<V: Vectors, const D: usize> {
+    target: Target<V, D>,
+    velocity: LaneVector<V, D>,
+    energy: Lane<V>,
+}
+
+/// A pair.
+#[derive(Clone, Copy)]
+pub struct Met<V: Vectors, const D: usize> {
+    /// Its geometry.
+    pub pair: Pair<V, D>,
+    /// `V_j F`.
+    pub gradient_volume: Lane<V>,
+    /// `u_i - u_j`.
+    pub jump: LaneVector<V, D>,
+    /// `e_i - e_j`.
+    pub energy: Lane<V>,
+}
+
+/// A particle whose sums are complete.
+pub struct Site<'a, const D: usize> {
+    /// Its density and volume.
+    pub near: &'a Near<D>,
+    /// Its fluxes.
+    pub own: &'a Diffusive<D>,
+    /// Gradient of its velocity.
+    pub velocity_gradient: Matrix<D>,
+    /// Acceleration by the gas, and by all.
+    pub accelerations: [Vector<D>; 2],
+    /// Rate of specific internal energy.
+    pub heating: f64,
+}
+
+impl<const D: usize> Basis<D> for Neighbours<'_, D> {
+    type Own<V: Vectors> = Own<V, D>;
+    type Pair<V: Vectors> = Met<V, D>;
+    type Site<'a>
+        = Site<'a, D>
+    where
+        Self: 'a;
+    type Result = Rates<D>;
+
+    fn first(&self) -> usize {
+        self.first
+    }
+
+    #[inline(always)]
+    fn load<V: Vectors>(
+        &self,
+        vectors: V,
+        read: Read<'_, D, V::Number>,
+        slot: impl Fn(usize) -> usize,
+    ) -> Own<V, D> {
+        let velocity = |l: usize, k: usize| read.near[slot(l)].velocity[k];
+        Own {
+            target: Target::load(vectors, read, &slot),
+            velocity: std::array::from_fn(|k| Lane::gather(vectors, |l| velocity(l, k))),
+            energy: Lane::gather(vectors, |l| read.state[slot(l)].energy),
+        }
+    }
+
+    #[inline(always)]
+    fn meet<V: Vectors>(
+        &self,
+        vectors: V,
+        i: &Own<V, D>,
+        read: Read<'_, D, V::Number>,
+        j: usize,
+    ) -> Met<V, D> {
+        let near = &read.near[j];
+        let pair = Pair::new(vectors, &i.target, near);
+        Met {
+            gradient_volume: Lane::broadcast(vectors, near.volume) * pair.gradient_factor,
+            jump: std::array::from_fn(|k| {
+                i.velocity[k] - Lane::broadcast(vectors, near.velocity[k])
+            }),
+            energy: i.energy - Lane::broadcast(vectors, read.state[j].energy),
+            pair,
+        }
+    }
+
+    /// Nothing flows through what is undisturbed.
+    fn rest(&self, _: usize, _: &mut Rates<D>) {}
+
+    #[inline(always)]
+    fn open(&self, slot: usize, rates: &mut Rates<D>) -> Site<'_, D> {
+        Site {
+            near: &self.records.near[slot],
+            own: &self.records.diffusive[slot],
+            velocity_gradient: rates.velocity_gradient,
+            accelerations: [Vector::zeros(); 2],
+            heating: 0.0,
+        }
+    }
+
+    #[inline(always)]
+    fn close(&self, site: Site<'_, D>, rates: &mut Rates<D>) {
+        let [gas, all] = site.accelerations;
+        rates.acceleration += gas;
+        rates.wall_acceleration += all - gas;
+        rates.energy += site.heating;
+    }
+}
