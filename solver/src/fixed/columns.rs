@@ -33,9 +33,11 @@ impl<const D: usize> Columns<D> {
         states: Vec<Primitive<D>>,
         net: &Net<D>,
         pressure: f64,
+        is_viscous: bool,
     ) -> Self {
         let walls = net.blocks.iter().map(|block| block.walls.len());
-        let shares = vec![Vec::new(); net.blocks.len()];
+        let nothing = |count: usize| vec![WallShare::NONE; if is_viscous { count } else { 0 }];
+        let shares = walls.clone().map(nothing).collect();
         Self {
             before: held.clone(),
             slopes: vec![Slopes::LEVEL; states.len()],

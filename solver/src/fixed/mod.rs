@@ -182,7 +182,13 @@ impl<const D: usize> FixedSimulation<D> {
         let mut simulation = Self {
             arch: Arch::of_processor(Precision::Double)?.instructions,
             quiet: Quiet::of(&net, &problem),
-            columns: Columns::new(held, states, &net, problem.free_stream.pressure),
+            columns: Columns::new(
+                held,
+                states,
+                &net,
+                problem.free_stream.pressure,
+                problem.gas.is_viscous(),
+            ),
             gas,
             viscous: Viscous::of(&problem.gas),
             points: cells.points,

@@ -11,7 +11,7 @@ use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive};
-use super::viscous::{Rubbing, WallShare};
+use super::viscous::Rubbing;
 
 /// Cells of a block.
 pub(super) struct Part<'a, const D: usize> {
@@ -89,7 +89,10 @@ impl<const D: usize> FixedSimulation<D> {
             ..
         } = &mut self.columns;
         let viscosity = |state: &Primitive<D>| viscous.viscosity(state.pressure / state.density);
-        states.par_iter().map(viscosity).collect_into_vec(viscosities);
+        states
+            .par_iter()
+            .map(viscosity)
+            .collect_into_vec(viscosities);
     }
 
     /// What flows in each block that is awake, as `apply` takes it; returns what all cells gain through walls and sides.
@@ -150,9 +153,6 @@ impl<const D: usize> FixedSimulation<D> {
             .map(|(((((block, held), before), pressures), shares), quiet)| {
                 if !quiet.is_awake {
                     return quiet.boundary;
-                }
-                if rubbing.is_some() {
-                    shares.resize(block.walls.len(), WallShare::NONE);
                 }
                 let gains = arch.dispatch(Exchange {
                     gas: &*gas,

@@ -7,9 +7,9 @@
 use rayon::prelude::*;
 
 use super::FixedSimulation;
+use super::columns::Columns;
 use super::gas::Gas;
 use super::net::Net;
-use super::columns::Columns;
 use super::order::{Link, levels};
 use super::state::{Conserved, Primitive, dot, scaled};
 use super::viscous::add_reaches;
@@ -218,9 +218,16 @@ impl<const D: usize> FixedSimulation<D> {
                     viscosities,
                     ..
                 } = &self.columns;
-                add_reaches(viscous, &self.net, block, states, viscosities, |i, reach| {
-                    ends[i] += reach;
-                });
+                add_reaches(
+                    viscous,
+                    &self.net,
+                    block,
+                    states,
+                    viscosities,
+                    |i, reach| {
+                        ends[i] += reach;
+                    },
+                );
             }
         }
         let places = sweeps.order.par_iter().enumerate().with_min_len(CHUNK);

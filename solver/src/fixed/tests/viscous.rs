@@ -11,9 +11,7 @@ use crate::fixed::FixedSimulation;
 use crate::fixed::state::Conserved;
 use crate::gas::{Gas, IdealGas, Transport, Viscosity};
 use crate::method::{FixedPoints, Method, Time};
-use crate::problem::{
-    Added, NoSlip, Problem, Side, Slide, Source, State, WallHeat, WallKind,
-};
+use crate::problem::{Added, NoSlip, Problem, Side, Slide, Source, State, WallHeat, WallKind};
 
 fn gas(viscosity: f64, prandtl: f64) -> Gas {
     Gas::Ideal(IdealGas {
@@ -93,7 +91,9 @@ fn all_terms_of_the_stress_are_there_in_space() {
     problem.initial = field(|x: &Vector<3>| State {
         density: 1.0,
         velocity: [
-            0.3 * x[0] * x[0] + 0.5 * x[1] * x[1] - 0.2 * x[2] * x[2] + 0.7 * x[0] * x[1] + 0.4 * x[0] * x[2],
+            0.3 * x[0] * x[0] + 0.5 * x[1] * x[1] - 0.2 * x[2] * x[2]
+                + 0.7 * x[0] * x[1]
+                + 0.4 * x[0] * x[2],
             -0.6 * x[1] * x[1] + 0.9 * x[0] * x[1] + 0.25 * x[1] * x[2] + 0.1 * x[0] * x[0],
             0.8 * x[2] * x[2] + 0.35 * x[0] * x[2] - 0.45 * x[1] * x[2] + 0.15 * x[0] * x[1],
         ]
@@ -161,7 +161,11 @@ fn rings_are_drawn_out_as_the_gas_goes_outwards() {
         for (point, gain) in points.iter().zip(&gains) {
             if point[1] > 0.25 && point[1] < 1.0 {
                 // Cells of rings are of second order.
-                let slack = if power == 1 { 1e-10 } else { 0.02 * 4.0 * MU * (0.1 / point[1]).max(0.1) };
+                let slack = if power == 1 {
+                    1e-10
+                } else {
+                    0.02 * 4.0 * MU * (0.1 / point[1]).max(0.1)
+                };
                 assert!(
                     (gain.momentum[1] - expected).abs() < slack,
                     "{power} {point} {} {expected}",
@@ -194,7 +198,11 @@ fn driven(cells: usize, is_pipe: bool) -> f64 {
     problem.gas = gas(VISCOSITY, 0.72);
     problem.source = Some(Arc::new(Push([PUSH, 0.0].into())));
     let exact = move |y: f64| {
-        let form = if is_pipe { 0.25 * (1.0 - y * y) } else { 0.5 * y * (1.0 - y) };
+        let form = if is_pipe {
+            0.25 * (1.0 - y * y)
+        } else {
+            0.5 * y * (1.0 - y)
+        };
         PUSH / VISCOSITY * form
     };
     problem.initial = field(move |x: &Vector<2>| State {
@@ -242,7 +250,11 @@ fn vortices_decay_as_fast_as_they_should() {
         }
     });
     let energy = |flow: &FixedSimulation<2>| {
-        let speeds = flow.columns.states.iter().map(|s| s.velocity[0].powi(2) + s.velocity[1].powi(2));
+        let speeds = flow
+            .columns
+            .states
+            .iter()
+            .map(|s| s.velocity[0].powi(2) + s.velocity[1].powi(2));
         speeds.sum::<f64>()
     };
     let before = energy(&FixedSimulation::on(lattice(&problem), problem.clone()).unwrap());
@@ -262,7 +274,11 @@ fn couette(mach: f64, is_adiabatic: bool, cells: usize) -> (f64, f64) {
     let viscosity = Viscosity::AIR.at(temperature);
     let (density, height) = (1.0, 100.0 * viscosity / speed);
     let held = WallHeat::Temperature(temperature);
-    let above = if is_adiabatic { WallHeat::Adiabatic } else { held };
+    let above = if is_adiabatic {
+        WallHeat::Adiabatic
+    } else {
+        held
+    };
     let spacing = height / cells as f64;
     let sides = [
         [Side::Periodic; 2],
@@ -299,7 +315,10 @@ fn couette(mach: f64, is_adiabatic: bool, cells: usize) -> (f64, f64) {
     for (block, shares) in flow.net.blocks.iter().zip(&flow.columns.shares) {
         for (wall, share) in block.walls.iter().zip(shares) {
             if wall.image.normal[1] > 0.0 {
-                found = (share.stress[0] * height / (viscosity * speed), share.level / R);
+                found = (
+                    share.stress[0] * height / (viscosity * speed),
+                    share.level / R,
+                );
             }
         }
     }
@@ -316,6 +335,9 @@ fn air_between_walls_one_of_which_slides_heats_up_as_it_should() {
         let (_, hot) = couette(mach, true, 24);
         let expected = 300.0 * (1.0 + 0.72 * 0.2 * mach * mach);
         println!("Mach {mach}: {hot} {expected}");
-        assert!((hot / expected - 1.0).abs() < 2e-3, "{mach} {hot} {expected}");
+        assert!(
+            (hot / expected - 1.0).abs() < 2e-3,
+            "{mach} {hot} {expected}"
+        );
     }
 }

@@ -117,8 +117,7 @@ impl<const D: usize> Gradient<D> {
         let mut mean = *self;
         for axis in 0..D {
             for k in 0..D {
-                mean.velocity[axis][k] =
-                    0.5 * (self.velocity[axis][k] + other.velocity[axis][k]);
+                mean.velocity[axis][k] = 0.5 * (self.velocity[axis][k] + other.velocity[axis][k]);
             }
             mean.heat[axis] = 0.5 * (self.heat[axis] + other.heat[axis]);
         }

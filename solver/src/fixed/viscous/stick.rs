@@ -61,7 +61,10 @@ pub fn stick<const D: usize>(net: &mut Net<D>, problem: &Problem<D>) -> Result<(
     let Some(viscous) = Viscous::of(&problem.gas) else {
         return Ok(());
     };
-    let bodies = problem.bodies.iter().map(|body| (body.wall, body.name.clone()));
+    let bodies = problem
+        .bodies
+        .iter()
+        .map(|body| (body.wall, body.name.clone()));
     let sides = wall_sides(&problem.domain).into_iter().map(|(axis, end)| {
         let name = format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]);
         match problem.domain.sides[axis][end] {
