@@ -123,6 +123,10 @@ pub struct PanelFrame {
     pub mach: Vec<f64>,
     /// Number of the body, in scene order; wall sides after.
     pub body: Vec<u32>,
+    /// Heat that goes from it into the gas, per area and time; of viscous gas alone.
+    pub heat_flux: Vec<f64>,
+    /// Temperature of the gas on it; of viscous gas alone.
+    pub temperature: Vec<f64>,
 }
 
 /// What the cells about points that stay look like, in the plane (of the meridian about an axis) or in space.
@@ -160,6 +164,10 @@ pub struct Load {
     pub force: [f64; 3],
     /// Moment about the body's moment centre.
     pub moment: [f64; 3],
+    /// What of the force viscosity makes: friction. None of gas without.
+    pub friction: [f64; 3],
+    /// Heat that goes from it into the gas per time.
+    pub heat: f64,
 }
 
 /// Conserved totals over the fluid.

@@ -19,6 +19,12 @@ const THEORY: &str = "manufactured solution (Roache 2002; Negi & Ramachandran 20
 const PLANE: Source = scene!("mms");
 const SPACE: Source = scene!("mms-3d");
 
+/// Viscosity that changes with the temperature, as strong as what the gas carries past.
+const VISCOSITY: [&str; 2] = [
+    "gas.gas_constant=1.0",
+    "gas.viscosity={ power = { viscosity = 0.05, temperature = 0.7, exponent = 0.8 } }",
+];
+
 /// Flows that sources keep to a solution made up beforehand.
 pub struct Manufactured;
 
@@ -94,6 +100,7 @@ struct Study {
     least: f64,
     /// False where that is only told.
     is_judged: bool,
+    is_viscous: bool,
 }
 
 impl Study {
@@ -112,15 +119,17 @@ impl Study {
         };
         let laws = self.scheme.laws();
         let arrangement = self.arrangement.name(self.scheme);
-        format!("{laws}, {dimension}, {arrangement}, {coarse}-{middle}-{fine}")
+        let gas = if self.is_viscous { "viscous, " } else { "" };
+        format!("{laws}, {gas}{dimension}, {arrangement}, {coarse}-{middle}-{fine}")
     }
 
     fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let settings = self.arrangement.settings();
+        let viscosity: &[&str] = if self.is_viscous { &VISCOSITY } else { &[] };
+        let settings = [self.arrangement.settings(), viscosity].concat();
         let series = Series::run(
             self.scene,
             self.scheme,
-            settings,
+            &settings,
             &self.cells,
             None,
             context,
@@ -176,6 +185,7 @@ fn studies(scheme: Scheme, level: Level) -> Vec<Study> {
             least,
             // In space the spacings that can be paid for are too wide to tell.
             is_judged: is_judged && scene.name == PLANE.name,
+            is_viscous: false,
         }
     };
     let quick = [
@@ -189,5 +199,27 @@ fn studies(scheme: Scheme, level: Level) -> Vec<Study> {
         studies.extend(in_full.map(|how| study(PLANE, how, in_plane(how))));
         studies.push(study(SPACE, Arrangement::Lattice, [16, 24, 36]));
     }
+    if scheme.is_of_points() {
+        studies.extend(viscous(level).map(|(scene, arrangement, cells)| Study {
+            is_viscous: true,
+            ..study(scene, arrangement, cells)
+        }));
+    }
     studies
+}
+
+/// What is flown of viscous gas, whose steps are as short as the square of the spacing.
+fn viscous(level: Level) -> impl Iterator<Item = (Source, Arrangement, [u32; 3])> {
+    let (plane, space): (_, &[_]) = match level {
+        Level::Quick => ([16, 32, 64], &[]),
+        Level::Full => ([32, 64, 128], &[[12, 18, 27]]),
+    };
+    let in_plane = [Arrangement::Lattice, Arrangement::Disordered];
+    let in_space = space
+        .iter()
+        .map(|cells| (SPACE, Arrangement::Lattice, *cells));
+    in_plane
+        .map(|how| (PLANE, how, plane))
+        .into_iter()
+        .chain(in_space)
 }

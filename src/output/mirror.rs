@@ -86,6 +86,8 @@ impl Mirrors {
                 &mut surface.pressure,
                 &mut surface.pressure_coefficient,
                 &mut surface.mach,
+                &mut surface.heat_flux,
+                &mut surface.temperature,
             ] {
                 twice(column, |value| *value);
             }

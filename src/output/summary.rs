@@ -106,6 +106,12 @@ pub struct BodySummary {
     pub force: [f64; 3],
     /// Moment at the end, about the body's moment centre, by absolute pressure.
     pub moment: [f64; 3],
+    /// What of it is friction, at the end; of viscous gas alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub friction: Option<[f64; 3]>,
+    /// Heat that goes from it into the gas per time, at the end; of viscous gas alone.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub heat: Option<f64>,
     /// Force at the end, by pressure less that of the free stream; the same on a closed body.
     pub force_gauge: [f64; 3],
     /// Moment at the end, by pressure less that of the free stream.

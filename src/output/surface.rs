@@ -15,13 +15,19 @@ pub fn write_surface(
     is_compressed: bool,
 ) -> Result<(), OutputError> {
     let told = reference.told(surface.time, is_compressed);
-    Cloud::of_cells(surface.corners, &surface.points, &told)
+    let mut cloud = Cloud::of_cells(surface.corners, &surface.points, &told)
         .vectors("normal", &surface.normal)
         .scalars("pressure", &surface.pressure[..])
         .scalars("pressure_coefficient", &surface.pressure_coefficient[..])
         .vectors("friction", &surface.friction)
         .scalars("mach", &surface.mach[..])
         .scalars("area", &surface.area[..])
-        .scalars("body", &surface.body[..])
-        .write(path)
+        .scalars("body", &surface.body[..]);
+    if !surface.heat_flux.is_empty() {
+        cloud = cloud.scalars("heat_flux", &surface.heat_flux[..]);
+        if reference.gas_constant.is_some() {
+            cloud = cloud.scalars("temperature", &surface.temperature[..]);
+        }
+    }
+    cloud.write(path)
 }

@@ -41,6 +41,7 @@ impl Coefficients {
             ambient: Load {
                 force: uniform.force.map(|f| f * stream.pressure),
                 moment: uniform.moment.map(|m| m * stream.pressure),
+                ..Load::default()
             },
             force: dynamic * body.reference_area,
             length: body.reference_length,
@@ -65,6 +66,7 @@ impl Coefficients {
         Load {
             force: less(&load.force, &ambient.force),
             moment: less(&load.moment, &ambient.moment),
+            ..*load
         }
     }
 
@@ -141,7 +143,7 @@ mod tests {
             bodies: vec![Scales {
                 ambient: Load {
                     force: [ambient, 0.0, 0.0],
-                    moment: [0.0; 3],
+                    ..Load::default()
                 },
                 force: 2.0,
                 length: 4.0,
@@ -155,6 +157,7 @@ mod tests {
         let load = Load {
             force: [0.0, 1.0, 0.0],
             moment: [0.0, 0.0, -3.0],
+            ..Load::default()
         };
         let found = of_unit_body(Pressure::Gauge, 0.0).of(0, &load).unwrap();
         assert_eq!((found.cl, found.cm, found.cn), (0.5, 3.0 / 8.0, Some(0.5)));
@@ -164,7 +167,7 @@ mod tests {
     fn what_the_undisturbed_gas_presses_with_counts_where_absolute_pressure_is_asked_for() {
         let load = Load {
             force: [5.0, 0.0, 0.0],
-            moment: [0.0; 3],
+            ..Load::default()
         };
         let cd = |pressure| of_unit_body(pressure, 3.0).of(0, &load).unwrap().cd;
         assert_eq!((cd(Pressure::Gauge), cd(Pressure::Absolute)), (1.0, 2.5));

@@ -27,6 +27,7 @@ pub(super) struct Tally {
     mean_from: f64,
     coefficients: Coefficients,
     warnings: Option<Vec<Warning>>,
+    is_viscous: bool,
     sums: Sums,
 }
 
@@ -109,6 +110,7 @@ impl Tally {
             mean_from: sums.begin(mean_from, simulation.time()),
             coefficients: Coefficients::new(plan, simulation),
             warnings: plan.warnings.clone(),
+            is_viscous: simulation.problem().gas.is_viscous(),
             sums,
         }
     }
@@ -250,6 +252,7 @@ impl Tally {
         let mean = Load {
             force: force_mean,
             moment,
+            ..*load
         };
         let mean = self.coefficients.of(number, &mean);
         let gauge = self.coefficients.gauge(number, load);
@@ -262,6 +265,8 @@ impl Tally {
         BodySummary {
             force: load.force,
             moment: load.moment,
+            friction: self.is_viscous.then_some(load.friction),
+            heat: self.is_viscous.then_some(load.heat),
             force_gauge: gauge.force,
             moment_gauge: gauge.moment,
             coefficients: match self.coefficients.pressure() {

@@ -2,18 +2,20 @@
 //! solution [Roache 2002, J. Fluids Eng. 124, 4-10, DOI 10.1115/1.1436090; Negi & Ramachandran 2021, DOI 10.1063/5.0072383].
 
 mod check;
+mod rubbed;
 mod terms;
 
 use std::sync::Arc;
 
 use aero_geometry::Vector;
+use aero_solver::gas::{Gas, IdealGas};
 use aero_solver::problem::{Added, Field, Initial, Source, State};
 use num_dual::DualSVec64;
 
 use super::error::SceneError;
 use super::file::ManufacturedEntry;
 use super::formula::{Number, Place, TimedFormula};
-pub use terms::{Share, Terms};
+pub use terms::{Rubbed, Share, Terms};
 
 pub(super) use check::check;
 
@@ -30,7 +32,7 @@ pub struct Manufactured<const D: usize> {
     pressure: TimedFormula,
     velocity: [TimedFormula; D],
     spacing: f64,
-    gamma: f64,
+    gas: Gas,
 }
 
 /// A state in any kind of number.
@@ -41,14 +43,14 @@ struct Values<T, const D: usize> {
 }
 
 impl<const D: usize> Manufactured<D> {
-    /// The solution of `entry`, for gas of this ratio of specific heats.
+    /// The solution of `entry`, for this gas.
     ///
     /// # Errors
     /// Too few or too many velocities.
     pub(super) fn new(
         entry: &ManufacturedEntry,
         spacing: f64,
-        gamma: f64,
+        gas: Gas,
     ) -> Result<Self, SceneError> {
         let velocity = entry.velocity.clone().try_into();
         let velocity = velocity.map_err(|given: Vec<TimedFormula>| {
@@ -65,7 +67,7 @@ impl<const D: usize> Manufactured<D> {
             pressure: entry.pressure.clone(),
             velocity,
             spacing,
-            gamma,
+            gas,
         })
     }
 
@@ -81,6 +83,8 @@ impl<const D: usize> Manufactured<D> {
 
     /// What each term of the equations comes to there and then.
     pub fn terms(&self, position: &Vector<D>, time: f64) -> Terms<D> {
+        let Gas::Ideal(IdealGas { gamma, .. }) = self.gas;
+        let rubbed = self.rubbed(position, time);
         let variable = |value: f64, k: usize| DualSVec64::<VARIABLES>::from_re(value).derivative(k);
         let position = std::array::from_fn(|k| variable(at(position, k), k));
         let Values {
@@ -88,7 +92,7 @@ impl<const D: usize> Manufactured<D> {
             pressure,
             velocity,
         } = self.values(position, variable(time, TIME));
-        let energy = pressure / density / (self.gamma - 1.0);
+        let energy = pressure / density / (gamma - 1.0);
         let u = velocity.map(|u| u.re);
         let divergence: f64 = (0..D).map(|k| slope(&velocity[k], k)).sum();
         let along = |value: &DualSVec64<VARIABLES>| (0..D).map(|k| u[k] * slope(value, k)).sum();
@@ -110,6 +114,7 @@ impl<const D: usize> Manufactured<D> {
                 carried: along(&energy),
                 pressed: pressure.re * divergence / density.re,
             },
+            rubbed,
         }
     }
 
@@ -153,16 +158,18 @@ fn slope(value: &DualSVec64<VARIABLES>, k: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
+    use aero_solver::gas::{Transport, Viscosity};
+
     use super::*;
 
-    fn solution() -> Manufactured<2> {
+    fn solution(gas: Gas) -> Manufactured<2> {
         let entry: ManufacturedEntry = toml::from_str(
             r#"density = "1 + 0.3 * sin(x + 2 * y - t)"
                pressure = "exp(0.2 * x) * (1 + t * y)"
                velocity = ["x * y + t", "cos(x) - t^2 * y"]"#,
         )
         .unwrap();
-        Manufactured::new(&entry, 0.1, 1.4).unwrap()
+        Manufactured::new(&entry, 0.1, gas).unwrap()
     }
 
     /// Central difference of `value` along variable `k` of x, y, t.
@@ -179,7 +186,7 @@ mod tests {
     /// In conserved variables, from fluxes: what is checked is also that both forms of the equations agree.
     #[test]
     fn sources_are_what_the_conserved_equations_lack() {
-        let solution = solution();
+        let solution = solution(Gas::ideal(1.4));
         let at = [0.4, -0.7, 0.3];
         let place = |[x, y, t]: [f64; 3]| (Vector::from([x, y]), t);
         // Mass, momentum and energy per volume, and their fluxes along x and y.
@@ -220,5 +227,70 @@ mod tests {
                 "{lacks:?} {expected:?}"
             );
         }
+    }
+
+    /// `div tau`, and `div (tau u + k grad T)` less `u.div tau`, from stress and heat by differences.
+    #[test]
+    fn viscous_sources_are_the_divergence_of_stress_and_heat() {
+        let law = Viscosity::Power {
+            viscosity: 0.3,
+            temperature: 1.0,
+            exponent: 0.8,
+        };
+        let solution = solution(Gas::Ideal(IdealGas {
+            gamma: 1.4,
+            constant: 1.0,
+            transport: Some(Transport {
+                viscosity: law,
+                prandtl: 0.6,
+            }),
+        }));
+        let at = [0.4, -0.7, 0.3];
+        let heat = |[x, y, t]: [f64; 3]| {
+            let state = solution.state(&Vector::from([x, y]), t);
+            state.pressure / state.density
+        };
+        let speed =
+            |[x, y, t]: [f64; 3], k: usize| solution.state(&Vector::from([x, y]), t).velocity[k];
+        // tau_xx, tau_xy, tau_yy and the heat along x and y.
+        let parts = |at: [f64; 3]| -> [f64; 5] {
+            let slope = |k: usize, axis: usize| difference(|at| speed(at, k), at, axis);
+            let viscosity = law.at(heat(at));
+            let third = 2.0 / 3.0 * (slope(0, 0) + slope(1, 1));
+            let conductivity = viscosity * 1.4 / (0.4 * 0.6);
+            [
+                viscosity * (2.0 * slope(0, 0) - third),
+                viscosity * (slope(0, 1) + slope(1, 0)),
+                viscosity * (2.0 * slope(1, 1) - third),
+                conductivity * difference(heat, at, 0),
+                conductivity * difference(heat, at, 1),
+            ]
+        };
+        let along = |part: usize, axis: usize| difference(|at| parts(at)[part], at, axis);
+        let [xx, xy, yy, ..] = parts(at);
+        let slope = |k: usize, axis: usize| difference(|at| speed(at, k), at, axis);
+        let dissipated = xx * slope(0, 0) + xy * (slope(0, 1) + slope(1, 0)) + yy * slope(1, 1);
+        let expected = [
+            along(0, 0) + along(1, 1),
+            along(1, 0) + along(2, 1),
+            dissipated + along(3, 0) + along(4, 1),
+        ];
+        let (position, time) = (Vector::from([at[0], at[1]]), at[2]);
+        let density = solution.state(&position, time).density;
+        let rubbed = solution.terms(&position, time).rubbed;
+        let force = (rubbed.strained + rubbed.dilated + rubbed.thickened) * density;
+        let found = [
+            force[0],
+            force[1],
+            (rubbed.dissipated + rubbed.conducted) * density,
+        ];
+        for k in 0..3 {
+            assert!(
+                (found[k] - expected[k]).abs() < 2e-4,
+                "{found:?} {expected:?}"
+            );
+        }
+        let inviscid = super::tests::solution(Gas::ideal(1.4));
+        assert_eq!(inviscid.terms(&position, time).rubbed, Rubbed::none());
     }
 }

@@ -281,8 +281,19 @@ impl Scene {
     pub fn solution<const D: usize>(&self) -> Result<Option<Manufactured<D>>, SceneError> {
         self.expect_dimension::<D>()?;
         let entry = self.file.manufactured.as_ref();
-        let made =
-            |entry| Manufactured::new(entry, self.file.spacing.get(), flow::gamma(&self.file));
+        // Its viscosity is no stream's.
+        let rest = aero_solver::problem::State {
+            density: 1.0,
+            velocity: aero_geometry::Vector::<D>::zeros(),
+            pressure: 1.0,
+        };
+        let made = |entry| {
+            Manufactured::new(
+                entry,
+                self.file.spacing.get(),
+                viscosity::gas(&self.file, &rest)?,
+            )
+        };
         entry.map(made).transpose()
     }
 

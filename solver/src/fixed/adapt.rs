@@ -150,7 +150,8 @@ impl<const D: usize> FixedSimulation<D> {
         self.quiet = Quiet::of(&net, &self.problem);
         self.given = given_faces(&self.problem, &cells, &net);
         let states = held.iter().map(|held| held.primitive(&self.gas)).collect();
-        self.columns = Columns::new(held, states, &net, self.problem.free_stream.pressure);
+        let pressure = self.problem.free_stream.pressure;
+        self.columns = Columns::new(held, states, &net, pressure, self.viscous.is_some());
         self.points = cells.points;
         self.net = net;
         self.sweeps = None;

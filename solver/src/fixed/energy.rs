@@ -26,9 +26,9 @@ impl EnergyFlux {
     /// A steady flow out of one stream has the total enthalpy of that stream everywhere, and one whose energy goes with the mass comes to
     /// just that [as of the schemes of Liou 1996, J. Comput. Phys. 129, 364-382, section 2.2]. Waves do not see to it: where gas circles
     /// behind a body they warm it by friction and let hardly any of the heat out, to several times the energy that the stream brings.
-    /// In time flows have any, and so have those that sources heat or that several streams feed.
+    /// In time flows have any, and so have those that sources heat, that several streams feed, and that conduct heat.
     pub fn of<const D: usize>(problem: &Problem<D>) -> Self {
-        if problem.method.settles() && problem.has_one_enthalpy() {
+        if problem.method.settles() && problem.has_one_enthalpy() && !problem.gas.is_viscous() {
             let stream = &problem.free_stream;
             let heat = problem.gas.energy(stream.density, stream.pressure);
             let square = stream.velocity.norm_squared();

@@ -13,6 +13,7 @@ use super::real::{Lane, Real};
 use super::reconstruction::{Neighbours, rise};
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot, scaled};
+use super::viscous::{Rubbing, WallShare};
 use super::walls::push;
 
 /// Most lanes of any processor.
@@ -50,6 +51,10 @@ pub struct Exchange<'a, G, const D: usize> {
     pub flow: Flow<'a, D>,
     /// Pressure on each wall of the block.
     pub pressures: &'a mut [f64],
+    /// Of viscous gas.
+    pub rubbing: Option<Rubbing<'a, D>>,
+    /// What each wall of the block does to viscous gas.
+    pub shares: &'a mut [WallShare<D>],
 }
 
 impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
@@ -64,6 +69,8 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
             block,
             flow,
             pressures,
+            rubbing,
+            shares,
         } = self;
         let start = block.cells.start;
         let mut cells = vec![Conserved::ZERO; block.cells.len()];
@@ -99,7 +106,11 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
                 cell.momentum[1] += flow.states[i].pressure * net.cell(i).hoop;
             }
         }
-        Gains { cells, boundary }
+        let mut gains = Gains { cells, boundary };
+        if let Some(rubbing) = rubbing {
+            rubbing.add(net, block, flow, &mut gains, shares);
+        }
+        gains
     }
 }
 

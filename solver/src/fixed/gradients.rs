@@ -4,6 +4,7 @@ use super::gas::Gas;
 use super::net::{Block, Net};
 use super::slopes::Slopes;
 use super::state::{Primitive, dot};
+use super::viscous::{Viscous, add_reaches};
 
 /// What a block's sweep over its faces gives for each cell.
 struct Sums<const D: usize> {
@@ -16,12 +17,13 @@ struct Sums<const D: usize> {
 /// Slopes of the cells of `block`, `grad q = M^-1 sum_j w d (q_j - q_i)`, with `w` the area of a face over its length `d`, so that slivers
 /// count as little as they are; images behind walls and known sides count as neighbours. Exact for linear states.
 ///
-/// Returns the least of `V / L` over the cells, `L` the sum of `(|u.n| + a) A` over all faces.
+/// Returns the least of `V / L` over the cells, `L` the sum of `(|u.n| + a) A` over all faces, and of what viscosity adds to it.
 pub fn slopes<G: Gas, const D: usize>(
     gas: &G,
     net: &Net<D>,
     block: &Block<D>,
     states: &[Primitive<D>],
+    viscous: Option<(&Viscous, &[f64])>,
     results: &mut [Slopes<D>],
 ) -> f64 {
     let start = block.cells.start;
@@ -53,7 +55,7 @@ pub fn slopes<G: Gas, const D: usize>(
     }
     for wall in &block.walls {
         let cell = &states[wall.i as usize];
-        let image = cell.mirrored(&wall.image.normal);
+        let image = wall.beyond(cell);
         let sums = &mut sums[wall.i as usize - start];
         sums.add(&image.plus(-1.0, cell), &wall.image.weight());
         sums.meet(cell, &wall.image);
@@ -65,6 +67,11 @@ pub fn slopes<G: Gas, const D: usize>(
             sums.add(&image.plus(-1.0, cell), &side.image.weight());
         }
         sums.meet(cell, &side.image);
+    }
+    if let Some((viscous, viscosities)) = viscous {
+        add_reaches(viscous, net, block, states, viscosities, |i, reach| {
+            sums[i - start].reach += reach;
+        });
     }
     let mut least = f64::INFINITY;
     for ((sums, i), result) in sums.iter().zip(block.cells.clone()).zip(results) {

@@ -1,8 +1,10 @@
 //! Forces and moments on bodies and walls.
 
+use aero_geometry::Vector;
 use nalgebra::Vector3;
 
 use super::FixedSimulation;
+use super::viscous::WallShare;
 use super::walls::Wall;
 use crate::frame::{Load, Totals};
 use crate::sides::closed::reflections;
@@ -10,7 +12,7 @@ use crate::walls::rigid::pad;
 use crate::walls::wall_sides;
 
 impl<const D: usize> FixedSimulation<D> {
-    /// Loads on the bodies, in scene order; then on the wall sides in the order of [`crate::wall_sides`]: sums of pressure times
+    /// Loads on the bodies, in scene order; then on the wall sides in the order of [`crate::wall_sides`]: sums of pressure and friction times
     /// area at the last evaluation.
     ///
     /// A body that a symmetry plane cuts is reported whole; of one that runs on through an open side, what lies in the domain.
@@ -32,21 +34,32 @@ impl<const D: usize> FixedSimulation<D> {
             })
             .collect();
         let is_axisymmetric = self.problem.domain.is_axisymmetric();
+        let mut shares = self.wall_shares();
         for (wall, pressure) in self.walls() {
             let owner = wall.owner as usize;
             let mut force = wall.image.area() * (pressure * self.around());
             let mut foot = wall.foot;
+            let mut friction = Vector::zeros();
+            if let Some(share) = shares.next() {
+                let size = wall.image.size * self.around();
+                friction = Vector::from(share.stress) * -size;
+                let images = reflections[owner].len() as f64;
+                loads[owner].heat += share.heat * size * images;
+                force += friction;
+            }
             if is_axisymmetric {
                 // What points away from the axis cancels all around.
-                (force[1], foot[1]) = (0.0, 0.0);
+                (force[1], foot[1], friction[1]) = (0.0, 0.0, 0.0);
             }
             for (sign, shift) in &reflections[owner] {
                 let force = pad(&sign.component_mul(&force));
                 let arm = pad(&(sign.component_mul(&foot) + shift)) - centres[owner];
                 let moment = arm.cross(&force);
+                let friction = pad(&sign.component_mul(&friction));
                 for k in 0..3 {
                     loads[owner].force[k] += force[k];
                     loads[owner].moment[k] += moment[k];
+                    loads[owner].friction[k] += friction[k];
                 }
             }
         }
@@ -56,6 +69,11 @@ impl<const D: usize> FixedSimulation<D> {
     /// What the gas received since the start: inflow minus outflow through open sides, and the impulse of walls.
     pub fn inflow(&self) -> Totals {
         self.totals_of(&self.tally.received)
+    }
+
+    /// What each wall does to the gas beside its pressure, in the order of [`Self::walls`]; nothing of gas without viscosity.
+    pub(super) fn wall_shares(&self) -> impl Iterator<Item = &WallShare<D>> {
+        self.columns.shares.iter().flatten()
     }
 
     /// All walls with the pressure on them.

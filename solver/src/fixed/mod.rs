@@ -60,6 +60,7 @@ mod sweeps;
 mod tally;
 #[cfg(test)]
 pub(crate) mod tests;
+mod viscous;
 mod voronoi;
 mod walls;
 mod whole;
@@ -89,12 +90,15 @@ use quiet::Quiet;
 use state::Primitive;
 use sweeps::Sweeps;
 use tally::Tally;
+use viscous::Viscous;
 
 /// A flow about points that stay where they are.
 #[derive(Debug)]
 pub struct FixedSimulation<const D: usize> {
     problem: Problem<D>,
     gas: IdealGas,
+    /// Its viscosity, if it has one.
+    viscous: Option<Viscous>,
     arch: pulp::Arch,
     points: Vec<Vector<D>>,
     /// What the points came from, where more may come.
@@ -178,8 +182,15 @@ impl<const D: usize> FixedSimulation<D> {
         let mut simulation = Self {
             arch: Arch::of_processor(Precision::Double)?.instructions,
             quiet: Quiet::of(&net, &problem),
-            columns: Columns::new(held, states, &net, problem.free_stream.pressure),
+            columns: Columns::new(
+                held,
+                states,
+                &net,
+                problem.free_stream.pressure,
+                problem.gas.is_viscous(),
+            ),
             gas,
+            viscous: Viscous::of(&problem.gas),
             points: cells.points,
             ground: None,
             net,
@@ -198,7 +209,7 @@ impl<const D: usize> FixedSimulation<D> {
         let beyond = beyond_faces(problem, cells)?;
         let sides = wall_sides(&problem.domain);
         let bodies = problem.bodies.len();
-        Net::new(
+        let mut net = Net::new(
             cells,
             &beyond,
             |owner| match owner {
@@ -210,7 +221,9 @@ impl<const D: usize> FixedSimulation<D> {
                 }
             },
             problem.domain.is_axisymmetric(),
-        )
+        )?;
+        viscous::stick(&mut net, problem)?;
+        Ok(net)
     }
 
     /// Finds out which blocks rest, and evaluates once so that loads can be told.

@@ -8,10 +8,11 @@ use super::FixedSimulation;
 use super::gas::Gas;
 use super::pieces::{Nearby, Piece};
 use super::state::dot;
+use super::viscous::{Viscous, WallShare};
 use super::walls::Wall;
 use crate::frame::{Load, PanelFrame};
 use crate::panels::fit::Fit;
-use crate::panels::{Panels, Pressed};
+use crate::panels::{Heated, Panels, Pressed};
 use crate::problem::{Motion, Problem};
 use crate::walls::rigid::Pose;
 
@@ -46,12 +47,21 @@ impl<const D: usize> FixedSimulation<D> {
         let patches: Vec<Patch<D>> = (walls.par_iter().zip(&extents))
             .map(|((wall, _), extent)| Patch::new(&nearby, wall, extent))
             .collect();
-        let pressed: Vec<Pressed<D>> = pieces
+        let mut pressed: Vec<Pressed<D>> = pieces
             .par_iter()
             .map(|pieces| self.pressed(pieces, &walls, &patches))
             .collect();
+        let mut heated = Vec::new();
+        if let Some(viscous) = &self.viscous {
+            let shares: Vec<&WallShare<D>> = self.wall_shares().collect();
+            for (pieces, pressed) in pieces.iter().zip(&mut pressed) {
+                let (friction, heat) = rubbed(viscous, pieces, &shares, &patches);
+                pressed.friction = friction;
+                heated.push(heat);
+            }
+        }
         let still = Pose::new(&Motion::none(), 0.0);
-        panels.frame(&self.problem, self.tally.time, &pressed, |_| still)
+        panels.frame(&self.problem, self.tally.time, &pressed, &heated, |_| still)
     }
 
     /// Loads of a pressure of one everywhere: on bodies, then on wall sides.
@@ -94,6 +104,25 @@ impl<const D: usize> FixedSimulation<D> {
         let sound = self.gas.sound_square(state.density, state.pressure).sqrt();
         dot(&state.velocity, &state.velocity).sqrt() / sound
     }
+}
+
+/// Friction and heat on a panel: the means over its pieces.
+fn rubbed<const D: usize>(
+    viscous: &Viscous,
+    pieces: &[Piece<D>],
+    shares: &[&WallShare<D>],
+    patches: &[Patch<D>],
+) -> (Vector<D>, Heated) {
+    let mut friction = Vector::zeros();
+    let mut heated = Heated::default();
+    for piece in pieces {
+        let share = shares[piece.wall];
+        let size = piece.part * patches[piece.wall].ratio;
+        friction -= Vector::from(share.stress) * size;
+        heated.flux += size * share.heat;
+        heated.temperature += piece.part * viscous.temperature(share.level);
+    }
+    (friction, heated)
 }
 
 /// Sums over what belongs to a wall.

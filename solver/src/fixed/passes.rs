@@ -10,7 +10,8 @@ use super::gradients::slopes;
 use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
 use super::slopes::Slopes;
-use super::state::Conserved;
+use super::state::{Conserved, Primitive};
+use super::viscous::Rubbing;
 
 /// Cells of a block.
 pub(super) struct Part<'a, const D: usize> {
@@ -41,8 +42,10 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// The same; returns the least of `V / L` block by block.
     pub(super) fn find_reaches(&mut self) -> Vec<f64> {
+        self.find_viscosities();
         let Self {
             gas,
+            viscous,
             net,
             quiet,
             columns,
@@ -52,8 +55,10 @@ impl<const D: usize> FixedSimulation<D> {
             states,
             slopes: results,
             careful,
+            viscosities,
             ..
         } = columns;
+        let viscous = viscous.as_ref().map(|viscous| (viscous, &**viscosities));
         let least: Vec<f64> = net
             .blocks
             .par_iter()
@@ -61,7 +66,7 @@ impl<const D: usize> FixedSimulation<D> {
             .zip(&quiet.blocks)
             .map(|((block, results), quiet)| {
                 if quiet.is_awake {
-                    slopes(gas, net, block, states, results)
+                    slopes(gas, net, block, states, viscous, results)
                 } else {
                     quiet.reach
                 }
@@ -71,6 +76,23 @@ impl<const D: usize> FixedSimulation<D> {
             results[i as usize].calmness = Slopes::<D>::CAREFUL;
         }
         least
+    }
+
+    /// Viscosities of all cells, of gas that has one.
+    fn find_viscosities(&mut self) {
+        let Some(viscous) = &self.viscous else {
+            return;
+        };
+        let Columns {
+            states,
+            viscosities,
+            ..
+        } = &mut self.columns;
+        let viscosity = |state: &Primitive<D>| viscous.viscosity(state.pressure / state.density);
+        states
+            .par_iter()
+            .map(viscosity)
+            .collect_into_vec(viscosities);
     }
 
     /// What flows in each block that is awake, as `apply` takes it; returns what all cells gain through walls and sides.
@@ -93,9 +115,12 @@ impl<const D: usize> FixedSimulation<D> {
         apply: impl Fn(&Net<D>, Part<'_, D>, &Gains<D>) + Sync,
     ) -> Vec<Conserved<D>> {
         let energy = EnergyFlux::of(&self.problem);
+        let is_axisymmetric = self.problem.domain.is_axisymmetric();
         let Self {
             arch,
             gas,
+            viscous,
+            points,
             net,
             quiet,
             columns,
@@ -107,16 +132,25 @@ impl<const D: usize> FixedSimulation<D> {
             held,
             before,
             pressures,
+            viscosities,
+            shares,
             ..
         } = columns;
         let flow = Flow { states, slopes };
+        let rubbing = viscous.as_ref().map(|viscous| Rubbing {
+            viscous,
+            viscosities,
+            points,
+            is_axisymmetric,
+        });
         net.blocks
             .par_iter()
             .zip(held.par_chunks_mut(BLOCK))
             .zip(before.par_chunks_mut(BLOCK))
             .zip(pressures.par_iter_mut())
+            .zip(shares.par_iter_mut())
             .zip(&quiet.blocks)
-            .map(|((((block, held), before), pressures), quiet)| {
+            .map(|(((((block, held), before), pressures), shares), quiet)| {
                 if !quiet.is_awake {
                     return quiet.boundary;
                 }
@@ -127,6 +161,8 @@ impl<const D: usize> FixedSimulation<D> {
                     block,
                     flow,
                     pressures: pressures.as_mut_slice(),
+                    rubbing,
+                    shares,
                 });
                 let boundary = gains.boundary;
                 let start = block.cells.start;

@@ -104,7 +104,9 @@ impl<const D: usize> Stream<D> {
             .iter()
             .filter(|s| matches!(s.beyond, Beyond::Mirror));
         let is_bent = |wall: &Wall<D>| wall.curvature != Matrix::<D>::zeros();
-        walls.clone().any(is_bent)
+        walls
+            .clone()
+            .any(|wall| is_bent(wall) || wall.stick.is_some())
             || block
                 .sides
                 .iter()

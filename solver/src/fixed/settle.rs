@@ -7,6 +7,7 @@ use serde::{Deserialize, Serialize};
 
 use super::FixedSimulation;
 use crate::Failure;
+use crate::frame::Load;
 
 /// The Courant number grows by this much with each iteration.
 const RAMP: f64 = 0.4;
@@ -133,8 +134,24 @@ impl<const D: usize> FixedSimulation<D> {
                 .iter()
                 .flat_map(|load| load.force.map(|f| f / largest)),
         );
+        if self.viscous.is_some() {
+            watched.extend(rubbed(&loads));
+        }
         watched
     }
+}
+
+/// Friction and heat of all `loads`, in parts of the largest: beside pressure they hardly count, and they settle last.
+fn rubbed(loads: &[Load]) -> Vec<f64> {
+    let parts = |values: Vec<f64>| {
+        let largest = values
+            .iter()
+            .fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()));
+        values.into_iter().map(move |value| value / largest)
+    };
+    let friction = loads.iter().flat_map(|load| load.friction).collect();
+    let heat = loads.iter().map(|load| load.heat).collect();
+    parts(friction).chain(parts(heat)).collect()
 }
 
 impl Settling {

@@ -7,10 +7,12 @@
 use rayon::prelude::*;
 
 use super::FixedSimulation;
+use super::columns::Columns;
 use super::gas::Gas;
 use super::net::Net;
 use super::order::{Link, levels};
 use super::state::{Conserved, Primitive, dot, scaled};
+use super::viscous::add_reaches;
 use crate::Failure;
 
 /// A cell changes its density in one step by this part at most.
@@ -210,6 +212,23 @@ impl<const D: usize> FixedSimulation<D> {
                 let speed = dot(&state.velocity, &image.normal).abs() + self.sound(state);
                 ends[i as usize] += speed * image.size;
             }
+            if let Some(viscous) = &self.viscous {
+                let Columns {
+                    states,
+                    viscosities,
+                    ..
+                } = &self.columns;
+                add_reaches(
+                    viscous,
+                    &self.net,
+                    block,
+                    states,
+                    viscosities,
+                    |i, reach| {
+                        ends[i] += reach;
+                    },
+                );
+            }
         }
         let places = sweeps.order.par_iter().enumerate().with_min_len(CHUNK);
         let reach = |(place, &i): (usize, &u32)| {
@@ -264,7 +283,12 @@ impl<const D: usize> FixedSimulation<D> {
             let state = &self.columns.states[j];
             let speed = dot(&state.velocity, &area);
             let moved = state.flux_change(&self.gas, self.columns.held[j].energy, &area, change);
-            let wave = speed.abs() + self.sound(state) * shape.size;
+            let mut wave = speed.abs() + self.sound(state) * shape.size;
+            if let Some(viscous) = &self.viscous {
+                let apart = dot(&shape.apart, &shape.apart).sqrt();
+                let viscosities = [self.columns.viscosities[j]; 2];
+                wave += viscous.reach(viscosities, state.density, shape.size, apart);
+            }
             sum = sum.plus(1.0, &moved).plus(-wave, change);
         }
         sum

@@ -8,6 +8,7 @@ use super::gas::Gas;
 use super::limiter::minmod;
 use super::reconstruction::{Neighbours, rise};
 use super::state::{Conserved, Primitive, dot};
+use super::viscous::Stick;
 
 /// The mirror image of a cell's point behind a plane.
 #[derive(Clone, Copy, Debug)]
@@ -115,6 +116,8 @@ pub struct Wall<const D: usize> {
     pub curvature: Matrix<D>,
     /// Where it is.
     pub foot: Vector<D>,
+    /// How gas sticks to it, if it does.
+    pub stick: Option<Stick<D>>,
 }
 
 impl<const D: usize> Wall<D> {
@@ -126,6 +129,30 @@ impl<const D: usize> Wall<D> {
             owner,
             curvature: face.curvature,
             foot: face.foot,
+            stick: None,
+        }
+    }
+
+    /// The state behind it, as the slopes of `cell` see it: the mirror image where gas slides along.
+    #[inline]
+    pub fn beyond(&self, cell: &Primitive<D>) -> Primitive<D> {
+        match &self.stick {
+            None => cell.mirrored(&self.image.normal),
+            Some(stick) => stick.beyond(cell),
+        }
+    }
+
+    /// `u.K u` along the wall; of gas that sticks to it and moves as the wall there, the mean up to the cell.
+    fn bend(&self, velocity: &[f64; D]) -> f64 {
+        let velocity = Vector::from(*velocity);
+        let own = velocity.dot(&(self.curvature * velocity));
+        match &self.stick {
+            None => own,
+            Some(stick) => {
+                let slide = Vector::from(stick.velocity);
+                let bent = self.curvature * slide;
+                (own + velocity.dot(&bent) + slide.dot(&bent)) / 3.0
+            }
         }
     }
 
@@ -143,8 +170,7 @@ impl<const D: usize> Wall<D> {
     ) -> f64 {
         let distance = self.image.distance;
         let inner = self.image.inner(cell, slopes, calmness);
-        let velocity = Vector::from(cell.velocity);
-        let along = velocity.dot(&(self.curvature * velocity));
+        let along = self.bend(&cell.velocity);
         let turn = Turn::of(&self.image, cell, slopes, along, calmness);
         let sound = gas.sound_square(inner.density, inner.pressure).sqrt();
         let speed = turn.speed(dot(&inner.velocity, &self.image.normal), sound);
@@ -272,6 +298,7 @@ mod tests {
             owner: 0,
             curvature: Matrix::zeros(),
             foot: Vector::zeros(),
+            stick: None,
         };
         let pressure = wall.pressure(&AIR, &cell, &slopes.along, 1.0);
         assert!((pressure - 0.8).abs() < 1e-15, "{pressure}");
@@ -298,6 +325,7 @@ mod tests {
                 owner: 0,
                 curvature,
                 foot: Vector::zeros(),
+                stick: None,
             };
             let pressure = wall.pressure(&AIR, &cell, &Slopes::LEVEL.along, 1.0);
             let expected = 0.8 - 0.1 * 1.2 * 4.0 * bend;
@@ -319,6 +347,7 @@ mod tests {
             owner: 0,
             curvature: Matrix::zeros(),
             foot: Vector::zeros(),
+            stick: None,
         };
         let resolved = wall.pressure(&AIR, &cell, &slopes.along, 1.0);
         assert!((resolved - 0.8).abs() < 1e-15, "{resolved}");

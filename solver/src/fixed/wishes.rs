@@ -36,6 +36,10 @@ impl<const D: usize> FixedSimulation<D> {
                     steepest[i] = steepest[i].max(change);
                 }
             }
+            // A layer is as thin as cells can show at walls that gas sticks to.
+            for wall in block.walls.iter().filter(|wall| wall.stick.is_some()) {
+                steepest[wall.i as usize] = f64::INFINITY;
+            }
         }
         steepest
     }

@@ -72,6 +72,18 @@ impl Viscosity {
         }
     }
 
+    /// How fast it changes with the temperature, `d mu / d T`.
+    pub fn slope(&self, temperature: f64) -> f64 {
+        let viscosity = self.at(temperature);
+        match *self {
+            Self::Constant(_) => 0.0,
+            Self::Power { exponent, .. } => viscosity * exponent / temperature,
+            Self::Sutherland { constant, .. } => {
+                viscosity * (1.5 / temperature - 1.0 / (temperature + constant))
+            }
+        }
+    }
+
     /// True where it has to know the temperature.
     pub fn asks_for_temperature(&self) -> bool {
         !matches!(self, Self::Constant(_))
@@ -101,6 +113,19 @@ mod tests {
     fn air_is_as_viscous_as_the_standard_atmosphere_says() {
         assert_relative_eq!(Viscosity::AIR.at(288.15), 1.7894e-5, max_relative = 2e-3);
         assert_relative_eq!(Viscosity::AIR.at(216.65), 1.4216e-5, max_relative = 2e-3);
+    }
+
+    #[test]
+    fn slopes_are_those_of_differences() {
+        let power = Viscosity::Power {
+            viscosity: 2.0,
+            temperature: 100.0,
+            exponent: 0.75,
+        };
+        for law in [Viscosity::AIR, power, Viscosity::Constant(3.0)] {
+            let difference = (law.at(250.1) - law.at(249.9)) / 0.2;
+            assert_relative_eq!(law.slope(250.0), difference, max_relative = 1e-6);
+        }
     }
 
     #[test]

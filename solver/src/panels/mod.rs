@@ -9,6 +9,7 @@ mod show;
 mod uniform;
 
 pub use press::Pressed;
+pub use show::Heated;
 
 use aero_geometry::{Bounds, Vector};
 

@@ -10,13 +10,22 @@ use crate::problem::Problem;
 use crate::rings::Rings;
 use crate::walls::rigid::{Pose, pad};
 
+/// What heat does on a panel.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct Heated {
+    /// Into the gas, per area and time.
+    pub flux: f64,
+    /// Temperature of the gas there.
+    pub temperature: f64,
+}
+
 impl<const D: usize> Simulation<D> {
     /// The surfaces that the domain holds with the pressure on them now, bodies in scene order and wall sides after.
     pub fn panels(&self) -> PanelFrame {
         let panels = self.panels.get_or_init(|| Panels::new(&self.problem));
         let pressed = pressed(self, panels);
         let time = self.clock.time;
-        panels.frame(&self.problem, time, &pressed, |owner| {
+        panels.frame(&self.problem, time, &pressed, &[], |owner| {
             self.walls.pose(owner, time)
         })
     }
@@ -29,12 +38,14 @@ impl<const D: usize> Simulation<D> {
 }
 
 impl<const D: usize> Panels<D> {
-    /// What of the panels lies in the domain of `problem` at `time`, where owners are as `pose` says.
+    /// What of the panels lies in the domain of `problem` at `time`, where owners are as `pose` says; `heated` is empty where no heat is
+    /// conducted.
     pub fn frame(
         &self,
         problem: &Problem<D>,
         time: f64,
         pressed: &[Pressed<D>],
+        heated: &[Heated],
         pose: impl Fn(usize) -> Pose<D>,
     ) -> PanelFrame {
         let stream = &problem.free_stream;
@@ -46,7 +57,7 @@ impl<const D: usize> Panels<D> {
             ..PanelFrame::default()
         };
         let mut of_owner: Option<(u32, Pose<D>)> = None;
-        for (panel, pressed) in self.all.iter().zip(pressed) {
+        for (number, (panel, pressed)) in self.all.iter().zip(pressed).enumerate() {
             let pose = match &of_owner {
                 Some((owner, pose)) if *owner == panel.owner => *pose,
                 _ => pose(panel.owner as usize),
@@ -73,6 +84,10 @@ impl<const D: usize> Panels<D> {
             frame.friction.push(pad(&pressed.friction).into());
             frame.mach.push(pressed.mach);
             frame.body.push(panel.owner);
+            if let Some(heated) = heated.get(number) {
+                frame.heat_flux.push(heated.flux);
+                frame.temperature.push(heated.temperature);
+            }
         }
         frame
     }

@@ -27,6 +27,12 @@ pub enum Term {
     Carried,
     /// What pressure or divergence does.
     Pressed,
+    /// What viscosity does along straight lines, or its heat.
+    Rubbed,
+    /// What viscosity does where gas spreads, or the heat that is conducted.
+    Spread,
+    /// What a change of the viscosity does.
+    Thickened,
 }
 
 /// A wrong factor of a term.
@@ -52,6 +58,12 @@ impl fmt::Display for Mistake {
             (Equation::Energy, Term::Unsteady) => "e_t",
             (Equation::Energy, Term::Carried) => "u.grad e",
             (Equation::Energy, Term::Pressed) => "p div u / rho",
+            (Equation::Velocity, Term::Rubbed) => "mu lap u / rho",
+            (Equation::Velocity, Term::Spread) => "mu grad div u / (3 rho)",
+            (Equation::Velocity, Term::Thickened) => "strain grad mu / rho",
+            (Equation::Energy, Term::Rubbed) => "tau : grad u / rho",
+            (Equation::Energy, Term::Spread | Term::Thickened) => "div (k grad T) / rho",
+            (Equation::Density, _) => "nothing",
         };
         if self.factor == -1.0 {
             write!(f, "the wrong sign of {term}")
@@ -78,6 +90,15 @@ impl<const D: usize> Source<D> for Mistaken<D> {
             term,
             factor,
         } = self.mistake;
+        let rubbed = &mut terms.rubbed;
+        match (equation, term) {
+            (Equation::Velocity, Term::Rubbed) => rubbed.strained *= factor,
+            (Equation::Velocity, Term::Spread) => rubbed.dilated *= factor,
+            (Equation::Velocity, Term::Thickened) => rubbed.thickened *= factor,
+            (Equation::Energy, Term::Rubbed) => rubbed.dissipated *= factor,
+            (Equation::Energy, Term::Spread | Term::Thickened) => rubbed.conducted *= factor,
+            _ => {}
+        }
         match equation {
             Equation::Density => scale(&mut terms.density, term, factor),
             Equation::Velocity => scale(&mut terms.velocity, term, factor),
@@ -88,9 +109,10 @@ impl<const D: usize> Source<D> for Mistaken<D> {
 }
 
 fn scale<T: std::ops::MulAssign<f64>>(share: &mut Share<T>, term: Term, factor: f64) {
-    *match term {
-        Term::Unsteady => &mut share.unsteady,
-        Term::Carried => &mut share.carried,
-        Term::Pressed => &mut share.pressed,
-    } *= factor;
+    match term {
+        Term::Unsteady => share.unsteady *= factor,
+        Term::Carried => share.carried *= factor,
+        Term::Pressed => share.pressed *= factor,
+        Term::Rubbed | Term::Spread | Term::Thickened => {}
+    }
 }

@@ -4,12 +4,21 @@ use aero_validation::table::{Check, Subject};
 
 use super::mistake::{Equation, Mistake, Term};
 use super::series::Series;
-use super::{NAME, PLANE};
+use super::{NAME, PLANE, VISCOSITY};
 use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::variant::Scheme;
 
 /// A mistake is caught where the order of the error of what its equation is for falls below this.
 const CAUGHT: f64 = 1.5;
+
+/// The terms of viscosity and heat conduction.
+const VISCOUS: [(Equation, Term); 5] = [
+    (Equation::Velocity, Term::Rubbed),
+    (Equation::Velocity, Term::Spread),
+    (Equation::Velocity, Term::Thickened),
+    (Equation::Energy, Term::Rubbed),
+    (Equation::Energy, Term::Spread),
+];
 
 /// Every term of every equation with the wrong sign and with one per cent too much.
 pub fn compare(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
@@ -33,7 +42,19 @@ pub fn compare(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, Comp
                     term,
                     factor,
                 };
-                checks.push(caught(mistake, scheme, cells, context)?);
+                checks.push(caught(mistake, scheme, &[], cells, context)?);
+            }
+        }
+    }
+    if scheme.is_of_points() {
+        for (equation, term) in VISCOUS {
+            for &factor in factors {
+                let mistake = Mistake {
+                    equation,
+                    term,
+                    factor,
+                };
+                checks.push(caught(mistake, scheme, &VISCOSITY, cells, context)?);
             }
         }
     }
@@ -44,6 +65,7 @@ pub fn compare(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, Comp
 fn caught(
     mistake: Mistake,
     scheme: Scheme,
+    settings: &[&str],
     cells: &[u32],
     context: &Context<'_>,
 ) -> Result<Check, CompareError> {
@@ -53,7 +75,7 @@ fn caught(
         Equation::Density => 1,
         Equation::Energy => 2,
     };
-    let series = Series::run(PLANE, scheme, &[], cells, Some(mistake), context)?;
+    let series = Series::run(PLANE, scheme, settings, cells, Some(mistake), context)?;
     let orders = series.orders(quantity);
     let first = cells[1..]
         .iter()

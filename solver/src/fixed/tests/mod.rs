@@ -20,6 +20,7 @@ mod plane;
 mod sides;
 mod space;
 mod tubes;
+mod viscous;
 mod wakes;
 
 /// A box with open sides.
