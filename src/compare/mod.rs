@@ -27,6 +27,7 @@ mod step;
 mod stress;
 mod variant;
 mod view;
+mod viscous;
 pub mod wedge;
 
 use crate::nearest::nearest;
@@ -40,7 +41,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 16] = [
+static CASES: [Case; 17] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -49,6 +50,7 @@ static CASES: [Case; 16] = [
     ("duct", &[&duct::DUCT]),
     ("sound", &[&sound::SOUND]),
     ("mms", &[&mms::Manufactured]),
+    ("viscous", &[&viscous::Viscous]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),

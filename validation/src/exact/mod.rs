@@ -1,12 +1,15 @@
-//! Exact and near-exact solutions of the Euler equations for a calorically perfect gas.
+//! Exact and near-exact solutions of the Euler and Navier-Stokes equations for a calorically perfect gas.
 //!
 //! One file per solution. Angles are radians unless a name ends in `_deg`; pressures, densities and
 //! speeds carry whatever consistent units the caller uses, ratios none. Nothing here knows about
 //! particles, grids or files.
 
 pub mod accelerating_piston;
+pub mod becker;
 pub mod billig;
 pub mod cone;
+pub mod couette;
+pub mod flat_plate;
 pub mod isentropic;
 pub mod newtonian;
 pub mod noh;

@@ -1,0 +1,31 @@
+//! Viscous flows with exact solutions: heated shear, the inside of a shock, vortices that decay, the boundary layer of a plate.
+
+mod plate;
+mod shear;
+mod shock;
+mod vortices;
+
+use aero_validation::table::Check;
+
+use super::comparison::Compare;
+use super::context::{CompareError, Context, Level};
+
+const NAME: &str = "viscous";
+const GAMMA: f64 = 1.4;
+/// J/(kg K), as in the scenes.
+const GAS_CONSTANT: f64 = 287.05;
+
+/// Flows of points that stay; particles know no viscosity.
+pub struct Viscous;
+
+impl Compare for Viscous {
+    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+        let mut checks = shear::compare(context)?;
+        checks.extend(shock::compare(context)?);
+        checks.extend(vortices::compare(context)?);
+        if context.level == Level::Full {
+            checks.extend(plate::compare(context)?);
+        }
+        Ok(checks)
+    }
+}

@@ -1,0 +1,110 @@
+//! The laminar boundary layer of air along a flat plate.
+
+use aero::run::Outcome;
+use aero_validation::exact::couette::air_viscosity;
+use aero_validation::exact::flat_plate::{FlatPlate, Layer};
+use aero_validation::table::{Check, Subject};
+
+use super::{GAMMA, GAS_CONSTANT, NAME};
+use crate::compare::context::{CompareError, Context};
+use crate::compare::profiles::median;
+use crate::compare::scenes::{Source, scene};
+
+const SCENE: Source = scene!("flat-plate");
+const THEORY: &str =
+    "similar solution by Sutherland's law (White, Viscous Fluid Flow, section 7-4)";
+/// As in the scene, K.
+const TEMPERATURE: f64 = 220.0;
+/// Per unit of length.
+const REYNOLDS: f64 = 1e5;
+/// Where friction and temperature are read.
+const WINDOW: [f64; 2] = [0.9, 1.05];
+/// Per cent.
+const FRICTION: f64 = 3.0;
+const RECOVERY: f64 = 1.0;
+
+pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let mut checks = Vec::new();
+    for (mach, wall) in [
+        (0.5, None),
+        (2.0, None),
+        (3.0, None),
+        (2.0, Some(TEMPERATURE)),
+        (3.0, Some(TEMPERATURE)),
+    ] {
+        checks.extend(of(mach, wall, context)?);
+    }
+    Ok(checks)
+}
+
+fn of(mach: f64, wall: Option<f64>, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let sound = (GAMMA * GAS_CONSTANT * TEMPERATURE).sqrt();
+    let speed = mach * sound;
+    let density = REYNOLDS * air_viscosity(TEMPERATURE) / speed;
+    let pressure = density * GAS_CONSTANT * TEMPERATURE;
+    let heat = wall.map_or(String::new(), |wall| format!(", temperature = {wall:?}"));
+    let mut settings = vec![
+        format!("free_stream.mach={mach:?}"),
+        format!("free_stream.pressure={pressure:?}"),
+        format!("domain.sides.y_min={{ wall = {{ kind = \"no-slip\"{heat} }} }}"),
+    ];
+    if mach < 1.0 {
+        settings.push(format!(
+            "domain.sides.x_max={{ outlet = {{ pressure = {pressure:?} }} }}"
+        ));
+    }
+    let exact = FlatPlate {
+        mach,
+        temperature: TEMPERATURE,
+        gamma: GAMMA,
+        prandtl: 0.72,
+        wall,
+    };
+    let layer = exact.layer();
+    let how = wall.map_or("adiabatic".to_owned(), |wall| format!("{wall} K"));
+    let attempt = SCENE.attempt(&settings, context)?;
+    let found = attempt
+        .outcome()
+        .map(|outcome| read(outcome, 0.5 * density * speed * speed, pressure));
+    let what = format!("plate, M {mach}, {how}: c_f sqrt(Re_x) sqrt(p / p_w)");
+    let subject = Subject::new(NAME, &what, THEORY);
+    let mut checks = vec![match &found {
+        Some(found) => subject.relative(found.friction, layer.friction, FRICTION),
+        None => subject.unmeasured(layer.friction),
+    }];
+    if wall.is_none() {
+        let what = format!("plate, M {mach}, {how}: recovery factor");
+        let subject = Subject::new(NAME, &what, THEORY);
+        checks.push(match &found {
+            Some(found) => {
+                let kinetic = 0.5 * (GAMMA - 1.0) * mach * mach;
+                subject.relative((found.wall - 1.0) / kinetic, layer.recovery, RECOVERY)
+            }
+            None => subject.unmeasured(layer.recovery),
+        });
+    }
+    Ok(checks)
+}
+
+/// Friction, with the pressure of the leading edge's shock taken out, and temperature of the wall in the window.
+fn read(outcome: &Outcome, dynamic: f64, pressure: f64) -> Layer {
+    let panels = &outcome.panels;
+    let corners = panels.corners.max(1);
+    let middle = |n: usize| {
+        let own = &panels.points[n * corners..(n + 1) * corners];
+        own.iter().map(|point| point[0]).sum::<f64>() / corners as f64
+    };
+    let chosen: Vec<usize> = (0..panels.body.len())
+        .filter(|&n| (WINDOW[0]..WINDOW[1]).contains(&middle(n)))
+        .collect();
+    let of = |value: &dyn Fn(usize) -> f64| median(chosen.iter().map(|&n| value(n)));
+    let friction = of(&|n| {
+        let reynolds = REYNOLDS * middle(n);
+        panels.friction[n][0] / dynamic * (reynolds * pressure / panels.pressure[n]).sqrt()
+    });
+    Layer {
+        friction,
+        wall: of(&|n| panels.temperature[n] / TEMPERATURE),
+        recovery: f64::NAN,
+    }
+}

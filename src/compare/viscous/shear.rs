@@ -1,0 +1,92 @@
+//! Air between a wall at rest and one that slides.
+
+use aero_validation::exact::couette::{Couette, air_viscosity};
+use aero_validation::table::{Check, Subject};
+
+use super::{GAMMA, GAS_CONSTANT, NAME};
+use crate::compare::context::{CompareError, Context, Level};
+use crate::compare::scenes::{Source, scene};
+
+const SCENE: Source = scene!("couette");
+const THEORY: &str = "energy equation of plane shear (White, Viscous Fluid Flow, section 7-2)";
+/// Distance of the walls, m, and temperature of that at rest, K.
+const HEIGHT: f64 = 1e-5;
+const TEMPERATURE: f64 = 300.0;
+/// Per cent.
+const SHEAR: f64 = 0.5;
+const WALL: f64 = 0.2;
+
+pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let (machs, cells): (&[f64], u32) = match context.level {
+        Level::Quick => (&[2.0], 24),
+        Level::Full => (&[0.5, 2.0, 3.0], 32),
+    };
+    let mut checks = Vec::new();
+    for &mach in machs {
+        checks.extend(between(mach, cells, context)?);
+    }
+    Ok(checks)
+}
+
+fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], CompareError> {
+    let speed = mach * (GAMMA * GAS_CONSTANT * TEMPERATURE).sqrt();
+    let spacing = HEIGHT / f64::from(cells);
+    let run = |wall: &str| {
+        let settings = [
+            format!("spacing={spacing:?}"),
+            format!("domain.max=[{:?}, {HEIGHT:?}]", 2.0 * spacing),
+            format!(
+                "domain.sides.y_max={{ wall = {{ kind = \"no-slip\", {wall}velocity = [{speed:?}, 0.0] }} }}"
+            ),
+            format!("initial.field.velocity=[\"{speed:?} * y / {HEIGHT:?}\", 0.0]"),
+        ];
+        SCENE.attempt(&settings, context)
+    };
+    let couette = Couette {
+        temperature: TEMPERATURE,
+        mach,
+        gamma: GAMMA,
+        prandtl: 0.72,
+    };
+    let unit = air_viscosity(TEMPERATURE) * speed / HEIGHT;
+    let subject = |quantity: &str| format!("shear, M {mach}, {cells} cells: {quantity}");
+    let [shear, hot, heat] = [
+        "tau H / (mu_w U)",
+        "temperature of an adiabatic sliding wall over the other's",
+        "heat into both walls over the work of the sliding one",
+    ]
+    .map(subject);
+    let [shear, hot, heat] = [&shear, &hot, &heat].map(|what| Subject::new(NAME, what, THEORY));
+    let held = run(&format!("temperature = {TEMPERATURE:?}, "))?;
+    let (shear, heat) = match held.outcome() {
+        None => (shear.unmeasured(couette.shear()), heat.unmeasured(1.0)),
+        Some(outcome) => {
+            let panels = &outcome.panels;
+            let of = |side: u32, value: &dyn Fn(usize) -> f64| {
+                let own = (0..panels.body.len()).filter(|&n| panels.body[n] == side);
+                let (sum, count) =
+                    own.fold((0.0, 0.0), |(sum, count), n| (sum + value(n), count + 1.0));
+                sum / count
+            };
+            // On the wall that slides the gas pulls back.
+            let stress = -of(1, &|n| panels.friction[n][0]);
+            let lost = -of(0, &|n| panels.heat_flux[n]) - of(1, &|n| panels.heat_flux[n]);
+            (
+                shear.relative(stress / unit, couette.shear(), SHEAR),
+                heat.relative(lost / (stress * speed), 1.0, SHEAR),
+            )
+        }
+    };
+    let free = run("")?;
+    let wall = couette.adiabatic_wall() / TEMPERATURE;
+    let hot = match free.outcome() {
+        None => hot.unmeasured(wall),
+        Some(outcome) => {
+            let panels = &outcome.panels;
+            let found = (0..panels.body.len()).find(|&n| panels.body[n] == 1);
+            let found = found.map_or(f64::NAN, |n| panels.temperature[n]);
+            hot.relative(found / TEMPERATURE, wall, WALL)
+        }
+    };
+    Ok([shear, hot, heat])
+}
