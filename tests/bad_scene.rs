@@ -173,6 +173,18 @@ fn viscous_particles_about_an_axis_are_refused_by_name() {
 }
 
 #[test]
+fn gas_without_any_viscosity_is_refused_by_name() {
+    let scene = box_with(
+        "[domain]",
+        "[scheme]\nartificial_dissipation = false\n\n[domain]",
+    );
+    refused(
+        &scene,
+        &["scheme.artificial_dissipation", "give the gas one"],
+    );
+}
+
+#[test]
 fn a_periodic_side_opposite_to_a_wall_is_refused() {
     let scene = box_with("y_max = \"periodic\"", "y_max = \"wall\"");
     refused(

@@ -73,6 +73,8 @@ pub enum Density {
 /// What of the approach of a pair the artificial viscosity acts on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Viscosity {
+    /// None: the gas's own viscosity is to do.
+    None,
     /// All, over the distance [Villodi & Ramachandran 2024, eq. 13].
     Bare,
     /// All, over a distance softened [Monaghan 1992, eq. 4.2].
@@ -84,6 +86,8 @@ pub enum Viscosity {
 /// How pairs conduct heat.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Conduction {
+    /// None: the gas's own conduction is to do.
+    None,
     /// Weighed by the neighbour's volume, as printed [Villodi & Ramachandran 2024, eq. 14]; conserves no energy.
     ByVolume,
     /// By what both give and take alike, with a flux that cools shocked walls [Noh 1987].
@@ -216,6 +220,7 @@ impl Scheme {
     /// With or without the limiter of the viscosity, where it has one.
     pub fn limit_viscosity(&mut self, limits: bool) {
         self.viscosity = match self.viscosity {
+            Viscosity::None => Viscosity::None,
             Viscosity::Bare => Viscosity::Bare,
             _ if limits => Viscosity::Limited,
             _ => Viscosity::Softened,
@@ -225,6 +230,7 @@ impl Scheme {
     /// With or without the limiter of the conduction, where it has one.
     pub fn limit_conduction(&mut self, limits: bool) {
         self.conduction = match self.conduction {
+            Conduction::None => Conduction::None,
             Conduction::ByVolume => Conduction::ByVolume,
             _ if limits => Conduction::Limited,
             _ => Conduction::Pairwise,

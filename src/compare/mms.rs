@@ -199,12 +199,10 @@ fn studies(scheme: Scheme, level: Level) -> Vec<Study> {
         studies.extend(in_full.map(|how| study(PLANE, how, in_plane(how))));
         studies.push(study(SPACE, Arrangement::Lattice, [16, 24, 36]));
     }
-    if scheme.is_of_points() {
-        studies.extend(viscous(level).map(|(scene, arrangement, cells)| Study {
-            is_viscous: true,
-            ..study(scene, arrangement, cells)
-        }));
-    }
+    studies.extend(viscous(level).map(|(scene, arrangement, cells)| Study {
+        is_viscous: true,
+        ..study(scene, arrangement, cells)
+    }));
     studies
 }
 

@@ -1,5 +1,6 @@
 //! Viscous flows with exact solutions: heated shear, the inside of a shock, vortices that decay, the boundary layer of a plate.
 
+mod particles;
 mod plate;
 mod shear;
 mod shock;
@@ -15,7 +16,7 @@ const GAMMA: f64 = 1.4;
 /// J/(kg K), as in the scenes.
 const GAS_CONSTANT: f64 = 287.05;
 
-/// Flows of points that stay; particles know no viscosity.
+/// Flows of points that stay, and of particles.
 pub struct Viscous;
 
 impl Compare for Viscous {
@@ -23,6 +24,7 @@ impl Compare for Viscous {
         let mut checks = shear::compare(context)?;
         checks.extend(shock::compare(context)?);
         checks.extend(vortices::compare(context)?);
+        checks.extend(particles::compare(context)?);
         if context.level == Level::Full {
             checks.extend(plate::compare(context)?);
         }

@@ -96,6 +96,8 @@ pub struct SchemeEntry {
     pub limited_viscosity: Option<bool>,
     /// Smooth and linear energy is spared the artificial conduction; on unless given, of the conservative scheme alone.
     pub limited_conduction: Option<bool>,
+    /// Artificial viscosity and conduction; on unless given, off of viscous gas alone, whose shocks are then as thick as its own viscosity makes them.
+    pub artificial_dissipation: Option<bool>,
     /// The two sides of a thin part do not feel each other; on unless given.
     pub surface_tags: Option<bool>,
     /// The undisturbed free stream moves on without pair sums; on unless given.

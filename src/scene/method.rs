@@ -74,6 +74,10 @@ fn check_particle_keys(entry: &SchemeEntry) -> Result<(), SceneError> {
             "scheme.limited_conduction",
             entry.limited_conduction.is_some(),
         ),
+        (
+            "scheme.artificial_dissipation",
+            entry.artificial_dissipation.is_some(),
+        ),
         ("scheme.surface_tags", entry.surface_tags.is_some()),
         ("scheme.skip_undisturbed", entry.skip_undisturbed.is_some()),
         ("scheme.precision", entry.precision.is_some()),

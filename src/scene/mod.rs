@@ -80,7 +80,7 @@ use std::sync::Arc;
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
 use aero_solver::problem::Problem;
-use aero_solver::scheme::Scheme;
+use aero_solver::scheme::{Conduction, Scheme, Viscosity};
 use file::{SceneFile, SchemeEntry};
 use manufactured::Manufactured;
 use number::Disorder;
@@ -249,6 +249,12 @@ impl Scene {
         };
         wall::check(&problem, gas_constant.is_some())?;
         wall::refuse_viscous_rings(&problem)?;
+        if problem.scheme.viscosity == Viscosity::None && !problem.gas.is_viscous() {
+            return Err(SceneError::value(
+                "scheme.artificial_dissipation",
+                "is what shocks need of gas without viscosity of its own; give the gas one, or leave this on",
+            ));
+        }
         let problem = match solution {
             None => problem,
             Some(solution) => {
@@ -340,6 +346,10 @@ fn scheme(entry: SchemeEntry) -> Scheme {
     }
     if let Some(limits) = entry.limited_conduction {
         scheme.limit_conduction(limits);
+    }
+    if entry.artificial_dissipation == Some(false) {
+        scheme.viscosity = Viscosity::None;
+        scheme.conduction = Conduction::None;
     }
     if let Some(cfl) = entry.cfl {
         scheme.step.cfl = cfl.get();

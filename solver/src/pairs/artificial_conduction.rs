@@ -78,6 +78,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for ArtificialConduction {
     ) {
         let (vectors, pair) = (j.vectors, &met.pair);
         let uneven = match self.0 {
+            Conduction::None => return,
             Conduction::ByVolume => {
                 let exchanged = met.sound * met.energy * met.reach;
                 *sum = exchanged.mul_add(met.volume, *sum);

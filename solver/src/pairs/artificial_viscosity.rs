@@ -114,6 +114,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for ArtificialViscosity {
     ) {
         let (vectors, pair) = (j.vectors, &met.pair);
         met.closing = match self.0 {
+            Viscosity::None => return,
             Viscosity::Limited => {
                 let strain = &j.read.state[j.slot].strain;
                 let (mut own, mut other) = (Lane::splat(vectors, 0.0), Lane::splat(vectors, 0.0));

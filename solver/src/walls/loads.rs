@@ -50,20 +50,23 @@ pub fn loads<const D: usize>(
             None => Vector3::zeros(),
         })
         .collect();
-    for (ghost, OnGhost { force, .. }) in walls.ghosts.iter().zip(&forces) {
+    for (ghost, on_ghost) in walls.ghosts.iter().zip(&forces) {
         let body = ghost.body as usize;
         if body < bodies.len() && !domain.bounds.contains(&foot(domain, ghost)) {
             continue;
         }
         for (sign, shift) in &reflections[body] {
-            let force = pad(&rings.axial(sign.component_mul(force)));
+            let whole = |force: &Vector<D>| pad(&rings.axial(sign.component_mul(force)));
+            let (force, friction) = (whole(&on_ghost.force), whole(&on_ghost.friction));
             let arm = rings.axial(sign.component_mul(&ghost.position) + shift);
             let arm = pad(&arm) - centres[body];
             let moment = arm.cross(&force);
             for k in 0..3 {
                 loads[body].force[k] += force[k];
                 loads[body].moment[k] += moment[k];
+                loads[body].friction[k] += friction[k];
             }
+            loads[body].heat -= on_ghost.heat;
         }
     }
     loads
@@ -114,7 +117,7 @@ pub fn received<const D: usize>(
     }
     if !is_open && (walls.are_moving() || walls.are_sliding() || walls.are_conducting()) {
         let all = on_ghosts(problem, walls, around);
-        for (ghost, OnGhost { force, heat }) in walls.ghosts.iter().zip(all) {
+        for (ghost, OnGhost { force, heat, .. }) in walls.ghosts.iter().zip(all) {
             work -= force.dot(&(ghost.wall.velocity + ghost.wall.slide));
             if walls.kind(ghost.body).conducts() {
                 work -= heat;
@@ -132,6 +135,8 @@ pub fn received<const D: usize>(
 struct OnGhost<const D: usize> {
     /// Force.
     force: Vector<D>,
+    /// What of it viscosity makes.
+    friction: Vector<D>,
     /// Heat that goes into it per time.
     heat: f64,
 }
@@ -145,20 +150,23 @@ fn on_ghosts<const D: usize>(
     let mut rates = vec![Rates::default(); walls.ghosts.len()];
     let (lists, records) = (&around.wall_lists.near, &around.records);
     reactions(&around.arch, lists, records, &problem.scheme, &mut rates);
+    let mut diffused = vec![Rates::default(); walls.ghosts.len()];
     if problem.gas.is_viscous() {
-        diffuse_into_ghosts(&around.arch, lists, records, &mut rates);
+        diffuse_into_ghosts(&around.arch, lists, records, &mut diffused);
     }
     let rings = Rings::new(problem);
     let masses = &records.near[records.segment(GHOSTS)];
     rates
         .iter()
+        .zip(&diffused)
         .zip(masses)
         .zip(&walls.ghosts)
-        .map(|((rates, near), ghost)| {
+        .map(|(((rates, diffused), near), ghost)| {
             let mass = near.mass * rings.circumference(&foot(&problem.domain, ghost));
             OnGhost {
-                force: rates.acceleration * mass,
-                heat: rates.energy * mass,
+                force: (rates.acceleration + diffused.acceleration) * mass,
+                friction: diffused.acceleration * mass,
+                heat: diffused.energy * mass,
             }
         })
         .collect()

@@ -46,16 +46,14 @@ pub fn compare(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, Comp
             }
         }
     }
-    if scheme.is_of_points() {
-        for (equation, term) in VISCOUS {
-            for &factor in factors {
-                let mistake = Mistake {
-                    equation,
-                    term,
-                    factor,
-                };
-                checks.push(caught(mistake, scheme, &VISCOSITY, cells, context)?);
-            }
+    for (equation, term) in VISCOUS {
+        for &factor in factors {
+            let mistake = Mistake {
+                equation,
+                term,
+                factor,
+            };
+            checks.push(caught(mistake, scheme, &VISCOSITY, cells, context)?);
         }
     }
     Ok(checks)

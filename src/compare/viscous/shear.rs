@@ -7,11 +7,12 @@ use super::{GAMMA, GAS_CONSTANT, NAME};
 use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::scenes::{Source, scene};
 
-const SCENE: Source = scene!("couette");
-const THEORY: &str = "energy equation of plane shear (White, Viscous Fluid Flow, section 7-2)";
+pub(super) const SCENE: Source = scene!("couette");
+pub(super) const THEORY: &str =
+    "energy equation of plane shear (White, Viscous Fluid Flow, section 7-2)";
 /// Distance of the walls, m, and temperature of that at rest, K.
-const HEIGHT: f64 = 1e-5;
-const TEMPERATURE: f64 = 300.0;
+pub(super) const HEIGHT: f64 = 1e-5;
+pub(super) const TEMPERATURE: f64 = 300.0;
 /// Per cent.
 const SHEAR: f64 = 0.5;
 const WALL: f64 = 0.2;
@@ -28,16 +29,21 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
     Ok(checks)
 }
 
+/// A wall that slides, as warm as the other.
+pub(super) fn sliding(speed: f64) -> String {
+    format!(
+        "{{ wall = {{ kind = \"no-slip\", temperature = {TEMPERATURE:?}, velocity = [{speed:?}, 0.0] }} }}"
+    )
+}
+
 fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], CompareError> {
     let speed = mach * (GAMMA * GAS_CONSTANT * TEMPERATURE).sqrt();
     let spacing = HEIGHT / f64::from(cells);
-    let run = |wall: &str| {
+    let run = |wall: fn(f64) -> String| {
         let settings = [
             format!("spacing={spacing:?}"),
             format!("domain.max=[{:?}, {HEIGHT:?}]", 2.0 * spacing),
-            format!(
-                "domain.sides.y_max={{ wall = {{ kind = \"no-slip\", {wall}velocity = [{speed:?}, 0.0] }} }}"
-            ),
+            format!("domain.sides.y_max={}", wall(speed)),
             format!("initial.field.velocity=[\"{speed:?} * y / {HEIGHT:?}\", 0.0]"),
         ];
         SCENE.attempt(&settings, context)
@@ -57,7 +63,7 @@ fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], C
     ]
     .map(subject);
     let [shear, hot, heat] = [&shear, &hot, &heat].map(|what| Subject::new(NAME, what, THEORY));
-    let held = run(&format!("temperature = {TEMPERATURE:?}, "))?;
+    let held = run(sliding)?;
     let (shear, heat) = match held.outcome() {
         None => (shear.unmeasured(couette.shear()), heat.unmeasured(1.0)),
         Some(outcome) => {
@@ -77,7 +83,8 @@ fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], C
             )
         }
     };
-    let free = run("")?;
+    let free =
+        run(|speed| format!("{{ wall = {{ kind = \"no-slip\", velocity = [{speed:?}, 0.0] }} }}"))?;
     let wall = couette.adiabatic_wall() / TEMPERATURE;
     let hot = match free.outcome() {
         None => hot.unmeasured(wall),

@@ -33,8 +33,8 @@ pub fn diffuse<const D: usize>(
     backend.sweep_in_double(lists, records, &met, &(ViscousStress, HeatFlux), rates);
 }
 
-/// Adds what the gas would do to ghosts of mass `rho V`: accelerate them by its friction, and heat them through the wall. Ghosts have no heat
-/// of friction: no work is done inside of a wall.
+/// What the gas would do to ghosts of mass `rho V`: accelerate them by its friction, and heat them through the wall. Ghosts have no heat of
+/// friction: no work is done inside of a wall.
 pub fn diffuse_into_ghosts<const D: usize>(
     backend: &impl Backend,
     lists: &Lists,
@@ -43,12 +43,11 @@ pub fn diffuse_into_ghosts<const D: usize>(
 ) {
     let first = records.start[GHOSTS];
     let met = Neighbours { records, first };
-    let mut heated = vec![Rates::default(); rates.len()];
     backend.sweep_in_double(lists, records, &met, &ViscousStress, rates);
-    backend.sweep_in_double(lists, records, &met, &HeatFlux, &mut heated);
-    for (rates, heated) in rates.iter_mut().zip(heated) {
-        rates.energy = heated.energy;
+    for rates in &mut *rates {
+        rates.energy = 0.0;
     }
+    backend.sweep_in_double(lists, records, &met, &HeatFlux, rates);
 }
 
 /// What a pass reads.
