@@ -5,9 +5,10 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 22] = [
+const SMALL: [(&str, &[&str]); 26] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
+    ("becker", &["end_time=1.0"]),
     (
         "biconvex",
         &[
@@ -17,9 +18,14 @@ const SMALL: [(&str, &[&str]); 22] = [
         ],
     ),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
+    ("couette", &["end_time=1e-9", "stop=end-time"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     ("double-mach", &["end_time=0.02", "spacing=0.05"]),
     ("duct", &["end_time=0.1"]),
+    (
+        "flat-plate",
+        &["end_time=1e-4", "stop=end-time", "scheme.refine=0"],
+    ),
     ("jet", &["end_time=0.2", "spacing=0.1"]),
     ("mms", &["end_time=0.05"]),
     ("mms-3d", &["spacing=0.1"]),
@@ -54,6 +60,7 @@ const SMALL: [(&str, &[&str]); 22] = [
     ),
     ("square", &["end_time=0.00005"]),
     ("step", &["end_time=0.05", "spacing=0.05"]),
+    ("taylor-green", &["end_time=0.02"]),
     ("wedge", &["end_time=0.1", "spacing=0.125"]),
     (
         "wedge-fixed",

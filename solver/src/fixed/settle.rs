@@ -24,6 +24,9 @@ const STRAIGHT: f64 = 0.9;
 /// Largest part of a window's way that the next is taken to go, so that what only seems to creep is not waited for for ever.
 const SLOWEST: f64 = 0.98;
 
+/// The same of viscous flows: heat spreads slowly.
+const SLOWEST_VISCOUS: f64 = 0.9995;
+
 /// Largest change over a window below which the flow may ask for points.
 const NEAR: f64 = 3e-3;
 
@@ -59,8 +62,9 @@ pub struct Settling {
     pub(super) adaptions: u32,
     /// True once the flow wants no more of them.
     pub(super) has_points: bool,
-    /// The first residual.
+    /// The first residual; the largest of the first ones of viscous gas.
     first: f64,
+
     /// What was watched in the last iterations.
     pub(super) watched: Vec<Vec<f64>>,
 }
@@ -87,7 +91,12 @@ impl<const D: usize> FixedSimulation<D> {
             settling.watched.remove(0);
         }
         settling.watched.push(watched);
-        let change = settling.change();
+        let is_viscous = self.viscous.is_some();
+        if is_viscous && settling.iterations <= WINDOW as u64 {
+            // Walls stop the gas before anything else changes.
+            settling.first = settling.first.max(residual);
+        }
+        let change = settling.change(if is_viscous { SLOWEST_VISCOUS } else { SLOWEST });
         let settled = Settled {
             iterations: settling.iterations,
             residual: if settling.first > 0.0 {
@@ -170,11 +179,11 @@ impl Settling {
     }
 
     /// Largest change of what was watched, see [`change`]; infinite before two windows are full.
-    fn change(&self) -> f64 {
+    fn change(&self, slowest: f64) -> f64 {
         if self.watched.len() <= 2 * WINDOW {
             return f64::INFINITY;
         }
-        Self::largest(&self.watched, change)
+        Self::largest(&self.watched, |values| change(values, slowest))
     }
 
     /// Largest range over the last window, whatever was before it; infinite before one is full.
@@ -203,14 +212,14 @@ fn range(values: &[f64]) -> f64 {
 }
 
 /// Range of the second half of `values`; more of one that creeps, all through both halves and one way: what is left of its way if
-/// each window goes on to take the same part of the one before.
-fn change(values: &[f64]) -> f64 {
+/// each window goes on to take the same part of the one before, at most `slowest`.
+fn change(values: &[f64], slowest: f64) -> f64 {
     let (first, second) = (&values[..=WINDOW], &values[WINDOW..]);
     let way = |values: &[f64]| values[values.len() - 1] - values[0];
     let creeps = |values: &[f64]| way(values).abs() > STRAIGHT * range(values);
     let (before, now) = (way(first), way(second));
     if creeps(first) && creeps(second) && before * now > 0.0 {
-        let part = (now / before).min(SLOWEST);
+        let part = (now / before).min(slowest);
         range(second).max(now.abs() / (1.0 - part))
     } else {
         range(second)
@@ -228,14 +237,14 @@ mod tests {
     #[test]
     fn what_creeps_is_far_from_where_it_goes() {
         // Half a per cent of the way in each iteration: the rest of the way is what it is at the start of the second window.
-        let change = change(&watched(|k| (-0.005 * k).exp()));
+        let change = change(&watched(|k| (-0.005 * k).exp()), SLOWEST);
         let rest = (-0.005 * WINDOW as f64).exp();
         assert!((change / rest - 1.0).abs() < 1e-9, "{change} {rest}");
     }
 
     #[test]
     fn what_swings_changes_by_its_range() {
-        let change = change(&watched(|k| (1.3 * k).sin()));
+        let change = change(&watched(|k| (1.3 * k).sin()), SLOWEST);
         assert!((1.9..=2.0).contains(&change), "{change}");
     }
 }

@@ -7,6 +7,9 @@ use crate::Failure;
 /// So many iterations after which it may ask in any case: on few points a flow may never come near to rest.
 const PATIENCE: u64 = 400;
 
+/// The same of viscous flows: a layer that has not grown yet asks for too few.
+const PATIENCE_VISCOUS: u64 = 4000;
+
 /// So many iterations after which a flow that began near its end asks for the first time: by then shocks are where they will be, but for
 /// little.
 const SOON: u64 = 10;
@@ -29,7 +32,12 @@ impl<const D: usize> FixedSimulation<D> {
         let settling = &self.settling;
         let is_first = settling.adaptions == u32::from(ground.most());
         let is_soon = settling.has_begun_near && is_first && settling.since == SOON;
-        let may_ask = is_near || is_soon || settling.since > PATIENCE;
+        let patience = if self.viscous.is_some() {
+            PATIENCE_VISCOUS
+        } else {
+            PATIENCE
+        };
+        let may_ask = is_near || is_soon || settling.since > patience;
         if settling.has_points || !may_ask {
             return Ok(());
         }

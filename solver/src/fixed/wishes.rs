@@ -12,12 +12,17 @@ const STEEP: f64 = 0.05;
 /// gas, change their density little.
 const SPEED: f64 = 0.25;
 
+/// Part of the stream's speed by which that of viscous gas may change from cell to cell: all of a layer gets the same cells, because where two
+/// spacings meet faces are askew, and gas that passes them brings dissipation along.
+const SHEAR: f64 = 0.02;
+
 /// Change below which a cell may join those it was split from.
 const FLAT: f64 = 0.01;
 
 impl<const D: usize> FixedSimulation<D> {
     /// Largest change across a face of each cell: of the density over the smaller one, of the velocity as it counts.
     pub fn changes(&self) -> Vec<f64> {
+        let sheared = self.sheared();
         let mut steepest = vec![0.0_f64; self.points.len()];
         for (block, rest) in self.net.blocks.iter().zip(&self.quiet.blocks) {
             if !rest.is_awake {
@@ -31,7 +36,10 @@ impl<const D: usize> FixedSimulation<D> {
                     [a, b].map(|state| self.gas.sound_square(state.density, state.pressure));
                 let apart = b.plus(-1.0, a).velocity;
                 let speed = (dot(&apart, &apart) / sounds[0].max(sounds[1])).sqrt();
-                let change = density.max(SPEED * speed);
+                let mut change = density.max(SPEED * speed);
+                if let Some(sheared) = sheared {
+                    change = change.max(sheared * dot(&apart, &apart).sqrt());
+                }
                 for i in cells {
                     steepest[i] = steepest[i].max(change);
                 }
@@ -42,6 +50,12 @@ impl<const D: usize> FixedSimulation<D> {
             }
         }
         steepest
+    }
+
+    /// What a change of the velocity of viscous gas in a stream counts.
+    fn sheared(&self) -> Option<f64> {
+        let speed = self.problem.free_stream.velocity.norm();
+        (self.viscous.is_some() && speed > 0.0).then(|| STEEP / (SHEAR * speed))
     }
 }
 

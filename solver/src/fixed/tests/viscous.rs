@@ -332,7 +332,8 @@ fn air_between_walls_one_of_which_slides_heats_up_as_it_should() {
         let (found, _) = couette(mach, false, 24);
         println!("Mach {mach}: {found} {shear}");
         assert!((found / shear - 1.0).abs() < 5e-3, "{mach} {found} {shear}");
-        let (_, hot) = couette(mach, true, 24);
+        // The cell next to the wall alone would be off by a hundredth.
+        let (_, hot) = couette(mach, true, 6);
         let expected = 300.0 * (1.0 + 0.72 * 0.2 * mach * mach);
         println!("Mach {mach}: {hot} {expected}");
         assert!(
