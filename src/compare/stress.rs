@@ -11,6 +11,7 @@ mod line;
 mod plate;
 mod radial;
 mod schemes;
+mod slab;
 mod smooth;
 mod trial;
 mod tubes;
