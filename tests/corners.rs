@@ -109,3 +109,43 @@ frames = 1
     assert!(count > 100, "{count} panels");
     assert!(largest < 0.005, "{largest}");
 }
+
+/// A plate one spacing thick, its middle on sites of the gas's lattice: gas on one side of it does not see the other side, gas beyond its
+/// rim sees both.
+#[test]
+fn gas_at_rest_shows_its_pressure_up_to_the_rim_of_a_thin_plate_in_space() {
+    let scene = r#"
+dimension = 3
+spacing = 0.1
+end_time = 0.001
+
+[free_stream]
+density = 1.4
+pressure = 1.0
+velocity = [0.0, 0.0, 0.0]
+
+[domain]
+min = [0.0, 0.0, 0.0]
+max = [2.4, 2.5, 2.4]
+
+[domain.sides]
+x_min = "wall"
+x_max = "wall"
+y_min = "wall"
+y_max = "wall"
+z_min = "wall"
+z_max = "wall"
+
+[[body]]
+name = "plate"
+shape = { cuboid = { edges = [0.8, 0.1, 0.8] } }
+place = { translate = [1.2, 1.25, 1.2] }
+
+[output]
+frames = 1
+"#;
+    let (largest, count) = error(scene, |at| (at[1] - 1.25).abs() < 0.06);
+    println!("{largest} on {count}");
+    assert!(count > 100, "{count} panels");
+    assert!(largest < 0.05, "{largest}");
+}

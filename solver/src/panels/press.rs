@@ -84,15 +84,28 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         });
         met
     };
+    let poses: Vec<_> = (0..flow.walls.body_count())
+        .map(|owner| flow.walls.pose(owner, flow.clock.time))
+        .collect();
+    // In front of a thin part the solid goes on beyond the far side, which is not there then.
+    let sees_all = |presser: &Presser<D>| {
+        let faces = flow.walls.faces();
+        faces.is_none_or(|f| f.in_front_of(&presser.position, &poses, presser.reach) == 0)
+    };
     let all: Vec<Vec<Share<D>>> = pressers
         .par_iter()
         .map(|presser| {
             let mut met = met_by(&presser.position, presser.reach);
+            let mut behind = Vector::zeros();
             // Gas that has come into the wall presses what is near.
             if met.iter().any(|met| met.faces) {
+                if sees_all(presser) {
+                    let others = met.iter().filter(|met| !met.faces);
+                    behind = others.map(|met| met.normal * met.weight).sum();
+                }
                 met.retain(|met| met.faces);
             }
-            shares(presser, &met)
+            shares(presser, &met, &behind)
         })
         .collect();
     let solid: Vec<Vec<(u32, f64)>> = ghosts
@@ -223,8 +236,13 @@ impl<const D: usize> Seen<D> {
 }
 
 /// What a particle presses the panels near it with. Of the force of the pair sums, what an even pressure explains goes by the
-/// panels' own shares, the rest by least squares, and what they cannot show is friction.
-fn shares<const D: usize>(presser: &Presser<D>, met: &[Met<D>]) -> Vec<Share<D>> {
+/// panels' own shares, the rest by least squares, and what they cannot show is friction. Panels `behind` an edge, a sum of areas times
+/// kernel, explain a part as well: no pressure makes up for it.
+fn shares<const D: usize>(
+    presser: &Presser<D>,
+    met: &[Met<D>],
+    behind: &Vector<D>,
+) -> Vec<Share<D>> {
     let even = 2.0 * presser.volume * presser.pressure;
     let mut moment = Matrix::<D>::zeros();
     let mut weights = 0.0;
@@ -237,7 +255,9 @@ fn shares<const D: usize>(presser: &Presser<D>, met: &[Met<D>]) -> Vec<Share<D>>
     let stiffened = moment + Matrix::identity() * (FLAT * moment.trace());
     let inverse = presser.force.and_then(|_| stiffened.try_inverse());
     // On a flat wall nothing of what is normal to it is lost.
-    let correction = inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking * (1.0 + FLAT));
+    let correction = inverse.map_or_else(Vector::zeros, |inverse| {
+        inverse * (lacking - behind * even) * (1.0 + FLAT)
+    });
     // The force on the wall is the other way round.
     let friction = match presser.force {
         Some(_) => (moment * correction - lacking) / weights,
