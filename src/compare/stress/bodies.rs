@@ -8,7 +8,7 @@ use aero_validation::table::Check;
 
 use super::schemes::{GAMMA, PRESSURE, schemes};
 use super::trial::Trial;
-use super::{base, edge, plate, slab};
+use super::{base, edge, plate};
 use crate::compare::context::{CompareError, Context};
 use crate::compare::profiles::median;
 use crate::compare::row::Row;
@@ -31,7 +31,6 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
             checks.extend(wedge(angle, scheme, context)?);
         }
         checks.extend(plate::compare(scheme, context)?);
-        checks.extend(slab::compare(scheme, context)?);
         checks.extend(edge::compare(scheme, context)?);
         checks.extend(base::compare(scheme, context)?);
     }

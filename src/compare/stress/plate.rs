@@ -15,7 +15,7 @@ use crate::compare::variant::Scheme;
 
 pub(super) const PLATE: Source = scene!("stress", "thin-plate");
 pub(super) const THEORY: &str = "shock-expansion theory";
-const MACH: f64 = 2.0;
+pub(super) const MACH: f64 = 2.0;
 /// Degrees.
 pub(super) const INCIDENCE: f64 = 5.0;
 /// Half the plate's thickness, and the length of its edges, in chords.
@@ -29,21 +29,29 @@ struct Panel {
 }
 
 /// The panels of the side of a plate of half the thickness `half` that is turned into the stream by `incidence`, from the leading edge: a
-/// shock at the edge, a fan at each corner (shock-expansion theory).
+/// shock or a fan at the edge, a fan at each corner (shock-expansion theory).
 fn side(mach: f64, incidence: f64, half: f64) -> Result<[Panel; 3], CompareError> {
     let edge = EDGE[1];
     let slope = half.atan2(edge);
-    let shock = oblique_shock(mach, slope + incidence, GAMMA, Strength::Weak)?;
-    let first = expand(shock.mach, slope, GAMMA)?;
+    // The gas above a plate thinner than this incidence asks for turns away at the leading edge.
+    let turn = slope + incidence;
+    let (behind, nose) = if turn > 0.0 {
+        let shock = oblique_shock(mach, turn, GAMMA, Strength::Weak)?;
+        (shock.mach, shock.pressure_ratio)
+    } else {
+        let fan = expand(mach, -turn, GAMMA)?;
+        (fan.mach, fan.pressure_ratio)
+    };
+    let first = expand(behind, slope, GAMMA)?;
     let second = expand(first.mach, slope, GAMMA)?;
-    let flat = shock.pressure_ratio * first.pressure_ratio;
+    let flat = nose * first.pressure_ratio;
     let panel = |pressure, length, rise| Panel {
         pressure,
         length,
         rise,
     };
     Ok([
-        panel(shock.pressure_ratio, edge, half),
+        panel(nose, edge, half),
         panel(flat, 1.0 - 2.0 * edge, 0.0),
         panel(flat * second.pressure_ratio, edge, -half),
     ])
