@@ -49,6 +49,11 @@ impl<const D: usize> Grid<D> {
         Vector::from_fn(|k, _| self.origin[k] + (index[k] as f64 + 0.5) * self.step)
     }
 
+    /// The cell that a place lies in.
+    pub fn index(&self, place: &Vector<D>) -> [i64; D] {
+        std::array::from_fn(|k| cell_number(place[k] - self.origin[k], self.step))
+    }
+
     /// Lowest corner of a cell.
     pub fn corner(&self, index: &[i64; D]) -> Vector<D> {
         Vector::from_fn(|k, _| self.origin[k] + index[k] as f64 * self.step)

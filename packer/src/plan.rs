@@ -1,5 +1,7 @@
 //! What is to be packed: the part of space, the grid over it and the volume of each layer.
 
+use std::collections::HashSet;
+
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Bounds, Shape, Vector};
 use rayon::prelude::*;
@@ -8,6 +10,7 @@ use crate::grid::{Cell, Grid, volume_in};
 use crate::lattice::lattice_grid;
 use crate::mirror::Mirrors;
 use crate::room::{Room, Side};
+use crate::room_inside::has_room;
 use crate::{PackError, PackOptions};
 
 /// Spacings by which the packing reaches beyond the region, so that its cut ends do not show.
@@ -42,6 +45,8 @@ pub(crate) struct Plan<'a, const D: usize> {
     pub band: Vec<Cell<D>>,
     /// The same, cut up where layers are not smooth.
     cut_band: Vec<Cell<D>>,
+    /// Cells with parts that are left to rows.
+    of_rows: HashSet<[i64; D]>,
     /// How exactly a point has to meet its level.
     pub tolerance: f64,
 }
@@ -88,8 +93,10 @@ impl<'a, const D: usize> Plan<'a, D> {
         let cut_band = if D == 2 && side == Side::Fluid {
             band.clone()
         } else {
-            cut_up(shape, &band, spacing, side)
+            cut_up(shape, &band, &mirrors, (spacing, side))
         };
+        let of_rows = cut_band.iter().filter(|cell| is_of_rows(cell, side));
+        let of_rows = of_rows.map(|cell| cell.index).collect();
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
         });
@@ -104,6 +111,7 @@ impl<'a, const D: usize> Plan<'a, D> {
             core: beyond,
             band,
             cut_band,
+            of_rows,
             tolerance: 1e-12 * spacing + 8.0 * f64::EPSILON * reach,
         })
     }
@@ -162,7 +170,17 @@ impl<'a, const D: usize> Plan<'a, D> {
     }
 
     fn is_of_rows(&self, cell: &Cell<D>) -> bool {
-        self.side == Side::Ghosts && Self::has_rows_below(cell.full)
+        is_of_rows(cell, self.side)
+    }
+
+    /// False at a place on `level`, in space, where its layer has no room and a row stands: the wall layer of what carries a fin must not
+    /// creep up the fin.
+    pub fn may_stand(&self, place: &Vector<D>, level: f64) -> bool {
+        if D == 2 || self.of_rows.is_empty() || !self.of_rows.contains(&self.grid.index(place)) {
+            return true;
+        }
+        let layer = (level.abs() / self.options.spacing).floor() as usize;
+        has_room(self.shape, place, layer, self.options.spacing)
     }
 
     /// The pieces of the parts of rows: centres and volumes.
@@ -296,6 +314,10 @@ impl<'a, const D: usize> Plan<'a, D> {
     }
 }
 
+fn is_of_rows<const D: usize>(cell: &Cell<D>, side: Side) -> bool {
+    side == Side::Ghosts && Plan::<D>::has_rows_below(cell.full)
+}
+
 /// The box in which particles are laid: the body and `margin` spacings around it, cut off a little
 /// beyond the region.
 fn packed_box<const D: usize>(
@@ -333,12 +355,12 @@ const EDGE_PIECE: f64 = 0.125;
 const SMALLEST_PIECE: f64 = 1.0 / 64.0;
 
 /// Cells in which the layers are smooth stay whole, the others are halved; where ghosts have no room for layers, until the pieces
-/// measure the part.
+/// measure the part. Of a cell that a mirror plane halves, the pieces below it are the images of those above.
 fn cut_up<const D: usize>(
     shape: &dyn Shape<D>,
     band: &[Cell<D>],
-    spacing: f64,
-    side: Side,
+    mirrors: &Mirrors,
+    (spacing, side): (f64, Side),
 ) -> Vec<Cell<D>> {
     band.par_iter()
         .flat_map_iter(|cell| {
@@ -355,6 +377,9 @@ fn cut_up<const D: usize>(
                 let reach = 0.5 * cell.step * (D as f64).sqrt();
                 let is_coarse = cell.step > 1.01 * PIECE * spacing && cell.distance < reach;
                 let is_thin = cell.full < usize::MAX;
+                if is_thin && !mirrors.above(&cell.centre) {
+                    continue;
+                }
                 let smallest = if is_thin { SMALLEST_PIECE } else { EDGE_PIECE };
                 let is_bent = || cell.step > 1.01 * smallest * spacing && cell.is_bent(shape);
                 if is_thin && is_coarse || is_bent() {

@@ -117,7 +117,8 @@ pub(crate) fn relax<const D: usize>(
                         let nearest = plan.level(0);
                         let distance = shape.signed_distance(&moved);
                         let is_near = distance * nearest.signum() < nearest.abs();
-                        (if is_near { point } else { moved }, normals[n], None)
+                        let may_not = is_near || !plan.may_stand(&moved, plan.level(1));
+                        (if may_not { point } else { moved }, normals[n], None)
                     }
                     _ => (moved, normals[n], None),
                 }
@@ -169,6 +170,9 @@ impl Settle {
             if drift.abs() < SMALL_DRIFT * spacing {
                 let on = moved - drift * closest.normal;
                 let on = clear_of_planes(&plan.mirrors, moved, on, spacing);
+                if !plan.may_stand(&on, level) {
+                    return (*home, *normal, None);
+                }
                 return (on, closest.normal, Some(on));
             }
         }
@@ -179,7 +183,7 @@ impl Settle {
             level,
             (spacing, plan.tolerance),
         )
-        .filter(|on| (on - moved).norm() < spacing)
+        .filter(|on| (on - moved).norm() < spacing && plan.may_stand(on, level))
         .map_or((*home, *normal, None), |on| {
             (on, plan.shape.closest(&on).normal, Some(on))
         })

@@ -228,7 +228,8 @@ impl<const D: usize> Sheets<'_, D> {
             let place = project(self.plan.shape, &guess, level, self.plan.tolerance)?;
             let above = planes.iter().all(|&(axis, p)| place[axis] > p);
             let gap = sheet.nearest(&place, step);
-            (above && gap > 0.4 * step).then_some((place, gap))
+            (above && gap > 0.4 * step && self.plan.may_stand(&place, level))
+                .then_some((place, gap))
         };
         let along_axis = || Vector::from_fn(|k, _| if k == 0 { 1.0 } else { 0.0 });
         let away = away.try_normalize(1e-9).unwrap_or_else(along_axis);

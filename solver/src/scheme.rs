@@ -94,6 +94,8 @@ pub enum Conduction {
     Pairwise,
     /// That, of what does not vary linearly.
     Limited,
+    /// The flux that cools shocked walls alone: gas that conducts heat itself needs no more.
+    InShocks,
 }
 
 /// How internal energy is kept.
@@ -227,11 +229,22 @@ impl Scheme {
         };
     }
 
+    /// The same for gas with viscosity and conduction of its own. What the limiter of the artificial conduction leaves of it where
+    /// temperature bends takes a twentieth of the heat of friction out of a shear layer of twenty spacings.
+    #[must_use]
+    pub fn of_viscous_gas(mut self) -> Self {
+        if self.conduction == Conduction::Limited {
+            self.conduction = Conduction::InShocks;
+        }
+        self
+    }
+
     /// With or without the limiter of the conduction, where it has one.
     pub fn limit_conduction(&mut self, limits: bool) {
         self.conduction = match self.conduction {
             Conduction::None => Conduction::None,
             Conduction::ByVolume => Conduction::ByVolume,
+            Conduction::InShocks if limits => Conduction::InShocks,
             _ if limits => Conduction::Limited,
             _ => Conduction::Pairwise,
         };

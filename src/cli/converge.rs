@@ -53,6 +53,7 @@ struct Row {
 
 /// Runs the scene at all spacings, coarse to fine.
 pub fn converge(args: &ConvergeArgs) -> Result<(), CommandError> {
+    let interrupt = Interrupt::listen()?;
     let scene = args.scene.load()?;
     let out = folder(args.out.as_ref(), &format!("{}-converge", scene.name()));
     let steps = (0..i32::from(args.spacings)).rev();
@@ -69,7 +70,6 @@ pub fn converge(args: &ConvergeArgs) -> Result<(), CommandError> {
         )));
     }
     make_folder(&out).map_err(CommandError::wrong)?;
-    let interrupt = Interrupt::listen()?;
     on_threads(args.scene.threads, || {
         let mut summaries: Vec<Summary> = Vec::new();
         let mut before: Option<Neighbour> = None;

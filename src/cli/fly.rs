@@ -10,6 +10,7 @@ use aero::output::make_folder;
 use clap::{Args, ValueEnum};
 
 use super::body::{BodyArgs, angle};
+use super::interrupt::Interrupt;
 use super::scene::folder;
 use super::{CommandError, on_threads};
 use trip::Trip;
@@ -68,6 +69,7 @@ pub fn prepared(wishes: Wishes) -> Result<(Flight, f64), CommandError> {
 /// Flies a body.
 pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
     let begun = Instant::now();
+    let interrupt = Interrupt::listen()?;
     let wishes = Wishes {
         with_the_gas: args.motion == MotionWord::WithTheGas,
         ..args
@@ -99,7 +101,7 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
             return Ok(());
         }
         make_folder(&out).map_err(CommandError::wrong)?;
-        let (levels, failures) = trip.runs(&family, &out)?;
+        let (levels, failures) = trip.runs(&family, &out, &interrupt)?;
         let mut warnings = trip.warnings(&levels);
         warnings.extend(failures);
         let report = Report::new(&flight, words, levels, warnings).map_err(CommandError::failed)?;

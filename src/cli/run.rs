@@ -31,6 +31,7 @@ pub struct RunArgs {
 /// Runs a scene.
 pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     let stopwatch = Stopwatch::start();
+    let interrupt = Interrupt::listen()?;
     let scene = args.scene.load()?;
     let out = folder(args.out.as_ref(), scene.name());
     let earlier = (!args.overwrite).then_some(out.as_path());
@@ -46,7 +47,7 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
         overwrite: args.overwrite,
     };
     on_threads(args.scene.threads, || {
-        run_case(checked(&scene)?, destination, stopwatch)
+        run_case(checked(&scene)?, destination, stopwatch, &interrupt)
     })
 }
 
@@ -78,10 +79,10 @@ fn run_case(
     case: AnyCase,
     destination: Destination<'_>,
     stopwatch: Stopwatch,
+    interrupt: &Interrupt,
 ) -> Result<(), CommandError> {
     tell(&case);
-    let interrupt = Interrupt::listen()?;
-    let result = run_watched(case, destination, stopwatch, &interrupt, None);
+    let result = run_watched(case, destination, stopwatch, interrupt, None);
     let folder = destination.folder.display();
     let go_on = if destination.folder.join(CHECKPOINT).exists() {
         "; the last checkpoint is kept: go on from it with `--resume`"

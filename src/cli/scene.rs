@@ -75,12 +75,14 @@ pub fn run_watched(
 ) -> Result<Summary, RunError> {
     let mut display = Display::of_run();
     let result = run_any(case, destination, stopwatch, &mut |progress| {
+        interrupt.hold(true);
         display.show(progress);
         match deadline {
             Some(end) if Instant::now() >= end => ControlFlow::Break(()),
             _ => interrupt.wish(),
         }
     });
+    interrupt.hold(false);
     display.finish();
     result
 }

@@ -63,7 +63,7 @@ static CASES: [Case; 17] = [
 
 /// Cases that run only where they are named: they show where the method ends, and some of their rows
 /// fail.
-static ON_REQUEST: [Case; 6] = [
+static ON_REQUEST: [Case; 7] = [
     (
         "stress",
         &[
@@ -71,12 +71,14 @@ static ON_REQUEST: [Case; 6] = [
             &stress::BALLS,
             &stress::SMOOTH,
             &stress::BODIES,
+            &stress::SLABS,
         ],
     ),
     ("stress-tubes", &[&stress::TUBES]),
     ("stress-balls", &[&stress::BALLS]),
     ("stress-smooth", &[&stress::SMOOTH]),
     ("stress-bodies", &[&stress::BODIES]),
+    ("stress-slabs", &[&stress::SLABS]),
     ("stability", &[&stability::Stability]),
 ];
 

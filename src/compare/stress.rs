@@ -11,6 +11,7 @@ mod line;
 mod plate;
 mod radial;
 mod schemes;
+mod slab;
 mod smooth;
 mod trial;
 mod tubes;
@@ -44,3 +45,6 @@ pub const SMOOTH: Family = Family(smooth::compare);
 
 /// The flows around bodies.
 pub const BODIES: Family = Family(bodies::compare);
+
+/// Thin plates in space.
+pub const SLABS: Family = Family(slab::compare);

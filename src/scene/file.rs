@@ -94,7 +94,7 @@ pub struct SchemeEntry {
     pub constant_ghost_volume: Option<bool>,
     /// Smooth flow is spared the artificial viscosity; on unless given, of the conservative scheme alone.
     pub limited_viscosity: Option<bool>,
-    /// Smooth and linear energy is spared the artificial conduction; on unless given, of the conservative scheme alone.
+    /// Smooth and linear energy is spared the artificial conduction, and of viscous gas all that is not in shocks; on unless given, of the conservative scheme alone.
     pub limited_conduction: Option<bool>,
     /// Artificial viscosity and conduction; on unless given, off of viscous gas alone, whose shocks are then as thick as its own viscosity makes them.
     pub artificial_dissipation: Option<bool>,

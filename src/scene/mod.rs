@@ -79,6 +79,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
+use aero_solver::gas::Gas;
 use aero_solver::problem::Problem;
 use aero_solver::scheme::{Conduction, Scheme, Viscosity};
 use file::{SceneFile, SchemeEntry};
@@ -239,7 +240,7 @@ impl Scene {
             spacing,
             gas,
             method,
-            scheme: scheme(file.scheme),
+            scheme: scheme(file.scheme, &gas),
             domain,
             free_stream,
             initial,
@@ -331,10 +332,13 @@ fn incidence(file: &SceneFile) -> Option<f64> {
     stream.incidence.map(number::StreamAngle::get)
 }
 
-fn scheme(entry: SchemeEntry) -> Scheme {
+fn scheme(entry: SchemeEntry, gas: &Gas) -> Scheme {
     let mut scheme = entry
         .equations
         .map_or_else(Scheme::default, SchemeName::scheme);
+    if gas.is_viscous() {
+        scheme = scheme.of_viscous_gas();
+    }
     if let Some(word) = entry.extrapolation {
         scheme.wall.extrapolation = word.into();
     }

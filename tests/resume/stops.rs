@@ -46,6 +46,61 @@ fn an_interrupted_run_leaves_a_frame_and_goes_on() {
     same("run.pvd");
 }
 
+/// Waits until a process takes SIGTERM itself.
+#[cfg(target_os = "linux")]
+fn await_listening(id: u32) {
+    const SIGTERM: u64 = 1 << (15 - 1);
+    let caught = || {
+        let status = std::fs::read_to_string(format!("/proc/{id}/status")).unwrap_or_default();
+        let line = status.lines().find_map(|line| line.strip_prefix("SigCgt:"));
+        line.and_then(|mask| u64::from_str_radix(mask.trim(), 16).ok())
+    };
+    let start = Instant::now();
+    while caught().is_none_or(|mask| mask & SIGTERM == 0) {
+        assert!(start.elapsed() < Duration::from_secs(60), "deaf");
+        std::thread::sleep(Duration::from_millis(1));
+    }
+}
+
+#[cfg(target_os = "linux")]
+#[test]
+fn a_signal_during_set_up_ends_the_run_at_once() {
+    // Packing these takes a minute and more.
+    let scene = STREAM
+        .replace("dimension = 2", "dimension = 3")
+        .replace("spacing = 0.05", "spacing = 0.004")
+        .replace("min = [0.0, 0.0]", "min = [0.0, 0.0, 0.0]")
+        .replace("max = [1.0, 0.5]", "max = [1.0, 0.5, 1.0]")
+        .replace(
+            "y_max =",
+            "z_min = \"free-stream\"\nz_max = \"free-stream\"\ny_max =",
+        )
+        .replace("circle = { radius = 0.1 }", "sphere = { radius = 0.2 }")
+        .replace("[0.5, 0.25]", "[0.5, 0.25, 0.5]")
+        .replace("motion = {", "# motion = {");
+    for signal in ["-TERM", "-INT"] {
+        let place = Workplace::new();
+        place.write("scene.toml", &scene);
+        let run = Command::new(env!("CARGO_BIN_EXE_aero"))
+            .current_dir(place.path(""))
+            .args(["run", "scene.toml", "--threads", "1", "--out", "cut"])
+            .stderr(std::process::Stdio::piped())
+            .spawn()
+            .expect("the program runs");
+        let id = run.id();
+        await_listening(id);
+        let sent = Command::new("kill")
+            .args([signal, &id.to_string()])
+            .status();
+        assert!(sent.unwrap().success());
+        let answer = run.wait_with_output().unwrap();
+        let said = String::from_utf8_lossy(&answer.stderr);
+        assert_eq!(answer.status.code(), Some(1), "{signal}: {said}");
+        assert!(said.contains("interrupted while setting up"), "{said}");
+        assert!(!place.path("cut/history.csv").exists());
+    }
+}
+
 #[test]
 fn a_finished_run_has_nothing_to_resume() {
     let place = Workplace::new();

@@ -1,6 +1,6 @@
 //! Thin parts in the plane and in space: plates alone and as fins are whole, whatever their thickness and angle.
 
-use aero_geometry::{Bounds, Closest, Placed, Placement, Shape, Vector, bodies};
+use aero_geometry::{Bounds, Closest, Mesh, Placed, Placement, Shape, Vector, bodies};
 use aero_packer::{About, PackOptions, PackReport, Packing, pack};
 
 fn turned(degrees: f64) -> Placement<3> {
@@ -31,6 +31,17 @@ fn plates_of_any_thickness_are_whole_at_any_angle() {
         let angle = [0.0, 17.0, 45.0][tenths as usize % 3];
         let packing = pack(&Placed::new(plate, turned(angle)), &PackOptions::new(1.0)).unwrap();
         is_whole(&format!("{thickness} at {angle}"), &packing.report);
+    }
+}
+
+#[test]
+fn plates_whose_middle_lies_on_sites_of_the_lattice_are_whole() {
+    for thickness in [0.5, 1.0, 1.4] {
+        let plate = bodies::cuboid([8.0, thickness, 8.0]).unwrap();
+        let mut options = PackOptions::new(1.0);
+        options.anchor = Vector::<3>::new(0.0, 0.5, 0.0);
+        let packing = pack(&plate, &options).unwrap();
+        is_whole(&format!("{thickness}"), &packing.report);
     }
 }
 
@@ -237,6 +248,33 @@ fn fins_on_a_body_are_whole() {
         assert!(
             (volume - exact).abs() < 0.5 * 7.3 * thickness,
             "{thickness}: {volume} for {exact}"
+        );
+    }
+}
+
+/// The wall layer of the block, whose level runs on into the fin, must not creep up it.
+#[test]
+fn the_density_on_fins_and_at_their_roots_and_ends_is_right() {
+    for (thickness, angle) in [
+        (0.5, 20.0),
+        (1.0, 20.0),
+        (1.4, 0.0),
+        (1.4, 20.0),
+        (1.4, 45.0),
+    ] {
+        let block = bodies::cuboid([20.0, 12.0, 10.0]).unwrap();
+        let fin = bodies::cuboid([10.0, thickness, 9.0]).unwrap();
+        let place = Placement::default().moved(Vector::<3>::new(-1.0, 0.13, 8.5));
+        let mut facets = Vec::new();
+        for solid in [&block as &dyn Shape<3>, &Placed::new(fin, place)] {
+            facets.extend(solid.facets(f64::INFINITY, &solid.bounds()));
+        }
+        let finned = Placed::new(Mesh::from_facets(facets).unwrap(), turned(angle));
+        let report = pack(&finned, &PackOptions::new(1.0)).unwrap().report;
+        is_whole(&format!("fin of {thickness} at {angle}"), &report);
+        assert!(
+            report.density_max_percent < 2.0,
+            "{thickness} at {angle}: {report:?}"
         );
     }
 }

@@ -76,7 +76,7 @@ struct ThinBody<const D: usize> {
 impl<const D: usize> Faces<D> {
     /// The faces that gas at `position` is in front of, one per body; none off the thin parts, by more than `reach`,
     /// and beyond edges and tips, from where both sides are seen. `poses` are those of all bodies.
-    fn in_front_of(&self, position: &Vector<D>, poses: &[Pose<D>], reach: f64) -> FaceSet {
+    pub fn in_front_of(&self, position: &Vector<D>, poses: &[Pose<D>], reach: f64) -> FaceSet {
         let mut faces = 0;
         for body in &self.bodies {
             let origin = poses[body.number].origin(position);

@@ -84,6 +84,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for ArtificialConduction {
                 *sum = exchanged.mul_add(met.volume, *sum);
                 return;
             }
+            Conduction::InShocks => Lane::splat(vectors, 0.0),
             Conduction::Pairwise => met.energy,
             Conduction::Limited => {
                 let slope = &j.read.state[j.slot].energy_slope;

@@ -8,8 +8,9 @@
 //! shocks need, and what gas ahead of a tip holds it back with.
 //!
 //! Nothing presses what another solid covers, the wall below a post and the post's foot: had they shares, those above would lack them.
-//! Where another wall stands in front of a panel, as in a corner, less gas is there than in front of a plane wall; its share is
-//! scaled up by the part of the kernel that is solid, so that gas at rest shows its own pressure there too.
+//! Where another wall stands in front of a panel, as in a corner, less gas is there than in front of a plane wall. Nothing presses in
+//! place of what is missing, and how much is missing is told by few particles and ghosts: in a corner panels show the mean pressure of
+//! the gas in front, which is its own where it is at rest, whatever the angle and however well the gas fills it.
 
 use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::{Pencils, Vector};
@@ -26,8 +27,9 @@ use crate::sides::closed::Map;
 /// hardly bends it is not made one.
 const FLAT: f64 = 0.02;
 
-/// Most of a panel's front, of a kernel's half, that other walls may fill: what is left of a corner of 10 degrees.
-const MOST_FILLED: f64 = 0.95;
+/// A panel is in a corner where other walls fill this part of its front, of a kernel's half, as a spacing from the foot of a ramp of 15
+/// degrees; below, it is the less so the less they fill.
+const IN_A_CORNER: f64 = 0.02;
 
 /// What a panel is pressed with.
 #[derive(Clone, Copy, Debug)]
@@ -82,15 +84,28 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         });
         met
     };
+    let poses: Vec<_> = (0..flow.walls.body_count())
+        .map(|owner| flow.walls.pose(owner, flow.clock.time))
+        .collect();
+    // In front of a thin part the solid goes on beyond the far side, which is not there then.
+    let sees_all = |presser: &Presser<D>| {
+        let faces = flow.walls.faces();
+        faces.is_none_or(|f| f.in_front_of(&presser.position, &poses, presser.reach) == 0)
+    };
     let all: Vec<Vec<Share<D>>> = pressers
         .par_iter()
         .map(|presser| {
             let mut met = met_by(&presser.position, presser.reach);
+            let mut behind = Vector::zeros();
             // Gas that has come into the wall presses what is near.
             if met.iter().any(|met| met.faces) {
+                if sees_all(presser) {
+                    let others = met.iter().filter(|met| !met.faces);
+                    behind = others.map(|met| met.normal * met.weight).sum();
+                }
                 met.retain(|met| met.faces);
             }
-            shares(presser, &met)
+            shares(presser, &met, &behind)
         })
         .collect();
     let solid: Vec<Vec<(u32, f64)>> = ghosts
@@ -104,6 +119,8 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         .collect();
     let none = Sum {
         force: 0.0,
+        gas: 0.0,
+        gas_pressure: 0.0,
         weight: 0.0,
         mach: 0.0,
         friction: Vector::zeros(),
@@ -114,6 +131,8 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         for share in shares {
             let sum = &mut sums[share.number as usize];
             sum.force += share.force;
+            sum.gas += share.weight * presser.volume;
+            sum.gas_pressure += share.weight * presser.volume * presser.pressure;
             sum.weight += share.weight;
             sum.mach += share.weight * presser.mach;
             sum.friction += share.friction;
@@ -131,6 +150,10 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
 #[derive(Clone, Copy, Debug)]
 struct Sum<const D: usize> {
     force: f64,
+    /// Part of the kernel that is gas, times the area.
+    gas: f64,
+    /// The same of its pressure.
+    gas_pressure: f64,
     weight: f64,
     /// Weighted.
     mach: f64,
@@ -140,6 +163,19 @@ struct Sum<const D: usize> {
 }
 
 impl<const D: usize> Sum<D> {
+    /// Force per area on a free wall, mean pressure of the gas in front in a corner.
+    fn pressure(&self, size: f64) -> f64 {
+        let free = self.force / size;
+        let filled = 2.0 * self.solid;
+        if filled <= 0.0 || self.gas <= 0.0 {
+            return free;
+        }
+        let mean = self.gas_pressure / self.gas;
+        // Gas would press where the other walls are.
+        let free = free + filled.min(1.0) * mean;
+        free + (filled / IN_A_CORNER).min(1.0) * (mean - free)
+    }
+
     fn pressed(&self, size: f64) -> Pressed<D> {
         if size <= 0.0 {
             return Pressed {
@@ -148,9 +184,8 @@ impl<const D: usize> Sum<D> {
                 mach: 0.0,
             };
         }
-        let open = 1.0 - (2.0 * self.solid).min(MOST_FILLED);
         Pressed {
-            pressure: self.force / size / open,
+            pressure: self.pressure(size),
             friction: self.friction / size,
             mach: if self.weight > 0.0 {
                 self.mach / self.weight
@@ -201,8 +236,13 @@ impl<const D: usize> Seen<D> {
 }
 
 /// What a particle presses the panels near it with. Of the force of the pair sums, what an even pressure explains goes by the
-/// panels' own shares, the rest by least squares, and what they cannot show is friction.
-fn shares<const D: usize>(presser: &Presser<D>, met: &[Met<D>]) -> Vec<Share<D>> {
+/// panels' own shares, the rest by least squares, and what they cannot show is friction. Panels `behind` an edge, a sum of areas times
+/// kernel, explain a part as well: no pressure makes up for it.
+fn shares<const D: usize>(
+    presser: &Presser<D>,
+    met: &[Met<D>],
+    behind: &Vector<D>,
+) -> Vec<Share<D>> {
     let even = 2.0 * presser.volume * presser.pressure;
     let mut moment = Matrix::<D>::zeros();
     let mut weights = 0.0;
@@ -215,7 +255,9 @@ fn shares<const D: usize>(presser: &Presser<D>, met: &[Met<D>]) -> Vec<Share<D>>
     let stiffened = moment + Matrix::identity() * (FLAT * moment.trace());
     let inverse = presser.force.and_then(|_| stiffened.try_inverse());
     // On a flat wall nothing of what is normal to it is lost.
-    let correction = inverse.map_or_else(Vector::zeros, |inverse| inverse * lacking * (1.0 + FLAT));
+    let correction = inverse.map_or_else(Vector::zeros, |inverse| {
+        inverse * (lacking - behind * even) * (1.0 + FLAT)
+    });
     // The force on the wall is the other way round.
     let friction = match presser.force {
         Some(_) => (moment * correction - lacking) / weights,

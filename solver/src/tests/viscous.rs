@@ -49,6 +49,7 @@ fn couette(
     problem.domain.bounds = Bounds::new(Vector::zeros(), Vector::from([12.0 / cells as f64, 1.0]));
     problem.domain.sides[1] = [wall(heats[0], 0.0), wall(heats[1], SPEED)];
     problem.gas = viscous();
+    problem.scheme = problem.scheme.of_viscous_gas();
     problem.scheme.wall.extrapolation = extrapolation;
     problem.initial = Initial::Field(Field(Arc::new(move |position: &Vector<2>| State {
         density: 1.0 / temperature(position[1]),

@@ -173,8 +173,8 @@ impl<'a> Trip<'a> {
         &self,
         family: &Family,
         out: &Path,
+        interrupt: &Interrupt,
     ) -> Result<(Vec<Level>, Vec<String>), CommandError> {
-        let interrupt = Interrupt::listen()?;
         let mut levels: Vec<Level> = Vec::new();
         let mut failures = Vec::new();
         let mut spacing = family.first;
@@ -193,8 +193,10 @@ impl<'a> Trip<'a> {
                 .map_err(CommandError::failed)?;
             let mut tries = 0;
             let level = loop {
+                // Those that are through go into the report.
+                interrupt.hold(!levels.is_empty());
                 eprintln!("run {number}, spacing {spacing:.3e} m");
-                match self.run(spacing, frame.as_deref(), &folder, may_take, &interrupt)? {
+                match self.run(spacing, frame.as_deref(), &folder, may_take, interrupt)? {
                     Came::Through(level) => break *level,
                     Came::Late => return Ok((levels, failures)),
                     Came::ToGrief(reason) => {
@@ -229,6 +231,7 @@ impl<'a> Trip<'a> {
                 }
             );
             levels.push(level);
+            interrupt.hold(true);
             if interrupt.came() {
                 break;
             }

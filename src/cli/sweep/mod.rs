@@ -61,6 +61,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
             "nothing to sweep; give --mach, --incidence or --sideslip, as in --incidence -4..8:2",
         ));
     }
+    let interrupt = Interrupt::listen()?;
     let points = points(&lists);
     let scene = flown::scene(args, points.len())?;
     let out = folder(args.out.as_ref(), &format!("{}-sweep", scene.name()));
@@ -70,7 +71,6 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
         .iter()
         .map(|point| at(&scene, point))
         .collect::<Result<Vec<_>, CommandError>>()?;
-    let interrupt = Interrupt::listen()?;
     on_threads(args.scene.threads, || {
         let mut done: Vec<(Point, Neighbour)> = Vec::new();
         let mut rows: Vec<Row> = Vec::new();

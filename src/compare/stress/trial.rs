@@ -102,20 +102,17 @@ fn common(attempt: &Attempt) -> Vec<Row> {
         Attempt::Stopped(reason, _) => (format!("stops: {reason}"), 1.0),
     };
     let summary = attempt.summary();
-    let drift = summary.conservation;
-    let drift = drift.map_or(f64::NAN, |drift| {
-        drift.mass.abs().max(drift.momentum).max(drift.energy.abs())
-    });
-    vec![
-        Row::at_most(end, "a run must", stopped, 0.0),
-        Row::at_most(
-            "drift of mass, momentum, energy",
-            "conservation",
-            drift,
-            DRIFT,
-        ),
+    let mut rows = vec![Row::at_most(end, "a run must", stopped, 0.0)];
+    // A flow that settles goes through no time.
+    rows.extend(summary.conservation.map(|drift| {
+        let drift = drift.mass.abs().max(drift.momentum).max(drift.energy.abs());
+        let quantity = "drift of mass, momentum, energy";
+        Row::at_most(quantity, "conservation", drift, DRIFT)
+    }));
+    rows.extend([
         // A run stops where they are not positive, so they inform.
         Row::informs("smallest density", "positive", summary.min_density, 0.0),
         Row::informs("smallest energy", "positive", summary.min_energy, 0.0),
-    ]
+    ]);
+    rows
 }

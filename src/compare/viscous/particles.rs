@@ -1,10 +1,10 @@
-//! The same by particles: shear, and the inside of a shock without and with the artificial viscosity.
+//! Shear by particles.
 
 use aero_validation::exact::couette::{Couette, air_viscosity};
 use aero_validation::table::{Check, Subject};
 
 use super::shear::{self, HEIGHT, TEMPERATURE};
-use super::{GAMMA, GAS_CONSTANT, NAME, shock};
+use super::{GAMMA, GAS_CONSTANT, NAME};
 use crate::compare::context::{CompareError, Context, Level};
 
 /// Time over that in which friction gets from wall to wall, `H^2 / nu`: the flow starts all but settled.
@@ -23,15 +23,6 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
     let mut checks = Vec::new();
     for &mach in machs {
         checks.extend(between(mach, cells, context)?);
-    }
-    let (machs, spacing): (&[f64], f64) = match context.level {
-        Level::Quick => (&[2.0], 0.2),
-        Level::Full => (&[2.0, 3.0], 0.1),
-    };
-    for &mach in machs {
-        for is_off in [true, false] {
-            checks.push(within(mach, spacing, is_off, context)?);
-        }
     }
     Ok(checks)
 }
@@ -86,30 +77,5 @@ fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 2], C
                 heat.relative(found / exact, 1.0, RISE),
             ]
         }
-    })
-}
-
-/// A shock as thick as its own viscosity makes it, without or with artificial dissipation, which is only told.
-fn within(
-    mach: f64,
-    spacing: f64,
-    is_off: bool,
-    context: &Context<'_>,
-) -> Result<Check, CompareError> {
-    let dissipation = if is_off { "off" } else { "on" };
-    let what = format!(
-        "particles, shock, M {mach}, spacing {spacing} mu/m, artificial viscosity {dissipation}: density from 10 to 90 %, in mu/m"
-    );
-    let mut settings = shock::settings(mach, spacing);
-    settings.push("scheme.motion=with-the-gas".into());
-    if is_off {
-        settings.push("scheme.artificial_dissipation=false".into());
-    }
-    let subject = Subject::new(NAME, &what, shock::THEORY);
-    let (found, expected) = shock::width_of(mach, &settings, context)?;
-    Ok(match found {
-        None => subject.unmeasured(expected),
-        Some(width) if is_off => subject.relative(width, expected, shock::ALLOWED),
-        Some(width) => subject.informs(width, expected),
     })
 }

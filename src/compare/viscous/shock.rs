@@ -9,9 +9,9 @@ use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::scenes::{Source, scene};
 
 const SCENE: Source = scene!("becker");
-pub(super) const THEORY: &str = "Becker 1922, Prandtl number 3/4";
+const THEORY: &str = "Becker 1922, Prandtl number 3/4";
 /// Per cent.
-pub(super) const ALLOWED: f64 = 1.0;
+const ALLOWED: f64 = 1.0;
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     let (machs, spacing): (&[f64], f64) = match context.level {
@@ -35,7 +35,7 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
 }
 
 /// Width of the shock at the end of a run, none where it failed, and the exact one.
-pub(super) fn width_of(
+fn width_of(
     mach: f64,
     settings: &[String],
     context: &Context<'_>,
@@ -45,7 +45,7 @@ pub(super) fn width_of(
     Ok((found, width(mach, GAMMA)?))
 }
 
-pub(super) fn settings(mach: f64, spacing: f64) -> Vec<String> {
+fn settings(mach: f64, spacing: f64) -> Vec<String> {
     let square = mach * mach;
     let ahead = 1.0 / (GAMMA * square);
     let velocity = ((GAMMA - 1.0) * square + 2.0) / ((GAMMA + 1.0) * square);

@@ -1,0 +1,132 @@
+//! The section of the thin plate in space: a slab ten spacings wide between two symmetry planes, thinner than a spacing and thicker.
+
+use std::fmt::Write as _;
+use std::path::{Path, PathBuf};
+
+use aero_validation::table::Check;
+
+use super::plate::{EDGE, INCIDENCE, MACH, PLATE, THEORY, coefficients};
+use super::trial::Trial;
+use crate::compare::context::{CompareError, Context, Level};
+use crate::compare::row::Row;
+use crate::compare::variant::{Motion, Scheme};
+
+/// Spacings along the chord, and across the slab.
+const CHORD: f64 = 60.0;
+const WIDTH: f64 = 10.0;
+
+/// Thicknesses in spacings: all, and that of the quick level.
+const THICKNESSES: [f64; 6] = [0.3, 0.5, 1.0, 1.5, 2.0, 3.0];
+const QUICK: [f64; 1] = [1.0];
+
+/// Flies the slabs by points that stay.
+pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let scheme = Scheme::USUAL.by_points(Motion::Settled);
+    let mut checks = Vec::new();
+    let thicknesses: &[f64] = match context.level {
+        Level::Quick => &QUICK,
+        Level::Full => &THICKNESSES,
+    };
+    for thickness in thicknesses {
+        checks.extend(slab(*thickness, scheme, context)?);
+    }
+    Ok(checks)
+}
+
+/// Lift and drag of a slab so many spacings thick.
+fn slab(thickness: f64, scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let half = 0.5 * thickness / CHORD;
+    let (lift, drag) = coefficients(half)?;
+    let width = WIDTH / CHORD;
+    let mesh = written(context.out, thickness, &facets(half, width))?;
+    let trial = Trial::new(PLATE, scheme)
+        .called(format!("slab {thickness} spacings thick, {scheme}"))
+        .with([
+            "dimension=3".into(),
+            format!("spacing={:?}", 1.0 / CHORD),
+            "end_time=10.0".into(),
+            format!("free_stream.velocity=[{MACH:?}, 0.0, 0.0]"),
+            "domain.min=[-0.2, -0.8, 0.0]".into(),
+            format!("domain.max=[1.2, 0.65, {width:?}]"),
+            "domain.sides.z_min=symmetry".into(),
+            "domain.sides.z_max=symmetry".into(),
+            format!(
+                "body.plate.shape={{ stl = {{ file = {:?} }} }}",
+                mesh.display().to_string()
+            ),
+            format!(
+                "body.plate.place={{ rotate = {{ axis = [0.0, 0.0, 1.0], angle = {:?} }} }}",
+                -INCIDENCE
+            ),
+            // Loads of what two planes cut are those of it and its images beyond both.
+            format!("body.plate.reference_area={:?}", 4.0 * width),
+        ]);
+    trial.compare(context, |outcome| {
+        let body = outcome.map(|o| &o.summary.bodies["plate"]);
+        let mean = |value: Option<f64>| value.unwrap_or(f64::NAN);
+        let measured = [
+            ("lift coefficient", mean(body.and_then(|b| b.cl_mean)), lift),
+            ("drag coefficient", mean(body.and_then(|b| b.cd_mean)), drag),
+        ];
+        let rows = measured.map(|(quantity, measured, exact)| {
+            Row::relative(quantity, THEORY, measured, exact, 5.0)
+        });
+        Ok(rows.into())
+    })
+}
+
+/// The slab's surface at no incidence, beyond both planes.
+fn facets(half: f64, width: f64) -> Vec<[[f64; 3]; 3]> {
+    let edge = EDGE[1];
+    let outline = [
+        [0.0, 0.0],
+        [edge, -half],
+        [1.0 - edge, -half],
+        [1.0, 0.0],
+        [1.0 - edge, half],
+        [edge, half],
+    ];
+    let ends = [-0.5 * width, 1.5 * width];
+    let corner = |n: usize, end: usize| {
+        let [x, y] = outline[n % outline.len()];
+        [x, y, ends[end]]
+    };
+    let mut facets = Vec::new();
+    for n in 0..outline.len() {
+        let [a, b] = [corner(n, 0), corner(n + 1, 0)];
+        let [c, d] = [corner(n + 1, 1), corner(n, 1)];
+        facets.extend([[a, b, c], [a, c, d]]);
+    }
+    // The outline is convex: a fan covers an end.
+    for n in 1..outline.len() - 1 {
+        facets.push([corner(0, 1), corner(n, 1), corner(n + 1, 1)]);
+        facets.push([corner(0, 0), corner(n + 1, 0), corner(n, 0)]);
+    }
+    facets
+}
+
+/// Writes the mesh beside the pictures; where it is.
+fn written(
+    folder: &Path,
+    thickness: f64,
+    facets: &[[[f64; 3]; 3]],
+) -> Result<PathBuf, CompareError> {
+    let mut text = String::from("solid slab\n");
+    for facet in facets {
+        text.push_str("facet normal 0 0 0\nouter loop\n");
+        for [x, y, z] in facet {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "vertex {x:?} {y:?} {z:?}");
+        }
+        text.push_str("endloop\nendfacet\n");
+    }
+    text.push_str("endsolid slab\n");
+    let path = folder.join(format!("slab-{thickness:?}.stl"));
+    let report = |source| CompareError::Report {
+        path: path.clone(),
+        source,
+    };
+    std::fs::create_dir_all(folder).map_err(report)?;
+    std::fs::write(&path, text).map_err(report)?;
+    std::path::absolute(&path).map_err(report)
+}

@@ -1,0 +1,151 @@
+//! Gas at rest shows its own pressure in corners between walls, whatever the angle and however it is laid there.
+
+mod support;
+
+use support::{Workplace, read_surface};
+
+/// Largest error of the pressure on the panels whose middles `is_judged`, with how many there are.
+fn error(scene: &str, is_judged: impl Fn([f64; 3]) -> bool) -> (f64, usize) {
+    let place = Workplace::new();
+    place.run(scene, &[]).succeeds();
+    let surface = read_surface(&place.path("results/surface-000000.vtp"));
+    let (mut largest, mut count) = (0.0_f64, 0);
+    for (corners, pressure) in surface.cells.iter().zip(&surface.arrays["pressure"]) {
+        let number = corners.len() as f64;
+        let middle = std::array::from_fn(|k| corners.iter().map(|c| c[k]).sum::<f64>() / number);
+        // Nothing presses what another solid covers.
+        if is_judged(middle) && *pressure != 0.0 {
+            count += 1;
+            largest = largest.max((pressure - 1.0).abs());
+        }
+    }
+    (largest, count)
+}
+
+/// A solid whose face rises from a floor at (1.5, 0), with gas between both.
+fn overhang(angle: f64) -> String {
+    let top = 1.5 - 1.0 / angle.to_radians().tan();
+    let end = 3.0_f64.max(top + 1.4);
+    format!(
+        r#"
+dimension = 2
+spacing = 0.1
+end_time = 0.001
+
+[free_stream]
+density = 1.4
+pressure = 1.0
+velocity = [0.0, 0.0]
+
+[domain]
+min = [-1.0, 0.0]
+max = [4.5, 2.0]
+
+[domain.sides]
+x_min = "wall"
+x_max = "wall"
+y_min = "wall"
+y_max = "wall"
+
+[[body]]
+name = "post"
+shape = {{ polygon = {{ points = [[1.5, 0.0], [{end}, 0.0], [{end}, 1.0], [{top}, 1.0]] }} }}
+
+[output]
+frames = 1
+"#
+    )
+}
+
+#[test]
+fn gas_at_rest_shows_its_pressure_in_corners_of_any_angle() {
+    for angle in [30.0, 45.0, 60.0, 90.0, 120.0, 135.0] {
+        let near = |at: [f64; 3]| (at[0] - 1.5).hypot(at[1]) < 0.12;
+        let (error, count) = error(&overhang(angle), near);
+        println!("{angle}: {error} on {count}");
+        assert!(count >= 2, "{angle} degrees: {count} panels");
+        assert!(error < 0.005, "{angle} degrees: {error}");
+    }
+}
+
+#[test]
+fn gas_at_rest_shows_its_pressure_at_the_foot_of_a_box_in_space() {
+    let scene = r#"
+dimension = 3
+spacing = 0.1
+end_time = 0.001
+
+[free_stream]
+density = 1.4
+pressure = 1.0
+velocity = [0.0, 0.0, 0.0]
+
+[domain]
+min = [0.0, 0.0, 0.0]
+max = [2.0, 2.0, 1.4]
+
+[domain.sides]
+x_min = "wall"
+x_max = "wall"
+y_min = "wall"
+y_max = "wall"
+z_min = "wall"
+z_max = "wall"
+
+[[body]]
+name = "box"
+shape = { cuboid = { edges = [0.8, 0.8, 0.6] } }
+place = { translate = [1.0, 1.0, 0.3] }
+
+[output]
+frames = 1
+"#;
+    // Distance from the box's sides.
+    let out = |at: [f64; 3]| (at[0] - 1.0).abs().max((at[1] - 1.0).abs()) - 0.4;
+    let (largest, count) = error(scene, |at| {
+        at[2] < 0.12 && out(at) > -1e-9 && out(at) < 0.12
+    });
+    println!("{largest} on {count}");
+    assert!(count > 100, "{count} panels");
+    assert!(largest < 0.005, "{largest}");
+}
+
+/// A plate one spacing thick, its middle on sites of the gas's lattice: gas on one side of it does not see the other side, gas beyond its
+/// rim sees both.
+#[test]
+fn gas_at_rest_shows_its_pressure_up_to_the_rim_of_a_thin_plate_in_space() {
+    let scene = r#"
+dimension = 3
+spacing = 0.1
+end_time = 0.001
+
+[free_stream]
+density = 1.4
+pressure = 1.0
+velocity = [0.0, 0.0, 0.0]
+
+[domain]
+min = [0.0, 0.0, 0.0]
+max = [2.4, 2.5, 2.4]
+
+[domain.sides]
+x_min = "wall"
+x_max = "wall"
+y_min = "wall"
+y_max = "wall"
+z_min = "wall"
+z_max = "wall"
+
+[[body]]
+name = "plate"
+shape = { cuboid = { edges = [0.8, 0.1, 0.8] } }
+place = { translate = [1.2, 1.25, 1.2] }
+
+[output]
+frames = 1
+"#;
+    let (largest, count) = error(scene, |at| (at[1] - 1.25).abs() < 0.06);
+    println!("{largest} on {count}");
+    assert!(count > 100, "{count} panels");
+    assert!(largest < 0.05, "{largest}");
+}
