@@ -47,6 +47,11 @@ pub fn compare(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, Comp
         }
     }
     if scheme.is_of_points() {
+        // Steps are as short as the square of the spacing.
+        let cells: &[u32] = match context.level {
+            Level::Quick => &[8, 16],
+            Level::Full => &[16, 32, 64],
+        };
         for (equation, term) in VISCOUS {
             for &factor in factors {
                 let mistake = Mistake {
