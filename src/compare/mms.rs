@@ -199,25 +199,31 @@ fn studies(scheme: Scheme, level: Level) -> Vec<Study> {
         studies.extend(in_full.map(|how| study(PLANE, how, in_plane(how))));
         studies.push(study(SPACE, Arrangement::Lattice, [16, 24, 36]));
     }
-    studies.extend(viscous(level).map(|(scene, arrangement, cells)| Study {
-        is_viscous: true,
-        ..study(scene, arrangement, cells)
-    }));
+    studies.extend(
+        viscous(scheme, level).map(|(scene, arrangement, cells)| Study {
+            is_viscous: true,
+            ..study(scene, arrangement, cells)
+        }),
+    );
     studies
 }
 
 /// What is flown of viscous gas, whose steps are as short as the square of the spacing.
-fn viscous(level: Level) -> impl Iterator<Item = (Source, Arrangement, [u32; 3])> {
+fn viscous(scheme: Scheme, level: Level) -> impl Iterator<Item = (Source, Arrangement, [u32; 3])> {
     let (plane, space): (_, &[_]) = match level {
+        Level::Quick if scheme.is_of_points() => ([8, 16, 32], &[]),
         Level::Quick => ([16, 32, 64], &[]),
         Level::Full => ([32, 64, 128], &[[12, 18, 27]]),
     };
-    let in_plane = [Arrangement::Lattice, Arrangement::Disordered];
+    let in_plane: &[_] = match level {
+        Level::Quick => &[Arrangement::Lattice],
+        Level::Full => &[Arrangement::Lattice, Arrangement::Disordered],
+    };
     let in_space = space
         .iter()
         .map(|cells| (SPACE, Arrangement::Lattice, *cells));
     in_plane
-        .map(|how| (PLANE, how, plane))
-        .into_iter()
+        .iter()
+        .map(move |how| (PLANE, *how, plane))
         .chain(in_space)
 }
