@@ -10,9 +10,9 @@ use crate::particles::Rates;
 use crate::records::{Matrix, Read};
 use crate::vectors::Vectors;
 
-/// Acceleration `1/rho_i [sum_j V_j (tau_i L_i + tau_j L_j) grad_i W_ij + sum_j V_j 2 mu_ij d_ij F]` by the stress `tau = mu (grad u +
-/// grad u^T - 2/3 div u)` [Stokes 1845], with the departure `d_ij = u_ij - 1/2 (grad u_i + grad u_j) r_ij`, and heating `1/rho_i [tau_i : grad u_i
-/// - 1/2 sum_j V_j 2 mu_ij d_ij.u_ij F]`: what the forces take from the motion.
+/// Acceleration `1/rho_i [sum_j V_j (tau_i L_i + tau_j L_j) grad_i W_ij + sum_j V_j 2 mu_ij d_ij F]` by the [`stress`] `tau`, with the
+/// departure `d_ij = u_ij - 1/2 (grad u_i + grad u_j) r_ij`, and the heat that its forces take from the motion,
+/// `1/rho_i [tau_i : grad u_i - 1/2 sum_j V_j 2 mu_ij d_ij.u_ij F]`.
 #[derive(Clone, Copy, Debug)]
 pub struct ViscousStress;
 
