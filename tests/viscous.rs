@@ -1,4 +1,4 @@
-//! Viscous flows of points that stay, through the command line.
+//! Viscous flows of points that stay and of particles, through the command line.
 
 mod support;
 
@@ -41,31 +41,43 @@ wall = { kind = "no-slip", temperature = 1.2, angular_velocity = 0.5 }
 frames = 1
 "#;
 
+/// The same by particles.
+fn by_particles() -> String {
+    CYLINDER.replace("[scheme]\nmotion = \"fixed\"\n", "")
+}
+
 #[test]
 fn friction_and_heat_stand_in_the_summary_and_on_the_surface() {
-    let place = Workplace::new();
-    place.run(CYLINDER, &[]).succeeds();
-    let body = &place.json("results/summary.json")["bodies"]["cylinder"];
-    let number = |key: &str, k: usize| body[key][k].as_f64().expect("a number");
-    // The stream drags, and what turns counter-clockwise drags it up before and down behind.
-    assert!(number("friction", 0) > 0.0 && number("friction", 0) < number("force_gauge", 0));
-    assert!(body["heat"].as_f64().expect("a number") > 0.0);
-    assert!(number("moment", 2) < 0.0, "{body}");
-    let surface = std::fs::read(place.path("results/surface-000001.vtp")).expect("a surface");
-    let text = String::from_utf8_lossy(&surface);
-    for column in ["friction", "heat_flux"] {
-        assert!(text.contains(column), "{column}");
+    for (scene, columns) in [
+        (CYLINDER.to_owned(), vec!["friction", "heat_flux"]),
+        (by_particles(), vec!["friction"]),
+    ] {
+        let place = Workplace::new();
+        place.run(&scene, &[]).succeeds();
+        let body = &place.json("results/summary.json")["bodies"]["cylinder"];
+        let number = |key: &str, k: usize| body[key][k].as_f64().expect("a number");
+        // The stream drags, and what turns counter-clockwise drags it up before and down behind.
+        assert!(number("friction", 0) > 0.0 && number("friction", 0) < number("force_gauge", 0));
+        assert!(body["heat"].as_f64().expect("a number") > 0.0, "{body}");
+        assert!(number("moment", 2) < 0.0, "{body}");
+        let surface = std::fs::read(place.path("results/surface-000001.vtp")).expect("a surface");
+        let text = String::from_utf8_lossy(&surface);
+        for column in columns {
+            assert!(text.contains(column), "{column}");
+        }
     }
 }
 
 #[test]
 fn any_number_of_threads_gives_the_same_bits() {
-    let frame = |threads: &str| {
-        let place = Workplace::new();
-        place.run(CYLINDER, &["--threads", threads]).succeeds();
-        std::fs::read(place.path("results/frame-000001.vtp")).expect("the last frame")
-    };
-    assert!(frame("1") == frame("2"));
+    for scene in [CYLINDER.to_owned(), by_particles()] {
+        let frame = |threads: &str| {
+            let place = Workplace::new();
+            place.run(&scene, &["--threads", threads]).succeeds();
+            std::fs::read(place.path("results/frame-000001.vtp")).expect("the last frame")
+        };
+        assert!(frame("1") == frame("2"));
+    }
 }
 
 #[test]

@@ -3,7 +3,7 @@
 use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use rayon::prelude::*;
 
-use super::diffusive::{Diffusive, Gradients};
+use super::diffusive::Gradients;
 use super::gas::Gas;
 use super::neighbourhood::Neighbourhood;
 use super::neighbours::Lists;
@@ -11,7 +11,7 @@ use super::pairs::diffusion::diffuse;
 use super::pairs::renormalisation::even_renormalisation;
 use super::particles::{Columns, Particles};
 use super::problem::Problem;
-use super::records::{GHOSTS, Near, Records};
+use super::records::{Diffusive, GHOSTS, Near, Records};
 use super::sides::Buffers;
 use super::walls::{Walls, beyond};
 

@@ -1,30 +1,10 @@
 //! What the pass over diffusion reads of a neighbour, beside its geometry and state.
 
 use aero_geometry::Vector;
-use nalgebra::{SMatrix, SVector};
 use serde::{Deserialize, Serialize};
 
 use crate::gas::TransportCoefficients;
-use crate::pairs::diffusion::stress;
-use crate::record::{Matrix, Number};
-
-/// Fluxes of a particle, and the gradients that they come from.
-#[derive(Clone, Copy, Debug)]
-#[repr(C)]
-pub struct Diffusive<const D: usize, N: Number = f64> {
-    /// Half the gradient of the velocity, `du_a / dx_b`.
-    pub half_gradient: SMatrix<N, D, D>,
-    /// `V tau L`.
-    pub stress: SMatrix<N, D, D>,
-    /// Half the dynamic viscosity.
-    pub half_viscosity: N,
-    /// Half the gradient of the specific internal energy.
-    pub half_slope: SVector<N, D>,
-    /// `V kappa L grad e`, of the conductivity `kappa = k / c_v`.
-    pub flux: SVector<N, D>,
-    /// Half of `kappa`.
-    pub half_conductivity: N,
-}
+use crate::record::{Diffusive, Matrix};
 
 /// Gradients at a particle.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
@@ -107,4 +87,10 @@ impl<const D: usize> Diffusive<D> {
             ..*self
         }
     }
+}
+
+/// `mu (grad u + grad u^T - 2/3 div u)` [Stokes 1845].
+pub fn stress<const D: usize>(viscosity: f64, gradient: &Matrix<D>) -> Matrix<D> {
+    let volume = Matrix::identity() * (gradient.trace() * 2.0 / 3.0);
+    (gradient + gradient.transpose() - volume) * viscosity
 }

@@ -3,7 +3,6 @@
 use aero_geometry::Vector;
 use nalgebra::{SMatrix, SVector, Scalar};
 
-use super::diffusive::Diffusive;
 use super::gas::Gas;
 
 /// A `D x D` matrix.
@@ -96,6 +95,24 @@ pub struct State<const D: usize, N: Number = f64> {
     pub energy_slope: SVector<N, D>,
     /// `V p L`.
     pub stress: Symmetric<D, N>,
+}
+
+/// Fluxes of a particle, and the gradients that they come from.
+#[derive(Clone, Copy, Debug)]
+#[repr(C)]
+pub struct Diffusive<const D: usize, N: Number = f64> {
+    /// Half the gradient of the velocity, `du_a / dx_b`.
+    pub half_gradient: SMatrix<N, D, D>,
+    /// `V tau L`.
+    pub stress: SMatrix<N, D, D>,
+    /// Half the dynamic viscosity.
+    pub half_viscosity: N,
+    /// Half the gradient of the specific internal energy.
+    pub half_slope: SVector<N, D>,
+    /// `V kappa L grad e`, of the conductivity `kappa = k / c_v`.
+    pub flux: SVector<N, D>,
+    /// Half of `kappa`.
+    pub half_conductivity: N,
 }
 
 /// A symmetric `D x D` matrix without its lower triangle.

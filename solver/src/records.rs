@@ -3,8 +3,7 @@
 
 use aero_geometry::Vector;
 
-pub use super::diffusive::Diffusive;
-pub use super::record::{Matrix, Near, Number, Read, State, Symmetric};
+pub use super::record::{Diffusive, Matrix, Near, Number, Read, State, Symmetric};
 pub use super::rounding::Rounded;
 
 /// Numbers that records are kept in.

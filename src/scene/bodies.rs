@@ -17,8 +17,8 @@ use super::number::Positive;
 use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::{Made, Making};
+use super::surface;
 use super::vector::{AXES, vector};
-use super::wall;
 use aero_solver::layers::GHOSTS;
 use aero_solver::method::Method;
 use aero_solver::problem::{Body, Domain, State};
@@ -257,7 +257,7 @@ impl<const D: usize> BodyPlan<D> {
         Ok(Body {
             name: name.to_owned(),
             shape: self.made.shape.clone(),
-            wall: wall::of_body(name, entry.wall.as_ref(), &moment_centre)?,
+            wall: surface::of_body(name, entry.wall.as_ref(), &moment_centre)?,
             motion,
             packed_fluid: packed::fluid(&packing),
             ghosts: packing.ghosts,

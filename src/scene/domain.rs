@@ -4,8 +4,8 @@ use aero_geometry::{Bounds, Vector};
 
 use super::error::SceneError;
 use super::file::{SceneFile, SidesEntry};
+use super::surface;
 use super::vector::{AXES, vector};
-use super::wall;
 use super::words::MotionWord;
 use aero_solver::layers;
 use aero_solver::problem::{Domain, Side};
@@ -97,7 +97,7 @@ fn sides<const D: usize>(entry: &SidesEntry) -> Result<[[Side; 2]; D], SceneErro
             })?;
             sides[k][end] = side.side;
             if let Some(velocity) = &side.velocity {
-                wall::set_velocity::<D>(&mut sides[k][end], &name(k, end), k, velocity)?;
+                surface::set_velocity::<D>(&mut sides[k][end], &name(k, end), k, velocity)?;
             }
         }
         let periodic = sides[k].map(|side| side == Side::Periodic);

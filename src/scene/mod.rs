@@ -66,6 +66,8 @@ pub mod shapes;
 pub mod side;
 pub mod spin;
 mod stream;
+mod surface;
+mod transport;
 mod vector;
 mod views;
 pub mod viscosity;
@@ -218,8 +220,8 @@ impl Scene {
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
         let initial = solution.as_ref().map_or(initial, Manufactured::initial);
         let end_time = flow::end_time(file, stop, &domain, &free_stream)?;
-        let gas_constant = viscosity::gas_constant(file);
-        let gas = viscosity::gas(file, &free_stream)?;
+        let gas_constant = transport::gas_constant(file);
+        let gas = transport::gas(file, &free_stream)?;
         let surroundings = region::Surroundings {
             domain: &domain,
             spacing,
@@ -248,8 +250,8 @@ impl Scene {
             bodies,
             source: None,
         };
-        wall::check(&problem, gas_constant.is_some())?;
-        wall::refuse_viscous_rings(&problem)?;
+        surface::check(&problem, gas_constant.is_some())?;
+        surface::refuse_viscous_rings(&problem)?;
         if problem.scheme.viscosity == Viscosity::None && !problem.gas.is_viscous() {
             return Err(SceneError::value(
                 "scheme.artificial_dissipation",
@@ -298,7 +300,7 @@ impl Scene {
             Manufactured::new(
                 entry,
                 self.file.spacing.get(),
-                viscosity::gas(&self.file, &rest)?,
+                transport::gas(&self.file, &rest)?,
             )
         };
         entry.map(made).transpose()

@@ -21,6 +21,11 @@ fn points(end: f64) -> String {
         )
 }
 
+/// The same by viscous particles.
+fn viscous(end: f64) -> String {
+    format!("{}\n[gas]\nviscosity = 0.01\n", stream(end))
+}
+
 /// Runs a scene in one go, into a folder of its own.
 fn run_whole(place: &Workplace, scene: &str) {
     place.write("scene.toml", scene);
@@ -58,6 +63,7 @@ fn a_longer_run_has_the_bits_of_one_that_never_stopped() {
             &points(long),
         );
     }
+    prolong(&viscous(0.1), &["end_time=0.16"], &viscous(0.16));
 }
 
 #[test]

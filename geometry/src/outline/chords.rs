@@ -3,6 +3,43 @@
 use super::piece::Piece;
 use crate::{Bounds, Vector};
 
+/// Chords turn no more than this (radians; 5 degrees), so that their length is the arc's to a part in three thousand.
+const CHORD_TURN: f64 = std::f64::consts::PI / 36.0;
+
+impl Piece {
+    /// The part of the piece in `region` as chords, and maybe more: one of a straight piece, of an arc pieces about `size` long, those near
+    /// the region alone.
+    pub(crate) fn chords(&self, size: f64, region: &Bounds<2>) -> Vec<[Vector<2>; 2]> {
+        let [mut from, mut to] = self.range();
+        let mut parts = 1.0;
+        match self {
+            Self::Line(line) => {
+                for axis in 0..2 {
+                    let slope = line.direction[axis];
+                    let ends = [region.min[axis], region.max[axis]].map(|x| x - line.origin[axis]);
+                    if slope == 0.0 {
+                        if ends[0] > 0.0 || ends[1] < 0.0 {
+                            return Vec::new();
+                        }
+                        continue;
+                    }
+                    let [a, b] = ends.map(|end| end / slope);
+                    from = from.max(a.min(b));
+                    to = to.min(a.max(b));
+                }
+            }
+            Self::Arc(arc) => {
+                let turn = arc.sweep.abs() / CHORD_TURN;
+                parts = (self.length() / size).max(turn).ceil().max(1.0);
+            }
+        }
+        if !(to > from && (to - from).is_finite()) {
+            return Vec::new();
+        }
+        Chords::new(self, [from, to], parts, region).all()
+    }
+}
+
 /// A piece cut into equal parts.
 pub(super) struct Chords<'a> {
     piece: &'a Piece,

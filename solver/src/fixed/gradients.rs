@@ -99,7 +99,7 @@ impl<const D: usize> Sums<D> {
         }
     }
 
-    fn meet(&mut self, cell: &Primitive<D>, image: &super::walls::Image<D>) {
+    fn meet(&mut self, cell: &Primitive<D>, image: &super::image::Image<D>) {
         let speed = dot(&cell.velocity, &image.normal).abs();
         self.reach += (speed + self.sound) * image.size;
     }

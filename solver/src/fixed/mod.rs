@@ -24,6 +24,7 @@ mod gradients;
 mod ground;
 mod hll;
 mod hllc;
+mod image;
 pub mod levels;
 mod limiter;
 mod loads;
@@ -56,6 +57,7 @@ mod snapshot;
 pub mod solids;
 mod stages;
 mod state;
+mod stick;
 mod sweeps;
 mod tally;
 #[cfg(test)]

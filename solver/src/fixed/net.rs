@@ -11,8 +11,9 @@ use aero_geometry::Vector;
 use foldhash::fast::FixedState;
 
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
+use super::image::Image;
 use super::sides::{Beyond, Side};
-use super::walls::{Image, Wall};
+use super::walls::Wall;
 
 /// Cells of a block.
 pub const BLOCK: usize = 512;

@@ -3,9 +3,9 @@
 use super::cells::SideFace;
 use super::gas::Gas;
 use super::hll::Jump;
+use super::image::Image;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
-use super::walls::Image;
 use crate::method::Time;
 use crate::problem::{Problem, Side as SideKind, State};
 use crate::sides::{Along, Answering, Place};

@@ -126,6 +126,46 @@ fn walls_that_keep_heat_or_give_it_show_in_the_temperature() {
     assert!(u < 2e-3 && t < 0.02, "{u} {t}");
 }
 
+/// Heat that walls give is what the gas gains, and what the books have.
+#[test]
+fn heat_that_walls_give_is_booked() {
+    let flux = 0.05;
+    let mut problem = couette(16, Extrapolation::Wom, [WallHeat::Flux(flux); 2], |_| 1.0);
+    problem.initial = Initial::FreeStream;
+    problem.domain.sides[1] = [wall(WallHeat::Flux(flux), 0.0); 2];
+    let mut simulation = start(problem);
+    let before = simulation.totals().energy;
+    advance_to(&mut simulation, 0.5);
+    let gained = simulation.totals().energy - before;
+    let given = 2.0 * flux * simulation.problem.domain.bounds.max[0] * simulation.time();
+    assert!((gained / given - 1.0).abs() < 0.03, "{gained} of {given}");
+    let booked = simulation.inflow().energy;
+    assert!((booked / gained - 1.0).abs() < 1e-3, "{booked} of {gained}");
+    let width = simulation.problem.domain.bounds.max[0];
+    for load in simulation.loads() {
+        assert!((load.heat / (flux * width) - 1.0).abs() < 0.05, "{load:?}");
+    }
+}
+
+/// A step is no longer than diffusion allows.
+#[test]
+fn steps_of_thick_gas_are_as_short_as_diffusion_asks() {
+    let held = [WallHeat::Temperature(1.0); 2];
+    let mut problem = couette(12, Extrapolation::Wom, held, |_| 1.0);
+    let Gas::Ideal(gas) = &mut problem.gas;
+    gas.transport = Some(Transport {
+        viscosity: Viscosity::Constant(5.0),
+        prandtl: PRANDTL,
+    });
+    let mut simulation = start(problem);
+    advance(&mut simulation, 300);
+    // Friction has drawn the straight line that it began with, nothing else.
+    let worst = simulation.fluid.iter().fold(0.0_f64, |worst, p| {
+        worst.max((p.velocity[0] / SPEED - p.position[1]).abs())
+    });
+    assert!(worst < 0.01, "{worst}");
+}
+
 #[test]
 fn viscous_gas_in_a_periodic_box_keeps_momentum_and_energy_to_round_off() {
     let mut problem = stirred::<2>(20);

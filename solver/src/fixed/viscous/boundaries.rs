@@ -1,10 +1,11 @@
 //! What viscosity and heat conduction take through walls and sides.
 
+use super::super::image::Image;
 use super::super::net::Net;
 use super::super::sides::{Beyond, Side};
 use super::super::state::{Conserved, Primitive, dot};
-use super::super::walls::{Image, Wall};
-use super::stick::{Heat, Stick};
+use super::super::stick::{Heat, Stick};
+use super::super::walls::Wall;
 use super::{Gradient, Rubbing, around, radius, width};
 
 /// Least distance of a cell from its wall, in widths of the cell: at an edge its point may lie beyond the plane of a wall that it holds a part of.

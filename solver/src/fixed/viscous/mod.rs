@@ -16,7 +16,7 @@ use aero_geometry::Vector;
 
 pub use boundaries::WallShare;
 pub use faces::Rubbing;
-pub use stick::{Stick, stick};
+pub use stick::stick;
 
 /// Viscosity and heat conduction of a gas.
 #[derive(Clone, Copy, Debug)]

@@ -1,57 +1,15 @@
-//! Walls that gas sticks to.
+//! Which walls gas sticks to.
 
 use aero_geometry::Vector;
 
 use super::super::net::Net;
-use super::super::state::Primitive;
+use super::super::stick::{Heat, Stick};
 use super::Viscous;
 use crate::problem::{NoSlip, Problem, Side, WallHeat, WallKind};
 use crate::walls::wall_sides;
 
-/// Least part of a cell's density that its image behind a hot wall has.
-const LEAST_DENSITY: f64 = 0.1;
-
 /// Part of its speed up to which the surface of a wall may move across itself: faces are flat where bodies are round.
 const ACROSS: f64 = 0.2;
-
-/// How gas sticks to a face.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Stick<const D: usize> {
-    /// Velocity of the surface, along the face.
-    pub velocity: [f64; D],
-    /// What heat does.
-    pub heat: Heat,
-}
-
-/// What heat does at a face.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Heat {
-    /// The gas there has this `p / rho`.
-    Level(f64),
-    /// So much goes into the gas per area and time.
-    Flux(f64),
-}
-
-impl<const D: usize> Stick<D> {
-    /// The state behind the wall that makes that on it the mean of both, of gas in the state of `cell`.
-    pub fn beyond(&self, cell: &Primitive<D>) -> Primitive<D> {
-        let mut velocity = self.velocity;
-        for k in 0..D {
-            velocity[k] += self.velocity[k] - cell.velocity[k];
-        }
-        let density = match self.heat {
-            Heat::Level(level) => {
-                (2.0 * cell.pressure / level - cell.density).max(LEAST_DENSITY * cell.density)
-            }
-            Heat::Flux(_) => cell.density,
-        };
-        Primitive {
-            density,
-            velocity,
-            pressure: cell.pressure,
-        }
-    }
-}
 
 /// Tells the walls of `net` that gas sticks to them, where it does in `problem`.
 ///

@@ -11,7 +11,7 @@ mod viscous_stress;
 use aero_geometry::Vector;
 
 pub use heat_flux::HeatFlux;
-pub use viscous_stress::{ViscousStress, stress};
+pub use viscous_stress::ViscousStress;
 
 use super::law::Basis;
 use super::pair::{LaneVector, Pair, Target};

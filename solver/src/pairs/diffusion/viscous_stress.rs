@@ -7,10 +7,10 @@ use crate::lanes::Lane;
 use crate::pairs::law::{Law, Neighbour};
 use crate::pairs::pair::{LaneVector, accumulate, dot, dot_add};
 use crate::particles::Rates;
-use crate::records::{Matrix, Read};
+use crate::records::Read;
 use crate::vectors::Vectors;
 
-/// Acceleration `1/rho_i [sum_j V_j (tau_i L_i + tau_j L_j) grad_i W_ij + sum_j V_j 2 mu_ij d_ij F]` by the [`stress`] `tau`, with the
+/// Acceleration `1/rho_i [sum_j V_j (tau_i L_i + tau_j L_j) grad_i W_ij + sum_j V_j 2 mu_ij d_ij F]` by the [`stress`](crate::diffusive::stress) `tau`, with the
 /// departure `d_ij = u_ij - 1/2 (grad u_i + grad u_j) r_ij`, and the heat that its forces take from the motion,
 /// `1/rho_i [tau_i : grad u_i - 1/2 sum_j V_j 2 mu_ij d_ij.u_ij F]`.
 #[derive(Clone, Copy, Debug)]
@@ -102,10 +102,4 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for ViscousStress {
         let friction = site.own.friction(&site.velocity_gradient);
         site.heating += (friction - 0.5 * work) / site.near.density();
     }
-}
-
-/// `mu (grad u + grad u^T - 2/3 div u)` [Stokes 1845].
-pub fn stress<const D: usize>(viscosity: f64, gradient: &Matrix<D>) -> Matrix<D> {
-    let volume = Matrix::identity() * (gradient.trace() * 2.0 / 3.0);
-    (gradient + gradient.transpose() - volume) * viscosity
 }
