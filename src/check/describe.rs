@@ -3,6 +3,7 @@
 use aero_solver::panels::Panels;
 use aero_solver::problem::Problem;
 
+use super::layer::reynolds_per_length;
 use super::side_name;
 use crate::case::{AnyCase, Case};
 
@@ -40,6 +41,12 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
             0.5 * stream.density * speed * speed
         ),
     ];
+    if let Some(per_length) = reynolds_per_length(problem) {
+        lines.push(format!(
+            "Reynolds number: {per_length:.5e} to a unit of length, {:.3e} to a spacing",
+            per_length * problem.spacing
+        ));
+    }
     for (axis, end, side, face) in problem.domain.each_side() {
         let name = side_name(axis, end);
         lines.push(format!("side {name} at {face}: {side}"));

@@ -3,6 +3,7 @@
 
 mod contact;
 mod describe;
+mod layer;
 mod pockets;
 mod shock;
 mod sides;
@@ -64,6 +65,7 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
     };
     sides::look(problem, &panels, &mut found);
     sound::look(problem, &mut found);
+    layer::look(problem, &mut found);
     contact::look(problem, &mut found);
     pockets::look(problem, &mut found);
     let shocks = shock::look(problem, &panels).into_iter();
