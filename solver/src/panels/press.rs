@@ -328,8 +328,9 @@ fn seen<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>, reach: f64) ->
         // Beyond a period the image of what is near one end is near the other.
         let ends = [0, 1].map(|end| domain.face(axis, end));
         let is_near = |place: f64| ends.iter().any(|end| (place - end).abs() < reach);
+        let own = seen.len();
         for map in Map::of_axis(domain, axis).into_iter().flatten() {
-            let images: Vec<_> = seen
+            let images: Vec<_> = seen[..own]
                 .iter()
                 .map(|own| {
                     let mut image = *own;

