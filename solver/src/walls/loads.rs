@@ -150,23 +150,40 @@ fn on_ghosts<const D: usize>(
     let mut rates = vec![Rates::default(); walls.ghosts.len()];
     let (lists, records) = (&around.wall_lists.near, &around.records);
     reactions(&around.arch, lists, records, &problem.scheme, &mut rates);
-    let mut diffused = vec![Rates::default(); walls.ghosts.len()];
-    if problem.gas.is_viscous() {
+    let diffused = problem.gas.is_viscous().then(|| {
+        let mut diffused = vec![Rates::default(); walls.ghosts.len()];
         diffuse_into_ghosts(&around.arch, lists, records, &mut diffused);
-    }
+        diffused
+    });
     let rings = Rings::new(problem);
     let masses = &records.near[records.segment(GHOSTS)];
     rates
         .iter()
-        .zip(&diffused)
         .zip(masses)
         .zip(&walls.ghosts)
-        .map(|(((rates, diffused), near), ghost)| {
+        .enumerate()
+        .map(|(index, ((rates, near), ghost))| {
             let mass = near.mass * rings.circumference(&foot(&problem.domain, ghost));
-            OnGhost {
-                force: (rates.acceleration + diffused.acceleration) * mass,
-                friction: diffused.acceleration * mass,
-                heat: diffused.energy * mass,
+            let pressed = rates.acceleration * mass;
+            match &diffused {
+                Some(diffused) => {
+                    let Rates {
+                        acceleration,
+                        energy,
+                        ..
+                    } = &diffused[index];
+                    let friction = acceleration * mass;
+                    OnGhost {
+                        force: pressed + friction,
+                        friction,
+                        heat: energy * mass,
+                    }
+                }
+                None => OnGhost {
+                    force: pressed,
+                    friction: Vector::zeros(),
+                    heat: 0.0,
+                },
             }
         })
         .collect()

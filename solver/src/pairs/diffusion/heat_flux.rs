@@ -1,11 +1,9 @@
 //! What heat conduction does.
 
-use aero_geometry::Vector;
-
 use super::{Met, Neighbours, Own, Site};
 use crate::lanes::Lane;
 use crate::pairs::law::{Law, Neighbour};
-use crate::pairs::pair::{LaneVector, accumulate, dot, dot_add};
+use crate::pairs::pair::{LaneVector, dot, dot_add};
 use crate::particles::Rates;
 use crate::records::Read;
 use crate::vectors::Vectors;
@@ -24,9 +22,9 @@ pub struct Heated<V: Vectors, const D: usize> {
 
 impl<const D: usize> Law<Neighbours<'_, D>, D> for HeatFlux {
     type Own<V: Vectors> = Heated<V, D>;
-    /// `sum V_j grad W`, and `sum V_j q_j L_j.grad W + sum V_j 2 kappa d F`.
-    type Sums<V: Vectors> = (LaneVector<V, D>, Lane<V>);
-    type Number = ([f64; D], f64);
+    /// `sum V_j q_j L_j.grad W + sum V_j 2 kappa d F`.
+    type Sums<V: Vectors> = Lane<V>;
+    type Number = f64;
 
     #[inline(always)]
     fn load<V: Vectors>(
@@ -48,12 +46,11 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for HeatFlux {
         (_, own): (&Own<V, D>, &Self::Own<V>),
         met: &mut Met<V, D>,
         j: Neighbour<'_, V, D>,
-        (gradient, heat): &mut Self::Sums<V>,
+        heat: &mut Lane<V>,
     ) {
         let other = &j.read.diffusive[j.slot];
         let lane = |number| Lane::broadcast(j.vectors, number);
         let r = &met.pair.separation;
-        accumulate(gradient, met.gradient_volume, r);
         let flux: LaneVector<V, D> = std::array::from_fn(|k| lane(other.flux[k]));
         let conductivity = own.half_conductivity + lane(other.half_conductivity);
         let exchange = (conductivity + conductivity) * met.gradient_volume;
@@ -65,14 +62,8 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for HeatFlux {
     }
 
     #[inline(always)]
-    fn finish(
-        &self,
-        _: Self::Number,
-        (gradient, heat): Self::Number,
-        site: &mut Site<'_, D>,
-        _: &mut Rates<D>,
-    ) {
-        let own = site.own.flux.dot(&Vector::from(gradient)) / site.near.volume;
-        site.heating += (own + heat) / site.near.density();
+    fn finish(&self, _: f64, heat: f64, site: &mut Site<'_, D>, _: &mut Rates<D>) {
+        let own = site.own.flux.dot(&site.volume_gradients[1]) / site.near.volume;
+        site.conduction += (own + heat) / site.near.density();
     }
 }

@@ -7,11 +7,13 @@
 
 mod heat_flux;
 mod viscous_stress;
+mod volume_gradient;
 
 use aero_geometry::Vector;
 
 pub use heat_flux::HeatFlux;
 pub use viscous_stress::ViscousStress;
+pub use volume_gradient::VolumeGradient;
 
 use super::law::Basis;
 use super::pair::{LaneVector, Pair, Target};
@@ -22,6 +24,10 @@ use crate::particles::Rates;
 use crate::records::{Diffusive, GHOSTS, Matrix, Near, Read, Records};
 use crate::vectors::Vectors;
 
+/// What the pass sums.
+const LAWS: (VolumeGradient, (ViscousStress, HeatFlux)) =
+    (VolumeGradient, (ViscousStress, HeatFlux));
+
 /// Adds to the rates of every listed particle of the fluid what its viscosity and conductivity do; always in `f64`.
 pub fn diffuse<const D: usize>(
     backend: &impl Backend,
@@ -29,8 +35,12 @@ pub fn diffuse<const D: usize>(
     records: &Records<D>,
     rates: &mut [Rates<D>],
 ) {
-    let met = Neighbours { records, first: 0 };
-    backend.sweep_in_double(lists, records, &met, &(ViscousStress, HeatFlux), rates);
+    let met = Neighbours {
+        records,
+        first: 0,
+        friction_heats: true,
+    };
+    backend.sweep_in_double(lists, records, &met, &LAWS, rates);
 }
 
 /// What the gas would do to ghosts of mass `rho V`: accelerate them by its friction, and heat them through the wall. Ghosts have no heat of
@@ -41,19 +51,19 @@ pub fn diffuse_into_ghosts<const D: usize>(
     records: &Records<D>,
     rates: &mut [Rates<D>],
 ) {
-    let first = records.start[GHOSTS];
-    let met = Neighbours { records, first };
-    backend.sweep_in_double(lists, records, &met, &ViscousStress, rates);
-    for rates in &mut *rates {
-        rates.energy = 0.0;
-    }
-    backend.sweep_in_double(lists, records, &met, &HeatFlux, rates);
+    let met = Neighbours {
+        records,
+        first: records.start[GHOSTS],
+        friction_heats: false,
+    };
+    backend.sweep_in_double(lists, records, &met, &LAWS, rates);
 }
 
 /// What a pass reads.
 pub struct Neighbours<'a, const D: usize> {
     records: &'a Records<D>,
     first: usize,
+    friction_heats: bool,
 }
 
 /// The particles `i`, one per lane.
@@ -85,10 +95,14 @@ pub struct Site<'a, const D: usize> {
     pub own: &'a Diffusive<D>,
     /// Gradient of its velocity.
     pub velocity_gradient: Matrix<D>,
+    /// `sum V_j grad W` over the gas, and over all: left by the volume gradient.
+    pub volume_gradients: [Vector<D>; 2],
     /// Acceleration by the gas, and by all.
     pub accelerations: [Vector<D>; 2],
-    /// Rate of specific internal energy.
-    pub heating: f64,
+    /// Rate of specific internal energy by friction.
+    pub friction: f64,
+    /// And by conduction.
+    pub conduction: f64,
 }
 
 impl<const D: usize> Basis<D> for Neighbours<'_, D> {
@@ -148,8 +162,10 @@ impl<const D: usize> Basis<D> for Neighbours<'_, D> {
             near: &self.records.near[slot],
             own: &self.records.diffusive[slot],
             velocity_gradient: rates.velocity_gradient,
+            volume_gradients: [Vector::zeros(); 2],
             accelerations: [Vector::zeros(); 2],
-            heating: 0.0,
+            friction: 0.0,
+            conduction: 0.0,
         }
     }
 
@@ -158,6 +174,9 @@ impl<const D: usize> Basis<D> for Neighbours<'_, D> {
         let [gas, all] = site.accelerations;
         rates.acceleration += gas;
         rates.wall_acceleration += all - gas;
-        rates.energy += site.heating;
+        rates.energy += site.conduction;
+        if self.friction_heats {
+            rates.energy += site.friction;
+        }
     }
 }

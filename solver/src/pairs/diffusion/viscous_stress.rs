@@ -24,26 +24,22 @@ pub struct Sheared<V: Vectors, const D: usize> {
 }
 
 impl ViscousStress {
-    /// From `sum V_j grad W`, `sum V_j tau_j L_j grad W` and `sum V_j 2 mu d F`.
+    /// From `sum V_j grad W`, and `sum V_j tau_j L_j grad W` and `sum V_j 2 mu d F`.
     #[inline(always)]
     fn acceleration<const D: usize>(
         site: &Site<'_, D>,
-        (gradient, stress, departure, _): ([f64; D], [f64; D], [f64; D], f64),
+        volume_gradient: &Vector<D>,
+        (stress, departure, _): ([f64; D], [f64; D], f64),
     ) -> Vector<D> {
-        let own = site.own.stress * Vector::from(gradient) / site.near.volume;
+        let own = site.own.stress * volume_gradient / site.near.volume;
         (own + Vector::from(stress) + Vector::from(departure)) / site.near.density()
     }
 }
 
 impl<const D: usize> Law<Neighbours<'_, D>, D> for ViscousStress {
     type Own<V: Vectors> = Sheared<V, D>;
-    type Sums<V: Vectors> = (
-        LaneVector<V, D>,
-        LaneVector<V, D>,
-        LaneVector<V, D>,
-        Lane<V>,
-    );
-    type Number = ([f64; D], [f64; D], [f64; D], f64);
+    type Sums<V: Vectors> = (LaneVector<V, D>, LaneVector<V, D>, Lane<V>);
+    type Number = ([f64; D], [f64; D], f64);
 
     #[inline(always)]
     fn load<V: Vectors>(
@@ -67,12 +63,11 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for ViscousStress {
         (_, own): (&Own<V, D>, &Self::Own<V>),
         met: &mut Met<V, D>,
         j: Neighbour<'_, V, D>,
-        (gradient, stress, departure, work): &mut Self::Sums<V>,
+        (stress, departure, work): &mut Self::Sums<V>,
     ) {
         let other = &j.read.diffusive[j.slot];
         let lane = |number| Lane::broadcast(j.vectors, number);
         let r = &met.pair.separation;
-        accumulate(gradient, met.gradient_volume, r);
         let viscosity = own.half_viscosity + lane(other.half_viscosity);
         let exchange = (viscosity + viscosity) * met.gradient_volume;
         let mut apart = met.jump;
@@ -97,9 +92,10 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for ViscousStress {
         _: &mut Rates<D>,
     ) {
         let (.., work) = all;
-        site.accelerations[0] += Self::acceleration(site, gas);
-        site.accelerations[1] += Self::acceleration(site, all);
+        let [in_gas, in_all] = site.volume_gradients;
+        site.accelerations[0] += Self::acceleration(site, &in_gas, gas);
+        site.accelerations[1] += Self::acceleration(site, &in_all, all);
         let friction = site.own.friction(&site.velocity_gradient);
-        site.heating += (friction - 0.5 * work) / site.near.density();
+        site.friction += (friction - 0.5 * work) / site.near.density();
     }
 }
