@@ -8,8 +8,8 @@ use serde::{Deserialize, Serialize};
 use crate::fixed::{FixedMemory, FixedSimulation, Settled};
 use crate::frame::{CellFrame, Frame, Load, PanelFrame, SurfaceFrame, Totals};
 use crate::method::Method;
-use crate::problem::Problem;
-use crate::{Failure, Memory, Simulation, Statistics};
+use crate::problem::{Motion, Problem};
+use crate::{Failure, Memory, Pose, Simulation, Statistics};
 
 /// What carries the gas of a flow.
 #[derive(Debug)]
@@ -162,6 +162,14 @@ impl<const D: usize> Carrier<D> {
     /// Steps taken.
     pub fn steps(&self) -> u64 {
         of_either!(self, flow => flow.steps())
+    }
+
+    /// Where body `number` is now, and how it moves.
+    pub fn pose(&self, number: usize) -> Pose<D> {
+        match self {
+            Self::WithTheGas(flow) => flow.pose(number),
+            Self::Fixed(_) => Pose::new(&Motion::none(), 0.0),
+        }
     }
 
     /// What came in through sides and walls so far.

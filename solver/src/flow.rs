@@ -9,7 +9,7 @@ use crate::compiled;
 use crate::fixed::Settled;
 use crate::frame::{CellFrame, Frame, Load, PanelFrame, SurfaceFrame, Totals};
 use crate::problem::Problem;
-use crate::{Failure, Statistics};
+use crate::{Failure, Pose, Statistics};
 
 pub use crate::carrier::FlowMemory;
 
@@ -108,6 +108,11 @@ impl<const D: usize> Flow<D> {
     /// Conserved totals of the gas now.
     pub fn totals(&self) -> Totals {
         compiled::totals(&self.0)
+    }
+
+    /// Where body `number` is now, and how it moves.
+    pub fn pose(&self, number: usize) -> Pose<D> {
+        self.0.pose(number)
     }
 
     /// What came in through sides and walls so far.

@@ -89,6 +89,7 @@ pub use flow::{Flow, FlowMemory};
 pub use passes::Pass;
 pub use show::{Memory, Statistics};
 pub use step::Failure;
+pub use walls::rigid::Pose;
 pub use walls::wall_sides;
 
 /// A run in progress.
@@ -145,7 +146,7 @@ impl<const D: usize> Simulation<D> {
             &mut walls,
             &mut around,
         );
-        Ok(Self {
+        let simulation = Self {
             problem,
             clock,
             fluid,
@@ -154,7 +155,16 @@ impl<const D: usize> Simulation<D> {
             around,
             books: Books::default(),
             panels: OnceLock::new(),
-        })
+        };
+        match simulation.walls.contact(&simulation.problem, 0.0) {
+            Some(contact) => Err(simulation.touched(&contact).reason),
+            None => Ok(simulation),
+        }
+    }
+
+    /// Where body `number` is now, and how it moves.
+    pub fn pose(&self, number: usize) -> Pose<D> {
+        self.walls.pose(number, self.clock.time)
     }
 
     /// The problem that runs.

@@ -81,6 +81,32 @@ fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize)
         body.reference_length,
         super::place(&body.moment_centre)
     )];
+    if let Some(free) = &body.motion.free {
+        let mass = match D {
+            1 => "kg to a square metre",
+            2 => "kg to a metre of depth",
+            _ => "kg",
+        };
+        let axes = |held: [bool; 3]| -> String {
+            let free = ["x", "y", "z"].into_iter().zip(held);
+            let free: Vec<_> = free
+                .filter(|(_, held)| !held)
+                .map(|(axis, _)| axis)
+                .collect();
+            if free.is_empty() {
+                "nothing".into()
+            } else {
+                free.join(", ")
+            }
+        };
+        lines.push(format!(
+            "  moved by the gas: {} {mass}, along {}, about {} through {}",
+            free.mass,
+            axes(free.is_held),
+            axes(free.keeps_turn),
+            super::place(&body.motion.pivot)
+        ));
+    }
     let near = TOUCHES * problem.spacing;
     let mut touched = Vec::new();
     for (axis, end, side, face) in problem.domain.each_side() {

@@ -175,6 +175,17 @@ fn loads(name: &str, body: &BodySummary) -> String {
             body.coefficients, body.reference_area, body.reference_length
         );
     }
+    if let Some(motion) = &body.motion {
+        let list = |numbers: &[f64; 3]| numbers.map(|number| format!("{number:.4e}")).join(" ");
+        let _ = write!(
+            text,
+            "\n  at {}, moving at {}, turned by {} degrees, turning at {} rad/s",
+            list(&motion.position),
+            list(&motion.velocity),
+            list(&motion.turn),
+            list(&motion.angular_velocity)
+        );
+    }
     text.push('\n');
     text
 }

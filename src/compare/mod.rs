@@ -12,6 +12,7 @@ pub mod cylinder;
 mod double_mach;
 mod duct;
 mod expansion;
+mod free;
 mod mms;
 mod nozzle;
 mod profiles;
@@ -41,7 +42,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 17] = [
+static CASES: [Case; 18] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -57,6 +58,7 @@ static CASES: [Case; 17] = [
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
     ("expansion", &[&expansion::EXPANSION]),
+    ("free", &[&free::FreeBodies]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),
 ];

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use super::body_motion::BodyMotion;
 use super::error::OutputError;
 use super::rows::Rows;
 use super::summary::BodyCoefficients;
@@ -23,6 +24,8 @@ pub struct HistoryRow<'a> {
     pub totals: Totals,
     /// Coefficients of the bodies, the first of the names; none in a gas at rest.
     pub coefficients: &'a [Option<BodyCoefficients>],
+    /// How the bodies move that the gas moves, in the order of their names.
+    pub motions: &'a [BodyMotion],
 }
 
 /// A history being written, as [`Rows`] are.
@@ -34,8 +37,14 @@ pub struct History {
 }
 
 impl History {
-    /// Starts the file with its header; `names` are those of whatever carries a load, the `bodies` first.
-    pub fn create(path: &Path, names: &[String], bodies: usize) -> Result<Self, OutputError> {
+    /// Starts the file with its header; `names` are those of whatever carries a load, the `bodies` first, and `free` those of bodies
+    /// that the gas moves.
+    pub fn create(
+        path: &Path,
+        names: &[String],
+        bodies: usize,
+        free: &[String],
+    ) -> Result<Self, OutputError> {
         let mut header = String::from("step,time,dt");
         for name in names {
             for column in ["fx", "fy", "fz", "mx", "my", "mz"] {
@@ -46,6 +55,11 @@ impl History {
         header.push_str(",mass,momentum_x,momentum_y,momentum_z,energy");
         for name in &names[..bodies] {
             let _ = write!(header, ",{name}.cd,{name}.cl,{name}.cm");
+        }
+        for name in free {
+            for column in BodyMotion::COLUMNS {
+                let _ = write!(header, ",{name}.{column}");
+            }
         }
         Ok(Self {
             rows: Rows::create(path, &header)?,
@@ -94,6 +108,9 @@ impl History {
                 }
                 _ => line.push_str(",,,"),
             }
+        }
+        for value in row.motions.iter().flat_map(BodyMotion::numbers) {
+            let _ = write!(line, ",{value:?}");
         }
         self.rows.add(&line)
     }

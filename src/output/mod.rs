@@ -3,6 +3,7 @@
 
 mod atomic;
 mod background;
+mod body_motion;
 mod cells;
 mod check_picture;
 mod checkpoint;
@@ -27,6 +28,7 @@ mod vtp;
 
 pub use atomic::write_json;
 pub use background::Background;
+pub use body_motion::BodyMotion;
 pub use cells::write_cells;
 pub use check_picture::draw_scene;
 pub use checkpoint::{

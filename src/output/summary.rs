@@ -5,6 +5,8 @@ use std::collections::BTreeMap;
 use aero_packer::Warning;
 use serde::Serialize;
 
+use super::body_motion::BodyMotion;
+
 /// The outcome of one run.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Summary {
@@ -112,6 +114,9 @@ pub struct BodySummary {
     /// Heat that goes from it into the gas per time, at the end; of viscous gas alone.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub heat: Option<f64>,
+    /// How it moves at the end, of a body that the gas moves.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub motion: Option<BodyMotion>,
     /// Force at the end, by pressure less that of the free stream; the same on a closed body.
     pub force_gauge: [f64; 3],
     /// Moment at the end, by pressure less that of the free stream.

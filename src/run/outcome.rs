@@ -7,7 +7,7 @@ use super::recorder::Recorder;
 use super::stopwatch::Stopwatch;
 use super::under_way::simulate;
 use crate::case::{AnyCase, Case};
-use crate::output::{OutputError, Summary};
+use crate::output::{BodyMotion, OutputError, Summary};
 use aero_solver::Flow;
 use aero_solver::frame::{Frame, Kind, Load, PanelFrame, SurfaceFrame};
 
@@ -47,6 +47,8 @@ pub struct History {
     pub time: Vec<f64>,
     /// Loads on the first body.
     pub load: Vec<Load>,
+    /// How the gas moves the first body; none if it does not.
+    pub motion: Vec<BodyMotion>,
     /// Frames, the last one included.
     pub frames: Vec<Frame>,
 }
@@ -106,6 +108,9 @@ impl<const D: usize> Recorder<D> for Keeper {
             self.history.time.push(simulation.time());
             let first = simulation.loads().first().copied();
             self.history.load.push(first.unwrap_or_default());
+            let has_bodies = !simulation.problem().bodies.is_empty();
+            let motion = has_bodies.then(|| BodyMotion::of(simulation, 0)).flatten();
+            self.history.motion.extend(motion);
         }
         Ok(ControlFlow::Continue(()))
     }

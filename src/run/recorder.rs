@@ -14,7 +14,7 @@ use super::progress::Progress;
 use super::views::Views;
 use crate::case::{Case, RunPlan};
 use crate::output::{
-    self, Background, Collection, History, HistoryRow, Mirrors, OutputError, Reference,
+    self, Background, BodyMotion, Collection, History, HistoryRow, Mirrors, OutputError, Reference,
 };
 use aero_solver::frame::Kind;
 use aero_solver::gas::{Gas, IdealGas};
@@ -97,7 +97,11 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
         output::remove_checkpoints(folder)?;
         let names = load_names(case);
         let bodies = case.problem.bodies.len();
-        let history = History::create(&folder.join("history.csv"), &names, bodies)?;
+        let free: Vec<String> = (case.problem.bodies.iter())
+            .filter(|body| body.motion.free.is_some())
+            .map(|body| body.name.clone())
+            .collect();
+        let history = History::create(&folder.join("history.csv"), &names, bodies, &free)?;
         let probes = Probes::new(folder, &case.plan.probes, &reference(case), None)?;
         Ok(Self::new((folder, case, scene), history, probes, watch))
     }
@@ -230,6 +234,10 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             let loads = simulation.loads();
             let bodies = loads.iter().take(simulation.problem().bodies.len());
             let coefficients: Vec<_> = bodies.enumerate().map(|(n, l)| scales.of(n, l)).collect();
+            let numbers = 0..simulation.problem().bodies.len();
+            let motions: Vec<_> = numbers
+                .filter_map(|number| BodyMotion::of(simulation, number))
+                .collect();
             self.history.add(HistoryRow {
                 step,
                 time,
@@ -237,6 +245,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
                 loads: &loads,
                 totals: simulation.totals(),
                 coefficients: &coefficients,
+                motions: &motions,
             })?;
             self.probes.add(simulation)?;
         }

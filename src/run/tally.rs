@@ -7,7 +7,7 @@ use super::outlets;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
 use crate::case::{Pressure, RunPlan, warnings};
-use crate::output::{BodySummary, Conservation, Particles, Summary, peak_memory};
+use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
 use aero_solver::Flow;
 use aero_solver::frame::{Load, Totals};
@@ -173,7 +173,11 @@ impl Tally {
         let loads = simulation.loads();
         let bodies = problem.bodies.iter().enumerate().map(|(number, body)| {
             let load = loads.get(number).copied().unwrap_or_default();
-            (body.name.clone(), self.body(number, body, &load))
+            let summary = BodySummary {
+                motion: BodyMotion::of(simulation, number),
+                ..self.body(number, body, &load)
+            };
+            (body.name.clone(), summary)
         });
         Summary {
             case: self.name.clone(),
@@ -267,6 +271,7 @@ impl Tally {
             moment: load.moment,
             friction: self.is_viscous.then_some(load.friction),
             heat: self.is_viscous.then_some(load.heat),
+            motion: None,
             force_gauge: gauge.force,
             moment_gauge: gauge.moment,
             coefficients: match self.coefficients.pressure() {

@@ -49,7 +49,7 @@ impl<const D: usize> Views<D> {
             return Vec::new();
         }
         let problem = flow.problem();
-        let solids = Solids::new(&problem.bodies, flow.time());
+        let solids = Solids::new(&problem.bodies, |number| flow.pose(number));
         // Cells that a surface cuts are shown, with all their corners.
         let field = self.plan.field.as_ref();
         let across = field.map_or(0.0, |plan| plan.lattice.spacing.norm());

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use aero_geometry::{Shape, Vector};
+use aero_solver::Pose;
 use aero_solver::problem::Body;
 
 /// The nearest surface, from a place near it.
@@ -35,19 +36,24 @@ impl<'a, const D: usize> Solids<'a, D> {
         Self(Vec::new())
     }
 
-    /// Bodies where they are at `time`.
-    pub fn new(bodies: &'a [Body<D>], time: f64) -> Self {
-        let near = |body: &'a Body<D>| -> Near<'a, D> {
-            let bounds = body.shape.bounds();
+    /// Bodies where their `pose` has them, by their numbers.
+    pub fn new(bodies: &'a [Body<D>], pose: impl Fn(usize) -> Pose<D>) -> Self {
+        let near = |(number, body): (usize, &'a Body<D>)| -> Near<'a, D> {
+            let (bounds, pose) = (body.shape.bounds(), pose(number));
+            let is_moving = body.motion.is_moving();
             Box::new(move |place, reach| {
-                let origin = body.origin(place, time);
+                let origin = if is_moving {
+                    pose.origin(place)
+                } else {
+                    *place
+                };
                 bounds.grown(reach).contains(&origin).then(|| {
                     let closest = body.shape.closest(&origin);
                     (closest.distance, closest.normal)
                 })
             })
         };
-        Self(bodies.iter().map(near).collect())
+        Self(bodies.iter().enumerate().map(near).collect())
     }
 
     /// The section of a body in space by `z = 0`, or the body itself.

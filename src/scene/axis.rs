@@ -1,7 +1,9 @@
 //! What a scene with an axis must satisfy: the flow is the same all around it.
 
+use aero_solver::problem::{Domain, Motion, Side, State, Turning};
+use nalgebra::Vector3;
+
 use super::error::SceneError;
-use aero_solver::problem::{Domain, Motion, Side, State};
 
 /// Refuses an axis that is no `r = 0`, and a stream or side that is not the same all around it.
 pub(super) fn check<const D: usize>(
@@ -43,12 +45,16 @@ pub(super) fn check_motion<const D: usize>(
     domain: &Domain<D>,
     motion: &Motion<D>,
 ) -> Result<(), SceneError> {
-    let stays = !motion.is_turning()
+    let turns = motion.turning != Turning::Steady(Vector3::zeros());
+    let may_leave =
+        (motion.free.as_ref()).is_some_and(|free| !free.is_held[1] || free.keeps_turn != [true; 3]);
+    let stays = !turns
+        && !may_leave
         && (1..D).all(|k| motion.velocity[k] == 0.0 && motion.acceleration[k] == 0.0);
     if domain.is_axisymmetric() && !stays {
         return Err(SceneError::value(
             format!("body.{name}.motion"),
-            "a body of an axisymmetric flow can move along x alone; drop the rest, or set dimension = 3",
+            "a body of an axisymmetric flow can move along x alone; drop the rest (of a free one by `constraints = [\"y\", \"turn\"]`), or set dimension = 3",
         ));
     }
     Ok(())

@@ -16,7 +16,7 @@ use super::refine::RefineEntry;
 use super::region::RegionEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::SideEntry;
-use super::spin::Spin;
+use super::spin::{Inertia, Spin};
 use super::views::LatticeEntry;
 use super::viscosity::ViscosityEntry;
 use super::wall::BodyWallEntry;
@@ -304,12 +304,48 @@ pub struct BodyEntry {
 pub struct MotionEntry {
     /// Velocity of the pivot at time zero.
     pub velocity: Option<Vec<Finite>>,
-    /// Constant acceleration of the pivot.
+    /// Constant acceleration of the pivot; of a free body what comes beside the gas, as gravity does.
     pub acceleration: Option<Vec<Finite>>,
-    /// Angular velocity about the pivot, rad/s: a number in 2D, a vector in 3D, or either over time.
+    /// Angular velocity about the pivot, rad/s: a number in 2D, a vector in 3D, or either over time; of a free body that at time zero.
     pub angular_velocity: Option<Spin>,
     /// Pivot at time zero; the moment centre unless given.
     pub pivot: Option<Vec<Finite>>,
+    /// What makes it free, to be moved by the gas; as prescribed unless given.
+    pub free: Option<FreeEntry>,
+}
+
+/// `motion.free`
+#[derive(Clone, Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct FreeEntry {
+    /// Mass, kg; in 2D to a metre of depth, in 1D to a square metre.
+    pub mass: Positive,
+    /// Moments of inertia about the centre at time zero, kg m^2: a number in 2D, `[xx, yy, zz]` or `[xx, yy, zz, xy, xz, yz]` in 3D; needed where it can turn.
+    pub inertia: Option<Inertia>,
+    /// Centre of mass, or the hinge that holds it; the moment centre unless given.
+    pub centre: Option<Vec<Finite>>,
+    /// What it cannot do; nothing unless given.
+    pub constraints: Option<Vec<ConstraintWord>>,
+}
+
+/// `motion.free.constraints`
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum ConstraintWord {
+    /// It does not move along x.
+    X,
+    /// It does not move along y.
+    Y,
+    /// It does not move along z.
+    Z,
+    /// It does not turn.
+    Turn,
+    /// It does not turn about the direction of x; in 3D alone.
+    TurnX,
+    /// It does not turn about the direction of y; in 3D alone.
+    TurnY,
+    /// It does not turn about the direction of z.
+    TurnZ,
 }
 
 /// `[output]`

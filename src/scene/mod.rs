@@ -48,6 +48,7 @@ mod field;
 pub mod file;
 mod flow;
 pub mod formula;
+mod freedom;
 mod lines;
 pub mod manufactured;
 mod method;

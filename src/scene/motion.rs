@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use super::error::SceneError;
 use super::file::MotionEntry;
+use super::freedom::freedom;
 use super::number::Finite;
 use super::spin::{Rate, Spin, TableEntry};
 use super::vector::{vector, vector_or_zero};
@@ -18,7 +19,23 @@ pub(super) fn motion<const D: usize>(
 ) -> Result<Motion<D>, SceneError> {
     let place = |key: &str| format!("body.{name}.motion.{key}");
     let spin = entry.and_then(|entry| entry.angular_velocity.as_ref());
-    let pivot = entry.and_then(|entry| entry.pivot.as_ref());
+    let free = entry.and_then(|entry| entry.free.as_ref());
+    let (key, pivot) = match (free, entry.and_then(|entry| entry.pivot.as_ref())) {
+        (Some(_), Some(_)) => {
+            return Err(SceneError::value(
+                place("pivot"),
+                "is of a motion that is prescribed; a free body turns about `free.centre`",
+            ));
+        }
+        (Some(free), None) => ("free.centre", free.centre.as_ref()),
+        (None, pivot) => ("pivot", pivot),
+    };
+    if free.is_some() && !matches!(spin, None | Some(Spin::Steady(_))) {
+        return Err(SceneError::value(
+            place("angular_velocity"),
+            "is prescribed over time, but the gas turns a free body; give the rate at time zero, or leave out `free`",
+        ));
+    }
     Ok(Motion {
         velocity: vector_or_zero(
             &place("velocity"),
@@ -32,7 +49,10 @@ pub(super) fn motion<const D: usize>(
             None => Turning::Steady(Vector3::zeros()),
             Some(spin) => turning::<D>(&place("angular_velocity"), spin)?,
         },
-        pivot: pivot.map_or(Ok(moment_centre), |point| vector(&place("pivot"), point))?,
+        pivot: pivot.map_or(Ok(moment_centre), |point| vector(&place(key), point))?,
+        free: free
+            .map(|free| freedom::<D>(&place("free"), free))
+            .transpose()?,
     })
 }
 

@@ -1,6 +1,7 @@
 //! From the file's `[[probe]]` entries to where values of the gas are recorded.
 
 use aero_geometry::Bounds;
+use aero_solver::Pose;
 use aero_solver::problem::{Body, Domain};
 use serde::Deserialize;
 
@@ -149,7 +150,7 @@ fn check_in_gas<const D: usize>(
     reach: &Reach<D>,
     bodies: &[Body<D>],
 ) -> Result<(), SceneError> {
-    let solids = Solids::new(bodies, 0.0);
+    let solids = Solids::new(bodies, |number| Pose::new(&bodies[number].motion, 0.0));
     let places = reach.places();
     if places.iter().any(|place| !solids.hold(place)) {
         return Ok(());
@@ -158,7 +159,7 @@ fn check_in_gas<const D: usize>(
     let mut mend = String::from("move it out");
     let mut body = "";
     for candidate in bodies {
-        let closest = candidate.shape.closest(&candidate.origin(&place, 0.0));
+        let closest = candidate.shape.closest(&place);
         if closest.distance < 0.0 {
             body = &candidate.name;
             let point: Vec<String> = closest.point.iter().map(|x| format!("{x:.4}")).collect();

@@ -31,6 +31,15 @@ pub enum Rate {
     Vector(Vec<Finite>),
 }
 
+/// Moments of inertia: a number in 2D, a list in 3D.
+#[derive(Clone, Debug, PartialEq)]
+pub enum Inertia {
+    /// About the normal of the plane.
+    Plane(f64),
+    /// `[xx, yy, zz]`, or `[xx, yy, zz, xy, xz, yz]`, the elements of the matrix.
+    List(Vec<Finite>),
+}
+
 /// An angular velocity over time: a constant, `{ cosine = { .. } }` or `{ table = { .. } }`.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Spin {
@@ -146,6 +155,34 @@ impl<'de> Visitor<'de> for RateVisitor {
 
     fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Rate, A::Error> {
         Vec::deserialize(SeqAccessDeserializer::new(list)).map(Rate::Vector)
+    }
+}
+
+impl<'de> Deserialize<'de> for Inertia {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        deserializer.deserialize_any(InertiaVisitor)
+    }
+}
+
+struct InertiaVisitor;
+
+impl<'de> Visitor<'de> for InertiaVisitor {
+    type Value = Inertia;
+
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("a number, or a list of three or six, in kg m^2")
+    }
+
+    fn visit_f64<E: Error>(self, number: f64) -> Result<Inertia, E> {
+        finite(number).map(Inertia::Plane)
+    }
+
+    fn visit_i64<E: Error>(self, number: i64) -> Result<Inertia, E> {
+        Ok(Inertia::Plane(number as f64))
+    }
+
+    fn visit_seq<A: SeqAccess<'de>>(self, list: A) -> Result<Inertia, A::Error> {
+        Vec::deserialize(SeqAccessDeserializer::new(list)).map(Inertia::List)
     }
 }
 

@@ -163,7 +163,7 @@ impl<const D: usize> FixedSimulation<D> {
     fn no_cells(&self, reason: String) -> Failure {
         Failure {
             reason,
-            particle: 0,
+            particle: None,
             position: [0.0; 3],
             step: self.tally.steps,
             time: self.tally.time,

@@ -184,7 +184,7 @@ impl<const D: usize> FixedSimulation<D> {
                 "a cell loses all of its density or pressure within the shortest step; it had a density of {density:.3e} and a \
                  pressure of {pressure:.3e}; use a smaller `spacing`, or `scheme.motion = \"with-the-gas\"`"
             ),
-            particle: u64::from(cell),
+            particle: Some(u64::from(cell)),
             position: pad(&self.points[i]).into(),
             step: self.tally.steps,
             time: self.tally.time,

@@ -6,7 +6,6 @@ use aero_geometry::{Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 
 use super::WallKind;
-use crate::walls::rigid::Pose;
 
 /// A rigid body with its packed ghosts.
 #[derive(Clone, Debug)]
@@ -17,7 +16,7 @@ pub struct Body<const D: usize> {
     pub shape: Arc<dyn Shape<D>>,
     /// Slip or no slip.
     pub wall: WallKind,
-    /// Prescribed motion.
+    /// Its motion.
     pub motion: Motion<D>,
     /// Packed ghosts, at time zero.
     pub ghosts: Ghosts<D>,
@@ -42,15 +41,6 @@ impl<const D: usize> Body<D> {
             .as_ref()
             .map_or(bare, |packed| packed.lattice_begins)
     }
-
-    /// Position at time zero of what is at `position` at `time` and moves with the body: where `shape` is asked about it.
-    pub fn origin(&self, position: &Vector<D>, time: f64) -> Vector<D> {
-        if self.motion.is_moving() {
-            Pose::new(&self.motion, time).origin(position)
-        } else {
-            *position
-        }
-    }
 }
 
 /// Fluid that conforms to a body's surface.
@@ -62,17 +52,32 @@ pub struct PackedFluid<const D: usize> {
     pub lattice_begins: f64,
 }
 
-/// Prescribed rigid motion; all zero for a body at rest.
+/// Rigid motion: prescribed, or from here on left to the gas; all zero for a body at rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion<const D: usize> {
     /// Velocity of the pivot at time zero.
     pub velocity: Vector<D>,
-    /// Constant acceleration of the pivot.
+    /// Constant acceleration of the pivot; of a free body, what is not the gas's.
     pub acceleration: Vector<D>,
-    /// Angular velocity about the pivot.
+    /// Angular velocity about the pivot; of a free body, that at time zero.
     pub turning: Turning,
-    /// Pivot at time zero.
+    /// Pivot at time zero; of a free body its centre of mass, or the hinge that holds it.
     pub pivot: Vector<D>,
+    /// What the gas moves it by; none of a body that moves as prescribed.
+    pub free: Option<Freedom>,
+}
+
+/// Of a body that the gas moves. Axes are those of space; missing ones are held.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Freedom {
+    /// Mass, kg; to a metre of depth in the plane, of the whole body where a symmetry plane cuts it.
+    pub mass: f64,
+    /// Moments of inertia about the pivot at time zero, kg m^2; in the plane to a metre of depth, and `zz` alone counts.
+    pub inertia: nalgebra::Matrix3<f64>,
+    /// Axes that the pivot does not move along.
+    pub is_held: [bool; 3],
+    /// Axes that the body does not turn about.
+    pub keeps_turn: [bool; 3],
 }
 
 /// Angular velocity over time, rad/s, about an axis that keeps its direction: `z` component in 2D, vector

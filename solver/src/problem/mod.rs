@@ -11,7 +11,7 @@ mod side;
 mod source;
 mod wall;
 
-pub use body::{Body, Motion, PackedFluid, Turning};
+pub use body::{Body, Freedom, Motion, PackedFluid, Turning};
 pub use domain::Domain;
 pub use opening::{Given, Opening};
 pub use side::Side;

@@ -13,7 +13,7 @@ use crate::particles::{Particle, Particles};
 use crate::problem::Problem;
 use crate::sides::Contents;
 use crate::step::Clock;
-use crate::walls::Ghost;
+use crate::walls::{FreeBody, Ghost};
 
 /// A simulation between two steps; borrowed from it where it is only to be written.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -22,6 +22,7 @@ pub struct Memory<'a, const D: usize> {
     fluid: Cow<'a, [Particle<D>]>,
     buffers: Cow<'a, Contents<D>>,
     ghosts: Cow<'a, [Ghost<D>]>,
+    free: Vec<Option<FreeBody>>,
     books: Books,
 }
 
@@ -33,6 +34,7 @@ impl<const D: usize> Simulation<D> {
             fluid: Cow::Borrowed(&self.fluid),
             buffers: Cow::Borrowed(self.buffers.contents()),
             ghosts: Cow::Borrowed(&self.walls.ghosts),
+            free: self.walls.free(),
             books: self.books,
         }
     }
@@ -53,6 +55,7 @@ impl<const D: usize> Simulation<D> {
         simulation.buffers.restore(memory.buffers.into_owned());
         simulation.books = memory.books;
         simulation.walls.ghosts = memory.ghosts.into_owned();
+        simulation.walls.restore_free(&memory.free);
         // They were in order when they were saved, unless they have moved since; then the next
         // step sorts them again.
         if !simulation.walls.are_moving() {

@@ -10,19 +10,19 @@ use crate::particles::Particle;
 use crate::problem::Body;
 use crate::records::GHOSTS;
 use crate::walls::rigid::pad;
-use crate::walls::wall_sides;
+use crate::walls::{Contact, Met, wall_sides};
 
 /// Mach number at which heat is a thousandth of the motion's energy, and within its errors.
 const COLD: f64 = 30.0;
 
 /// Why a run stopped before its end.
 #[derive(Clone, Debug, thiserror::Error)]
-#[error("{reason} (particle {particle} at {position:?}, step {step}, time {time})")]
+#[error("{reason} ({}{position:?}, step {step}, time {time})", at(*particle))]
 pub struct Failure {
     /// What happened, the likely cause and what may help.
     pub reason: String,
-    /// Number of the particle.
-    pub particle: u64,
+    /// Number of the particle, if one is to blame.
+    pub particle: Option<u64>,
     /// Where it was.
     pub position: [f64; 3],
     /// Step.
@@ -38,8 +38,31 @@ impl<const D: usize> Simulation<D> {
         let reason = format!("{}; {}", symptom(&particle), self.likely_cause(place));
         Failure {
             reason,
-            particle: particle.id,
+            particle: Some(particle.id),
             position: pad(&self.fluid[place].position).into(),
+            step: self.clock.steps,
+            time: self.clock.time,
+        }
+    }
+
+    /// Why the run cannot go on where a free body touches something.
+    pub(crate) fn touched(&self, contact: &Contact<D>) -> Failure {
+        let name = |number: usize| &self.problem.bodies[number].name;
+        let other = match contact.met {
+            Met::Body(number) => format!("body `{}`", name(number)),
+            Met::Side(axis, end) => {
+                let side = ["x", "y", "z"][axis];
+                format!("the side {side}_{}", ["min", "max"][end])
+            }
+        };
+        Failure {
+            reason: format!(
+                "body `{}` touches {other}, with no room for gas between, and contact is not modelled; end the run before, give \
+                 them more room, or hold the body (`motion.free.constraints`)",
+                name(contact.body)
+            ),
+            particle: None,
+            position: pad(&contact.position).into(),
             step: self.clock.steps,
             time: self.clock.time,
         }
@@ -164,6 +187,11 @@ impl<const D: usize> Simulation<D> {
             ((axis, end), depth)
         })
     }
+}
+
+/// What stands before a place.
+fn at(particle: Option<u64>) -> String {
+    particle.map_or_else(|| "at ".into(), |id| format!("particle {id} at "))
 }
 
 fn wall_name((axis, end): (usize, usize)) -> String {

@@ -80,7 +80,10 @@ impl<const D: usize> Simulation<D> {
         buffers.exchange(problem, times, fluid, books);
         closed::bring_back(&problem.domain, fluid);
         books.extremes.updates += fluid.len() as u64;
-        Ok(step)
+        match walls.contact(problem, times[1]) {
+            Some(contact) => Err(self.touched(&contact)),
+            None => Ok(step),
+        }
     }
 
     /// Sorts the particles and lists their neighbours for the next step; returns what bounds it.
@@ -154,6 +157,11 @@ impl<const D: usize> Simulation<D> {
             let calm = around.calm.as_ref();
             let stable = stages::correct(problem, step, calm, fluid, books)?;
             clock.stable_step = stable.unwrap_or(clock.stable_step);
+            if walls.are_free() {
+                let middle = moment.start + moment.ahead;
+                let loads = loads::loads(problem, middle, walls, around);
+                walls.push(&problem.bodies, &loads, (middle, step));
+            }
             Ok(())
         })();
         if attempt.is_err() {

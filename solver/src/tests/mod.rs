@@ -6,6 +6,7 @@ mod calm;
 mod combinations;
 mod conduction;
 mod conservation;
+mod free;
 mod invariance;
 mod joints;
 mod lanes;

@@ -52,7 +52,7 @@ impl<const D: usize> Walls<D> {
                     Some(_) => 2.0 * ghost.depth,
                     None => gas.centroid.dot(&ghost.normal),
                 };
-                let kind = bodies[ghost.body as usize].1;
+                let kind = bodies[ghost.body as usize].kind;
                 show(ghost, &gas, arm, kind, treatment.keeps_entropy, &law);
                 if !treatment.constant_volume {
                     ghost.volume = ghost.reference_mass / ghost.shown.density;

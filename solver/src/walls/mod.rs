@@ -3,7 +3,9 @@
 use aero_geometry::{Pencils, Vector};
 use rayon::prelude::*;
 
+mod contact;
 pub mod curvature;
+mod free;
 mod ghost;
 mod joints;
 pub mod loads;
@@ -17,13 +19,16 @@ pub mod solids;
 mod sticking;
 mod turning;
 
+pub use contact::{Contact, Met};
+pub use free::FreeBody;
 pub use ghost::{Ghost, Origin, Shown, WallAbove};
 pub use plane::wall_sides;
 pub use rebound::rebound;
 pub use ridges::part as part_ridges;
 pub use sticking::beyond;
 
-use rigid::Pose;
+use nalgebra::Vector3;
+use rigid::{Pose, pad};
 
 use super::faces::Faces;
 use super::neighbourhood::levels::Grid;
@@ -32,8 +37,9 @@ use super::pairs::extrapolation::Interpolated;
 use super::pairs::renormalisation::even_renormalisation;
 use super::records::{GHOSTS, Near, Records, State, Symmetric};
 use super::vectors::Arch;
+use crate::frame::Load;
 use crate::gas::Gas;
-use crate::problem::{Motion, Problem, WallKind};
+use crate::problem::{Body, Motion, Problem, WallKind};
 use crate::scheme::{Extrapolation, WallTreatment};
 
 /// All ghosts, and what their bodies do.
@@ -48,13 +54,22 @@ pub struct Walls<const D: usize> {
     /// Ghosts whose mirror was short of neighbours at the last evaluation.
     pub mirror_fallbacks: usize,
     /// Bodies in scene order, then wall sides.
-    bodies: Vec<(Motion<D>, WallKind)>,
+    bodies: Vec<Mover<D>>,
     treatment: WallTreatment,
     gas: Gas,
     grid: Grid<D>,
     faces: Option<Faces<D>>,
     found: Vec<Option<Interpolated<D>>>,
     mirrored: Vec<Option<Interpolated<D>>>,
+}
+
+/// A body or a wall side: how it moves, and what gas and heat do at its surface.
+#[derive(Clone, Debug)]
+struct Mover<const D: usize> {
+    motion: Motion<D>,
+    kind: WallKind,
+    /// Where it is, if the gas moves it.
+    free: Option<FreeBody>,
 }
 
 /// Neighbours of the ghosts.
@@ -72,10 +87,10 @@ impl<const D: usize> Walls<D> {
         let mut bodies: Vec<_> = problem
             .bodies
             .iter()
-            .map(|b| (b.motion.clone(), b.wall))
+            .map(|body| Mover::new(&body.motion, body.wall))
             .collect();
         let sides = plane::plane_walls(&problem.domain, problem.spacing);
-        bodies.extend(sides.iter().map(|side| (side.motion.clone(), side.kind)));
+        bodies.extend((sides.iter()).map(|side| Mover::new(&side.motion, side.kind)));
         let (ghosts, faces) = setup::ghosts(problem, &sides);
         let mut walls = Self {
             ghosts,
@@ -97,7 +112,7 @@ impl<const D: usize> Walls<D> {
 
     /// True where any body moves.
     pub fn are_moving(&self) -> bool {
-        self.bodies.iter().any(|(motion, _)| motion.is_moving())
+        self.bodies.iter().any(|body| body.motion.is_moving())
     }
 
     /// Number of bodies and wall sides.
@@ -107,31 +122,68 @@ impl<const D: usize> Walls<D> {
 
     /// What gas and heat do at the surface of body `number`.
     pub fn kind(&self, number: u32) -> WallKind {
-        self.bodies[number as usize].1
+        self.bodies[number as usize].kind
     }
 
     /// True where heat goes through a surface.
     pub fn are_conducting(&self) -> bool {
-        self.bodies.iter().any(|(_, kind)| kind.conducts())
+        self.bodies.iter().any(|body| body.kind.conducts())
     }
 
     /// True where a surface moves along itself.
     pub fn are_sliding(&self) -> bool {
-        self.bodies.iter().any(|(_, kind)| kind.slides())
+        self.bodies.iter().any(|body| body.kind.slides())
     }
 
     /// Pose of body `number` at `time`.
     pub fn pose(&self, number: usize, time: f64) -> Pose<D> {
-        Pose::new(&self.bodies[number].0, time)
+        self.bodies[number].pose(time)
+    }
+
+    /// True where the gas moves any body.
+    pub fn are_free(&self) -> bool {
+        self.bodies.iter().any(|body| body.free.is_some())
+    }
+
+    /// The bodies that the gas moves, where they are; none of the others.
+    pub fn free(&self) -> Vec<Option<FreeBody>> {
+        self.bodies.iter().map(|body| body.free).collect()
+    }
+
+    /// Puts the bodies that the gas moves where [`Self::free`] had them.
+    pub fn restore_free(&mut self, free: &[Option<FreeBody>]) {
+        for (body, free) in self.bodies.iter_mut().zip(free) {
+            body.free = *free;
+        }
+    }
+
+    /// Moves what is free by a step, from the loads of its middle, about the moment centres of the `bodies`.
+    pub fn push(&mut self, bodies: &[Body<D>], loads: &[Load], (middle, step): (f64, f64)) {
+        for ((mover, body), load) in self.bodies.iter_mut().zip(bodies).zip(loads) {
+            let pose = mover.pose(middle);
+            let arm = pad(&(pose.position(&body.moment_centre) - pose.pivot()));
+            let force = Vector3::from(load.force);
+            let moment = Vector3::from(load.moment) + arm.cross(&force);
+            if let (Some(free), Some(freedom)) = (&mut mover.free, &mover.motion.free) {
+                let other = pad(&mover.motion.acceleration);
+                free.kick(freedom, [force, moment], &other, step);
+            }
+        }
+    }
+
+    /// Gives the body `number`, if it is free, an impulse at a `position`.
+    pub fn strike(&mut self, number: usize, impulse: &Vector<D>, position: &Vector<D>, time: f64) {
+        let mover = &mut self.bodies[number];
+        let arm = position - mover.pose(time).pivot();
+        let moment = pad(&arm).cross(&pad(impulse));
+        if let (Some(free), Some(freedom)) = (&mut mover.free, &mover.motion.free) {
+            free.strike(freedom, [pad(impulse), moment]);
+        }
     }
 
     /// Moves all ghosts to where they are at `time`.
     pub fn move_to(&mut self, time: f64) {
-        let poses: Vec<_> = self
-            .bodies
-            .iter()
-            .map(|(motion, _)| Pose::new(motion, time))
-            .collect();
+        let poses: Vec<_> = self.bodies.iter().map(|body| body.pose(time)).collect();
         for ghost in &mut self.ghosts {
             let number = ghost.body as usize;
             let pose = &poses[number];
@@ -140,7 +192,7 @@ impl<const D: usize> Walls<D> {
             // The wall moves as its surface does, not as the ghost below it.
             let foot = ghost.foot();
             ghost.wall.velocity = pose.velocity(&foot);
-            ghost.wall.slide = match self.bodies[number].1 {
+            ghost.wall.slide = match self.bodies[number].kind {
                 WallKind::Slip => Vector::zeros(),
                 WallKind::NoSlip(wall) => pose.direction(&wall.slide.at(&ghost.origin.position)),
             };
@@ -233,6 +285,21 @@ impl<const D: usize> Walls<D> {
                 state.strain = Symmetric::new(&ghost.shown.strain);
                 state.renormalise(&even, &Vector::zeros(), ghost.volume);
             });
+    }
+}
+
+impl<const D: usize> Mover<D> {
+    fn new(motion: &Motion<D>, kind: WallKind) -> Self {
+        let free = (motion.free.as_ref()).map(|freedom| FreeBody::new(motion, freedom));
+        let motion = motion.clone();
+        Self { motion, kind, free }
+    }
+
+    fn pose(&self, time: f64) -> Pose<D> {
+        match &self.free {
+            Some(free) => free.pose(&self.motion.pivot, time),
+            None => Pose::new(&self.motion, time),
+        }
     }
 }
 

@@ -11,6 +11,8 @@ use crate::books::Books;
 use crate::frame::Totals;
 use crate::particles::{Columns, Particle, Particles};
 use crate::problem::Problem;
+use crate::rings::Rings;
+use crate::sides::closed::reflections;
 
 /// What lies deeper than this, in spacings, has not come there in a step: it is left to be told as a leak.
 const DEEPEST: f64 = 2.0;
@@ -20,6 +22,8 @@ const TRIES: usize = 3;
 
 /// Where a wall is above a particle that is in it.
 struct Hit<const D: usize> {
+    /// Number of the wall.
+    wall: usize,
     normal: Vector<D>,
     depth: f64,
     /// Where it comes back to.
@@ -27,12 +31,15 @@ struct Hit<const D: usize> {
     velocity: Vector<D>,
 }
 
+/// Walls that send a particle back, each with what that changes of its velocity.
+type Strikes<const D: usize> = [Option<(usize, Vector<D>)>; TRIES];
+
 /// Brings the gas that is in walls at `time`, the end of a step, back, and books the impulse. The columns still hold the step.
 pub fn rebound<const D: usize>(
     problem: &Problem<D>,
     time: f64,
     fluid: &mut Particles<D>,
-    walls: &Walls<D>,
+    walls: &mut Walls<D>,
     books: &mut Books,
 ) {
     if walls.body_count() == 0 {
@@ -43,8 +50,8 @@ pub fn rebound<const D: usize>(
         .collect();
     let sides = wall_sides(&problem.domain);
     let hit = |position: &Vector<D>, before: &Vector<D>| {
-        let bodies = problem.bodies.iter().zip(&poses);
-        let mut hits = bodies.filter_map(|(body, pose)| {
+        let bodies = problem.bodies.iter().zip(&poses).enumerate();
+        let mut hits = bodies.filter_map(|(wall, (body, pose))| {
             let origin = pose.origin(position);
             if !body.shape.bounds().contains(&origin) {
                 return None;
@@ -64,6 +71,7 @@ pub fn rebound<const D: usize>(
                 }
             }
             Some(Hit {
+                wall,
                 normal: pose.direction(&seen.normal),
                 depth: -seen.distance,
                 to: pose.position(&to),
@@ -71,8 +79,9 @@ pub fn rebound<const D: usize>(
             })
         });
         let of_sides = || {
-            let sides = sides.iter().zip(&poses[problem.bodies.len()..]);
-            let mut hits = sides.filter_map(|(&(axis, end), pose)| {
+            let own = poses.iter().enumerate().skip(problem.bodies.len());
+            let sides = sides.iter().zip(own);
+            let mut hits = sides.filter_map(|(&(axis, end), (wall, pose))| {
                 let inward = [1.0, -1.0][end];
                 let origin = pose.origin(position)[axis];
                 let depth = inward * (problem.domain.face(axis, end) - origin);
@@ -80,6 +89,7 @@ pub fn rebound<const D: usize>(
                 normal[axis] = inward;
                 let is_open = || problem.domain.part_at(axis, end, position).is_some();
                 (depth > 0.0 && !is_open()).then(|| Hit {
+                    wall,
                     normal,
                     depth,
                     to: position + normal * (2.0 * depth),
@@ -96,7 +106,7 @@ pub fn rebound<const D: usize>(
         rates,
         ..
     } = fluid.columns();
-    let changes: Vec<Option<Particle<D>>> = state
+    let changes: Vec<Option<(Particle<D>, Strikes<D>)>> = state
         .par_iter()
         .zip(saved)
         .zip(&*rates)
@@ -105,8 +115,8 @@ pub fn rebound<const D: usize>(
             if rates.wall_acceleration.norm_squared() == 0.0 {
                 return None;
             }
-            let mut back = *particle;
-            for _ in 0..TRIES {
+            let (mut back, mut strikes) = (*particle, Strikes::default());
+            for strike in &mut strikes {
                 let Some(hit) = hit(&back.position, &before.position) else {
                     break;
                 };
@@ -115,16 +125,30 @@ pub fn rebound<const D: usize>(
                 }
                 back.position = hit.to;
                 let inward = (back.velocity - hit.velocity).dot(&hit.normal).min(0.0);
-                back.velocity -= hit.normal * (2.0 * inward);
+                let change = hit.normal * (-2.0 * inward);
+                back.velocity += change;
+                *strike = Some((hit.wall, change));
                 let inward = back.by_pressure.acceleration.dot(&hit.normal).min(0.0);
                 back.by_pressure.acceleration -= hit.normal * (2.0 * inward);
             }
-            (back.position != particle.position).then_some(back)
+            (back.position != particle.position).then_some((back, strikes))
         })
         .collect();
+    let rings = Rings::new(problem);
     let mut received = Totals::default();
     for (particle, back) in state.iter_mut().zip(changes) {
-        let Some(back) = back else { continue };
+        let Some((back, strikes)) = back else {
+            continue;
+        };
+        for (wall, change) in strikes.into_iter().flatten() {
+            let impulse = change * (-back.mass * rings.circumference(&back.position));
+            let extent = problem.bodies.get(wall).map(|body| body.shape.bounds());
+            for (sign, shift) in reflections(&problem.domain, extent.as_ref()) {
+                let whole = rings.axial(sign.component_mul(&impulse));
+                let at = rings.axial(sign.component_mul(&back.position) + shift);
+                walls.strike(wall, &whole, &at, time);
+            }
+        }
         let kinetic = 0.5 * (back.velocity.norm_squared() - particle.velocity.norm_squared());
         received.energy += particle.mass * kinetic;
         for k in 0..D {

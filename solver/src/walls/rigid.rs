@@ -9,17 +9,17 @@ use crate::records::Matrix;
 /// Where a rigid body is at one time.
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<const D: usize> {
-    rotation: Matrix<D>,
-    pivot: Vector<D>,
-    pivot_now: Vector<D>,
-    velocity: Vector<D>,
-    acceleration: Vector<D>,
-    angular_velocity: Vector3<f64>,
-    angular_acceleration: Vector3<f64>,
+    pub(super) rotation: Matrix<D>,
+    pub(super) pivot: Vector<D>,
+    pub(super) pivot_now: Vector<D>,
+    pub(super) velocity: Vector<D>,
+    pub(super) acceleration: Vector<D>,
+    pub(super) angular_velocity: Vector3<f64>,
+    pub(super) angular_acceleration: Vector3<f64>,
 }
 
 impl<const D: usize> Pose<D> {
-    /// The pose at `time`: the pivot moves at constant acceleration, the body turns about it.
+    /// The pose at `time` of a body that moves as prescribed: the pivot moves at constant acceleration, the body turns about it.
     pub fn new(motion: &Motion<D>, time: f64) -> Self {
         Self {
             rotation: rotation(&motion.turning.angle(time)),
@@ -56,6 +56,25 @@ impl<const D: usize> Pose<D> {
         Vector::from_fn(|k, _| full[k])
     }
 
+    /// Where its pivot is now.
+    pub fn pivot(&self) -> Vector<D> {
+        self.pivot_now
+    }
+
+    /// How it has turned, radians: a vector along the axis, as long as the angle, of half a turn at most.
+    pub fn turn(&self) -> Vector3<f64> {
+        let full = nalgebra::Matrix3::from_fn(|a, b| match (a < D, b < D) {
+            (true, true) => self.rotation[(a, b)],
+            _ => f64::from(u8::from(a == b)),
+        });
+        nalgebra::Rotation3::from_matrix_unchecked(full).scaled_axis()
+    }
+
+    /// Its angular velocity, rad/s.
+    pub fn angular_velocity(&self) -> Vector3<f64> {
+        self.angular_velocity
+    }
+
     /// Position at time zero of the body's point that is at `position` now.
     pub fn origin(&self, position: &Vector<D>) -> Vector<D> {
         self.pivot + self.rotation.transpose() * (position - self.pivot_now)
@@ -83,18 +102,21 @@ impl<const D: usize> Motion<D> {
             acceleration: Vector::zeros(),
             turning: Turning::Steady(Vector3::zeros()),
             pivot: Vector::zeros(),
+            free: None,
         }
     }
 
     /// True where the body ever turns.
     pub fn is_turning(&self) -> bool {
         self.turning != Turning::Steady(Vector3::zeros())
+            || (self.free.as_ref()).is_some_and(|free| free.keeps_turn != [true; 3])
     }
 
     /// True where the body ever moves.
     pub fn is_moving(&self) -> bool {
         self.velocity != Vector::<D>::zeros()
             || self.acceleration != Vector::<D>::zeros()
+            || self.free.is_some()
             || self.is_turning()
     }
 }

@@ -31,6 +31,7 @@ fn body<const D: usize>(shape: Arc<dyn Shape<D>>) -> Body<D> {
             acceleration: Vector::zeros(),
             turning: Turning::Steady(Vector3::zeros()),
             pivot: Vector::zeros(),
+            free: None,
         },
         ghosts: aero_packer::Ghosts::default(),
         packed_fluid: None,

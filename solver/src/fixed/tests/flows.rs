@@ -19,6 +19,7 @@ fn body<const D: usize>(shape: Arc<dyn Shape<D>>) -> Body<D> {
             acceleration: Vector::zeros(),
             turning: Turning::Steady(nalgebra::Vector3::zeros()),
             pivot: Vector::zeros(),
+            free: None,
         },
         ghosts: Ghosts::default(),
         packed_fluid: None,

@@ -1,7 +1,7 @@
 //! The one place where the comparisons with the scalar reference touch the solver: problems, states in and
 //! out, passes. Everything else in [`super::reference`] and its tests is written in its plain [`Point`]s.
 
-mod problems;
+pub mod problems;
 
 use aero_geometry::Vector;
 use nalgebra::Vector3;

@@ -142,6 +142,7 @@ pub fn turn<const D: usize>(
         acceleration,
         turning: Turning::Steady(rate),
         pivot,
+        free: None,
     };
 }
 

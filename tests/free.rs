@@ -1,0 +1,172 @@
+//! Bodies that the gas moves, through the command line.
+
+mod support;
+
+use support::Workplace;
+
+/// A disc in the stream behind a shock that a piston drives into gas at rest.
+const DISC: &str = r#"
+dimension = 2
+spacing = 0.1
+end_time = 2.0
+
+[free_stream]
+mach = 0.0
+density = 1.0
+pressure = 0.7142857142857143
+
+[domain]
+min = [-3.0, -1.5]
+max = [3.0, 1.5]
+
+[domain.sides]
+x_min = { wall = { velocity = 0.6944444444444444 } }
+x_max = "wall"
+y_min = "wall"
+y_max = "wall"
+
+[initial.riemann]
+left = { density = 1.8620689655172413, pressure = 1.755952380952381, velocity = [0.6944444444444444, 0.0] }
+right = { density = 1.0, pressure = 0.7142857142857143 }
+position = -1.2
+
+[[body]]
+name = "disc"
+shape = { circle = { radius = 0.5 } }
+place = { translate = [0.0, 0.13] }
+
+[body.motion]
+acceleration = [0.0, -0.05]
+free = { mass = 2.0, inertia = 0.25 }
+
+[output]
+frames = 2
+"#;
+
+/// A column of the history.
+fn column(history: &str, name: &str) -> Vec<f64> {
+    let mut rows = history.lines();
+    let mut header = rows.next().expect("a header").split(',');
+    let place = header.position(|column| column == name).expect(name);
+    let cell = |row: &str| row.split(',').nth(place).expect("a cell").parse::<f64>();
+    rows.map(|row| cell(row).expect("a number")).collect()
+}
+
+#[test]
+fn a_disc_that_a_shock_blows_away_moves_by_its_own_force() {
+    let place = Workplace::new();
+    let answer = place.run(DISC, &[]);
+    answer.succeeds();
+    let text = std::fs::read_to_string(place.path("results/history.csv")).expect("a history");
+    let of = |name: &str| column(&text, name);
+    let (dt, fx, fy) = (of("dt"), of("disc.fx"), of("disc.fy"));
+    for (force, velocity, other) in [(fx, "disc.vx", 0.0), (fy, "disc.vy", -0.05)] {
+        let impulse = force
+            .iter()
+            .zip(&dt)
+            .map(|(force, dt)| (force / 2.0 + other) * dt);
+        let (mut sum, mut worst) = (0.0, 0.0_f64);
+        for (change, now) in impulse.zip(of(velocity)) {
+            sum += change;
+            worst = worst.max((sum - now).abs());
+        }
+        assert!(worst < 1e-12, "{velocity} is off its own force by {worst}");
+        assert!(sum.abs() > 0.02, "{velocity}: nothing moves");
+    }
+    // Nowhere does it move faster than the stream that blows it away.
+    let fastest = of("disc.vx").into_iter().fold(0.0, f64::max);
+    assert!(fastest > 0.2 && fastest < 0.6944, "{fastest}");
+    let summary = place.json("results/summary.json");
+    let motion = &summary["bodies"]["disc"]["motion"];
+    let end = |key: &str, k: usize| motion[key][k].as_f64().expect("a number");
+    assert_eq!(end("velocity", 0), *of("disc.vx").last().expect("a row"));
+    assert!(end("position", 0) > 0.1 && end("position", 0) < 2.0);
+    assert!(end("turn", 2).abs() > 0.0);
+    assert!(answer.out.contains("moving at"), "{}", answer.out);
+    let drift = summary["conservation"]["momentum"].as_f64();
+    assert!(drift.expect("a number") < 1e-12);
+}
+
+#[test]
+fn check_says_how_a_body_is_free() {
+    let place = Workplace::new();
+    place.write("scene.toml", DISC);
+    let answer = place.aero(&["check", "scene.toml"]);
+    answer.succeeds();
+    let wanted = "moved by the gas: 2 kg to a metre of depth, along x, y, about z";
+    assert!(answer.out.contains(wanted), "{}", answer.out);
+}
+
+#[test]
+fn what_no_free_body_can_be_is_refused_with_the_mend() {
+    let free = "free = { mass = 2.0, inertia = 0.25 }";
+    let refused = |from: &str, to: &str, words: &[&str]| {
+        assert!(DISC.contains(from), "{from}");
+        Workplace::new()
+            .run(&DISC.replace(from, to), &[])
+            .refuses(words);
+    };
+    refused(
+        "inertia = 0.25",
+        "constraints = [\"x\"]",
+        &["body.disc.motion.free.inertia", "constraints"],
+    );
+    refused(
+        "inertia = 0.25",
+        "inertia = -1.0",
+        &["body.disc.motion.free.inertia", "above zero"],
+    );
+    refused(
+        "inertia = 0.25",
+        "inertia = [1.0, 1.0, 1.0]",
+        &["free.inertia", "a number in 2D"],
+    );
+    refused("mass = 2.0", "mass = 0.0", &["mass", "positive"]);
+    refused(
+        free,
+        &format!("{free}\npivot = [0.0, 0.0]"),
+        &["body.disc.motion.pivot", "free.centre"],
+    );
+    refused(
+        free,
+        "free = { mass = 2.0, constraints = [\"x\", \"y\", \"turn\"] }",
+        &["body.disc.motion.free.constraints", "leave out `free`"],
+    );
+    refused(
+        free,
+        &format!("{free}\nangular_velocity = {{ cosine = {{ amplitude = 1.0, period = 1.0 }} }}"),
+        &["body.disc.motion.angular_velocity", "prescribed"],
+    );
+    refused(
+        "[0.0, 0.13]",
+        "[0.0, 0.93]",
+        &["body `disc` touches the side y_max", "more room"],
+    );
+    let fixed = DISC
+        .replace("[gas]", "")
+        .replace("spacing = 0.1", "spacing = 0.1\nscheme.motion = \"fixed\"");
+    let fixed = fixed.replace(
+        "x_min = { wall = { velocity = 0.6944444444444444 } }",
+        "x_min = \"wall\"",
+    );
+    Workplace::new()
+        .run(&fixed, &[])
+        .refuses(&["disc", "moves"]);
+}
+
+/// It falls onto the floor: the run stops there, keeps what it has, and says where.
+#[test]
+fn a_body_that_falls_onto_a_wall_stops_the_run() {
+    let scene = DISC.replace("[0.0, -0.05]", "[0.0, -3.0]");
+    let place = Workplace::new();
+    let answer = place.run(&scene, &[]);
+    assert_eq!(answer.status, 1, "{}", answer.err);
+    for word in [
+        "body `disc` touches the side y_min",
+        "contact is not modelled",
+        "step",
+    ] {
+        assert!(answer.err.contains(word), "{word}: {}", answer.err);
+    }
+    assert!(place.path("results/run.pvd").exists());
+}
