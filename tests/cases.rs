@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 26] = [
+const SMALL: [(&str, &[&str]); 29] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("becker", &["end_time=1.0"]),
@@ -17,6 +17,7 @@ const SMALL: [(&str, &[&str]); 26] = [
             "body.aerofoil.spacing=0.025",
         ],
     ),
+    ("blown-sphere", &["end_time=0.2", "spacing=0.2"]),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
     ("couette", &["end_time=1e-9", "stop=end-time"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
@@ -37,6 +38,7 @@ const SMALL: [(&str, &[&str]); 26] = [
         "nozzle-back-pressure",
         &["end_time=0.0002", "spacing=0.002701713333333333"],
     ),
+    ("pitching", &["end_time=0.1", "spacing=0.05"]),
     ("sod", &["end_time=0.005"]),
     ("sod-1d", &["end_time=0.01"]),
     ("sound", &["end_time=0.02"]),
@@ -60,6 +62,7 @@ const SMALL: [(&str, &[&str]); 26] = [
     ),
     ("square", &["end_time=0.00005"]),
     ("step", &["end_time=0.05", "spacing=0.05"]),
+    ("store", &["end_time=0.0005", "spacing=0.06"]),
     ("taylor-green", &["end_time=0.02"]),
     ("wedge", &["end_time=0.1", "spacing=0.125"]),
     (

@@ -63,7 +63,7 @@ fn gas_and_body_keep_their_momentum_to_round_off() {
         assert!((gas_now - gas).norm() > 0.02 * gas.norm(), "nothing moves");
         assert!(simulation.pose(0).turn()[2].abs() > 1e-4, "nothing turns");
         let returned = simulation.books.extremes.returned;
-        assert_eq!(returned > 0, speed > 0.0, "{returned} sent back");
+        assert!(returned > 0 || speed == 0.0, "nothing is sent back");
     }
 }
 
@@ -99,6 +99,19 @@ fn gas_and_body_keep_their_angular_momentum_in_a_wide_box() {
     let drift = body + rest - before[1];
     assert!(body.abs() > 1e-3, "the gas drags it round: {body}");
     assert!(drift.abs() < 0.05 * body.abs(), "{body} {drift}");
+}
+
+#[test]
+fn the_point_that_moments_refer_to_is_of_no_matter() {
+    let turned = |centre: Vector<2>| {
+        let mut problem = square_in_the_wind();
+        problem.bodies[0].moment_centre = centre;
+        let mut simulation = start(problem);
+        advance(&mut simulation, 20);
+        simulation.pose(0).turn()[2]
+    };
+    let [near, far] = [[2.03, 1.96], [2.4, -7.0]].map(|centre| turned(centre.into()));
+    assert!((near - far).abs() < 1e-12, "{near} {far}");
 }
 
 #[test]
