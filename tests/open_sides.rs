@@ -167,6 +167,20 @@ fn gas_comes_in_through_a_slot_and_nowhere_else() {
 }
 
 #[test]
+fn check_says_what_patches_and_formulas_let_in() {
+    let place = Workplace::new();
+    place.write("scene.toml", SLOT);
+    let answer = place.aero(&["check", "scene.toml"]);
+    answer.succeeds();
+    for wanted in [
+        "a patch from (0.0000, 0.5000) to (0.0000, 1.5000), at its middle (0.0000, 1.0000) and t = 0: gas of density 1.00000e0",
+        "and velocity (0.3000, 0.0000)",
+    ] {
+        assert!(answer.out.contains(wanted), "{wanted}: {}", answer.out);
+    }
+}
+
+#[test]
 fn openings_that_cannot_work_are_refused_with_the_mend() {
     let patch = |min: &str, max: &str, what: &str| {
         format!("[\"wall\", {{ patch = {{ min = {min}, max = {max} }}, {what} }}]")

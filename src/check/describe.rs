@@ -1,7 +1,7 @@
 //! What a case is, in words: the stream, what each side does, how finely each body is resolved and what it touches.
 
 use aero_solver::panels::Panels;
-use aero_solver::problem::Problem;
+use aero_solver::problem::{Opening, Problem};
 
 use super::layer::reynolds_per_length;
 use super::side_name;
@@ -50,6 +50,9 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
     for (axis, end, side, face) in problem.domain.each_side() {
         let name = side_name(axis, end);
         lines.push(format!("side {name} at {face}: {side}"));
+        let openings = problem.domain.openings.iter();
+        let own = openings.filter(|opening| (opening.axis, opening.end) == (axis, end));
+        lines.extend(own.map(|opening| self::opening(problem, opening)));
     }
     if problem.source.is_some() {
         lines.push("sources keep the gas to a manufactured solution".into());
@@ -59,6 +62,31 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
         lines.extend(body(problem, &panels, number));
     }
     lines
+}
+
+/// A part of a side, or what is given beyond it: where it is and, at its middle and at the start, its state.
+fn opening<const D: usize>(problem: &Problem<D>, opening: &Opening<D>) -> String {
+    let extent = opening.part.as_ref().unwrap_or(&problem.domain.bounds);
+    let mut middle = (extent.min + extent.max) / 2.0;
+    middle[opening.axis] = problem.domain.face(opening.axis, opening.end);
+    let mut text = opening.part.as_ref().map_or("  beyond it".into(), |part| {
+        let [from, to] = [&part.min, &part.max].map(super::place);
+        format!("  a patch from {from} to {to}")
+    });
+    let Some(state) = opening.given.as_ref().map(|given| given.at(&middle, 0.0)) else {
+        return format!("{text}: {}", opening.side);
+    };
+    text += &format!(", at its middle {} and t = 0: ", super::place(&middle));
+    text + &if opening.side.lets_in() {
+        format!(
+            "gas of density {:.5e}, pressure {:.5e} and velocity {}",
+            state.density,
+            state.pressure,
+            super::place(&state.velocity)
+        )
+    } else {
+        format!("a pressure of {:.5e}", state.pressure)
+    }
 }
 
 /// A body: its size in spacings, what its coefficients refer to, what it touches.
