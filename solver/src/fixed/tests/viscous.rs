@@ -6,7 +6,9 @@ use std::sync::Arc;
 use aero_geometry::Vector;
 use approx::assert_relative_eq;
 
+use super::jumps::around;
 use super::lattice::{field, lattice, problem};
+use super::{Scene, domain};
 use crate::fixed::FixedSimulation;
 use crate::fixed::state::Conserved;
 use crate::gas::{Gas, IdealGas, Transport, Viscosity};
@@ -340,5 +342,75 @@ fn air_between_walls_one_of_which_slides_heats_up_as_it_should() {
             (hot / expected - 1.0).abs() < 2e-3,
             "{mach} {hot} {expected}"
         );
+    }
+}
+
+/// Gas that slides past gas gathers nowhere, whatever the faces look like that it goes through: askew ones lie aside of the line between their
+/// points.
+#[test]
+fn a_shear_neither_gathers_nor_thins_where_two_spacings_meet() {
+    let square = domain([-1.0, -1.0], [1.0, 1.0]);
+    let scene = Scene::new(square.clone(), Vec::new(), 0.125);
+    let levels = around(&scene, Vector::<2>::new(-0.1, 0.05), 2, 2);
+    let cells = scene.made_with(&levels).cells;
+    let skew = cells.faces.iter().map(|face| face.skew.norm());
+    assert!(skew.fold(0.0, f64::max) > 0.01);
+    let mut problem = problem::<2>([16; 2], 0.125, [[Side::FreeStream; 2]; 2]);
+    problem.domain = square;
+    problem.gas = gas(1e-3, 0.72);
+    problem.initial = field(|x: &Vector<2>| State {
+        density: 1.0,
+        velocity: [1.0 + 0.5 * x[1], 0.25].into(),
+        pressure: 1.0,
+    });
+    let mut flow = FixedSimulation::on(cells, problem.clone()).unwrap();
+    flow.find_slopes();
+    flow.exchange(|_, part, gains| part.before.copy_from_slice(&gains.cells));
+    let mut seen = 0;
+    for (i, gain) in flow.columns.before.iter().enumerate() {
+        if is_inside(&problem, &flow.points[i], 2.0) {
+            seen += 1;
+            let rate = gain.mass / flow.net.cell(i).volume;
+            assert!(rate.abs() < 1e-12, "{:?} {rate:e}", flow.points[i]);
+        }
+    }
+    assert!(seen > 150);
+}
+
+/// A boundary layer grows slowly, and its friction is a hundredth of all forces: a flow is not settled before it.
+#[test]
+fn a_flow_has_not_settled_before_its_layers() {
+    let sides = [
+        [Side::Inlet, Side::Outlet],
+        [sticky(WallHeat::Adiabatic, 0.0), Side::FreeStream],
+    ];
+    let mut problem = problem::<2>([30, 12], 0.02, sides);
+    problem.gas = gas(2e-3, 0.72);
+    problem.free_stream = State {
+        density: 1.0,
+        velocity: [2.0, 0.0].into(),
+        pressure: 1.0 / 1.4,
+    };
+    let stream = problem.free_stream;
+    problem.initial = field(move |_: &Vector<2>| stream);
+    problem.method = Method::Fixed(FixedPoints {
+        time: Time::Settle,
+        ..FixedPoints::default()
+    });
+    let mut flow = FixedSimulation::on(lattice(&problem), problem).unwrap();
+    let settled = flow.settle(20_000).unwrap();
+    assert!(settled.is_settled);
+    let state = |flow: &FixedSimulation<2>| {
+        let level = flow.wall_shares().last().unwrap().level;
+        [flow.loads()[0].friction[0], level]
+    };
+    let before = state(&flow);
+    for _ in 0..3000 {
+        flow.settle_step().unwrap();
+    }
+    let after = state(&flow);
+    println!("{settled:?} {before:?} {after:?}");
+    for (before, after) in before.iter().zip(&after) {
+        assert!((before / after - 1.0).abs() < 1e-3, "{before} {after}");
     }
 }
