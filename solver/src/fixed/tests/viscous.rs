@@ -310,9 +310,7 @@ fn couette(mach: f64, is_adiabatic: bool, cells: usize) -> (f64, f64) {
         ..FixedPoints::default()
     });
     let mut flow = FixedSimulation::on(lattice(&problem), problem).unwrap();
-    for _ in 0..6000 {
-        flow.settle_step().unwrap();
-    }
+    assert!(flow.settle(20_000).unwrap().is_settled);
     let mut found = (0.0, 0.0);
     for (block, shares) in flow.net.blocks.iter().zip(&flow.columns.shares) {
         for (wall, share) in block.walls.iter().zip(shares) {
@@ -334,12 +332,12 @@ fn air_between_walls_one_of_which_slides_heats_up_as_it_should() {
         let (found, _) = couette(mach, false, 24);
         println!("Mach {mach}: {found} {shear}");
         assert!((found / shear - 1.0).abs() < 5e-3, "{mach} {found} {shear}");
-        // The cell next to the wall alone would be off by a hundredth.
-        let (_, hot) = couette(mach, true, 6);
+        // The cell next to the wall alone would be off by a hundredth, and a flow that had settled before its wall is warm by a thousandth.
+        let (_, hot) = couette(mach, true, 8);
         let expected = 300.0 * (1.0 + 0.72 * 0.2 * mach * mach);
         println!("Mach {mach}: {hot} {expected}");
         assert!(
-            (hot / expected - 1.0).abs() < 2e-3,
+            (hot / expected - 1.0).abs() < 2e-4,
             "{mach} {hot} {expected}"
         );
     }
@@ -375,42 +373,4 @@ fn a_shear_neither_gathers_nor_thins_where_two_spacings_meet() {
         }
     }
     assert!(seen > 150);
-}
-
-/// A boundary layer grows slowly, and its friction is a hundredth of all forces: a flow is not settled before it.
-#[test]
-fn a_flow_has_not_settled_before_its_layers() {
-    let sides = [
-        [Side::Inlet, Side::Outlet],
-        [sticky(WallHeat::Adiabatic, 0.0), Side::FreeStream],
-    ];
-    let mut problem = problem::<2>([30, 12], 0.02, sides);
-    problem.gas = gas(2e-3, 0.72);
-    problem.free_stream = State {
-        density: 1.0,
-        velocity: [2.0, 0.0].into(),
-        pressure: 1.0 / 1.4,
-    };
-    let stream = problem.free_stream;
-    problem.initial = field(move |_: &Vector<2>| stream);
-    problem.method = Method::Fixed(FixedPoints {
-        time: Time::Settle,
-        ..FixedPoints::default()
-    });
-    let mut flow = FixedSimulation::on(lattice(&problem), problem).unwrap();
-    let settled = flow.settle(20_000).unwrap();
-    assert!(settled.is_settled);
-    let state = |flow: &FixedSimulation<2>| {
-        let level = flow.wall_shares().last().unwrap().level;
-        [flow.loads()[0].friction[0], level]
-    };
-    let before = state(&flow);
-    for _ in 0..3000 {
-        flow.settle_step().unwrap();
-    }
-    let after = state(&flow);
-    println!("{settled:?} {before:?} {after:?}");
-    for (before, after) in before.iter().zip(&after) {
-        assert!((before / after - 1.0).abs() < 1e-3, "{before} {after}");
-    }
 }
