@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 29] = [
+const SMALL: [(&str, &[&str]); 30] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("becker", &["end_time=1.0"]),
@@ -21,6 +21,10 @@ const SMALL: [(&str, &[&str]); 29] = [
     ("cone", &["end_time=0.1", "spacing=0.05"]),
     ("couette", &["end_time=1e-9", "stop=end-time"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
+    (
+        "cylinder-viscous",
+        &["end_time=3.0", "stop=end-time", "scheme.refine=0"],
+    ),
     ("double-mach", &["end_time=0.02", "spacing=0.05"]),
     ("duct", &["end_time=0.1"]),
     (

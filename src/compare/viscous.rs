@@ -1,5 +1,6 @@
-//! Viscous flows with exact solutions: heated shear, the inside of a shock, vortices that decay, the boundary layer of a plate.
+//! Viscous flows with exact solutions: heated shear, the inside of a shock, vortices that decay, the boundary layer of a plate, and a wake.
 
+mod cylinder;
 mod particles;
 mod plate;
 mod shear;
@@ -27,6 +28,7 @@ impl Compare for Viscous {
         checks.extend(particles::compare(context)?);
         if context.level == Level::Full {
             checks.extend(plate::compare(context)?);
+            checks.extend(cylinder::compare(context)?);
         }
         Ok(checks)
     }

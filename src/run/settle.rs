@@ -16,6 +16,9 @@ use crate::output::Summary;
 /// thousand.
 const MOST: u64 = 5000;
 
+/// The same of viscous gas: layers grow slowly.
+const MOST_VISCOUS: u64 = 20_000;
+
 /// Total enthalpy over the stream's above which a state is none that a steady flow comes to: there it is that of the stream everywhere, and
 /// what a coarse lattice makes of it is off by parts of it.
 const SENSELESS: f64 = 3.0;
@@ -23,7 +26,13 @@ const SENSELESS: f64 = 3.0;
 impl<const D: usize> UnderWay<D> {
     /// Iterates until the flow has settled, or shows that it will not.
     pub(super) fn settle(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
-        let bodies = self.simulation.problem().bodies.len();
+        let problem = self.simulation.problem();
+        let bodies = problem.bodies.len();
+        let most = if problem.gas.is_viscous() {
+            MOST_VISCOUS
+        } else {
+            MOST
+        };
         let (reason, window) = loop {
             let settled = match self.simulation.settle_step() {
                 Some(Ok(settled)) => settled,
@@ -34,7 +43,7 @@ impl<const D: usize> UnderWay<D> {
                 }
             };
             let wish = recorder.step(&self.simulation, 1.0)?;
-            if settled.is_settled || settled.iterations >= MOST {
+            if settled.is_settled || settled.iterations >= most {
                 let last = self.swing.last().filter(|_| !settled.is_settled);
                 let window = last.unwrap_or_else(|| Window::now(&self.simulation, bodies));
                 break (verdict(&settled), window);

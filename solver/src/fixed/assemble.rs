@@ -148,9 +148,12 @@ impl<const D: usize> Builder<'_, D> {
                         }
                         let mut apart = Vector::<D>::zeros();
                         apart[axis] = sign * place.spacing;
-                        found
-                            .faces
-                            .push(ordered(number as u32, other as u32, area, apart));
+                        // The last cells before a side may be wider than the others.
+                        let mut skew = centre;
+                        skew[axis] = 0.0;
+                        let skew = settled(skew, place.spacing);
+                        let ends = (number as u32, other as u32);
+                        found.faces.push(ordered(ends, area, apart, skew));
                     }
                     _ => self.add_side(number as u32, (axis, end as usize), area, centre, found),
                 }
@@ -212,9 +215,10 @@ impl<const D: usize> Builder<'_, D> {
                         let apart = link.apart + beyond.offset - target.offset;
                         let same = beyond.cell == target.cell && apart.norm() < 1e-6 * unit;
                         if cell.number < link.to && !same {
-                            found
-                                .faces
-                                .push(ordered(target.cell, beyond.cell, face.area, apart));
+                            let skew = face.centre - target.offset - apart * 0.5;
+                            let skew = settled(skew, unit);
+                            let ends = (target.cell, beyond.cell);
+                            found.faces.push(ordered(ends, face.area, apart, skew));
                         }
                     }
                     None => self.add_open(target.cell, face.area, origin + face.centre, found),
@@ -314,15 +318,38 @@ impl<const D: usize> Builder<'_, D> {
     }
 }
 
-fn ordered<const D: usize>(i: u32, j: u32, area: Vector<D>, apart: Vector<D>) -> Face<D> {
+fn ordered<const D: usize>(
+    (i, j): (u32, u32),
+    area: Vector<D>,
+    apart: Vector<D>,
+    skew: Vector<D>,
+) -> Face<D> {
     if i < j {
-        Face { i, j, area, apart }
+        Face {
+            i,
+            j,
+            area,
+            apart,
+            skew,
+        }
     } else {
         Face {
             i: j,
             j: i,
             area: -area,
             apart: -apart,
+            skew,
         }
     }
+}
+
+/// A `skew` less what is but rounding.
+fn settled<const D: usize>(skew: Vector<D>, spacing: f64) -> Vector<D> {
+    skew.map(|part| {
+        if part.abs() > 1e-9 * spacing {
+            part
+        } else {
+            0.0
+        }
+    })
 }

@@ -35,6 +35,8 @@ pub struct Face<const D: usize> {
     pub area: Vector<D>,
     /// From the point of `i` to that of `j`, or its periodic image.
     pub apart: Vector<D>,
+    /// From halfway between both points to the middle of the face.
+    pub skew: Vector<D>,
 }
 
 /// What a wall belongs to.

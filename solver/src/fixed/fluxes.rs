@@ -10,7 +10,7 @@ use super::gas::Gas;
 use super::hll::Jump;
 use super::net::{Block, Face, Net};
 use super::real::{Lane, Real};
-use super::reconstruction::{Neighbours, rise};
+use super::reconstruction::{Neighbours, moved, rise};
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot, scaled};
 use super::viscous::{Rubbing, WallShare};
@@ -35,6 +35,16 @@ pub struct Gains<const D: usize> {
     pub cells: Vec<Conserved<D>>,
     /// Through walls and sides, all cells.
     pub boundary: Conserved<D>,
+}
+
+impl<const D: usize> Gains<D> {
+    /// Nothing, of so many cells.
+    fn nothing(cells: usize) -> Self {
+        Self {
+            cells: vec![Conserved::ZERO; cells],
+            boundary: Conserved::ZERO,
+        }
+    }
 }
 
 /// Sums up the faces of `block`; pressures on its walls go to `pressures`.
@@ -75,7 +85,11 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         let start = block.cells.start;
         let mut cells = vec![Conserved::ZERO; block.cells.len()];
         for faces in block.faces.chunks(S::F64_LANES) {
-            let flux = Batch::new(simd, net, faces, flow).flux(gas, energy);
+            let mut batch = Batch::new(simd, net, faces, flow);
+            if rubbing.is_some() {
+                batch.find_skews(simd, net, faces);
+            }
+            let flux = batch.flux(gas, energy);
             let flux = stored(&flux);
             for (face, flux) in faces.iter().zip(&flux) {
                 for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
@@ -85,6 +99,11 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
                 }
             }
         }
+        let rubbed = rubbing.map(|rubbing| {
+            let mut gains = Gains::nothing(cells.len());
+            rubbing.add(net, block, flow, &mut gains, shares);
+            gains
+        });
         let mut boundary = Conserved::ZERO;
         for (wall, pressure) in block.walls.iter().zip(pressures) {
             let i = wall.i as usize;
@@ -96,7 +115,10 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         }
         for side in &block.sides {
             let i = side.i as usize;
-            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i]);
+            let own = rubbed.as_ref().map(|gains| {
+                Conserved::ZERO.plus(1.0 / net.cell(i).volume, &gains.cells[i - start])
+            });
+            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i], own.as_ref());
             boundary = boundary.plus(-side.image.size, &flux);
             cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
         }
@@ -107,8 +129,11 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
             }
         }
         let mut gains = Gains { cells, boundary };
-        if let Some(rubbing) = rubbing {
-            rubbing.add(net, block, flow, &mut gains, shares);
+        if let Some(rubbed) = rubbed {
+            gains.boundary = gains.boundary.plus(1.0, &rubbed.boundary);
+            for (cell, more) in gains.cells.iter_mut().zip(&rubbed.cells) {
+                *cell = cell.plus(1.0, more);
+            }
         }
         gains
     }
@@ -121,6 +146,8 @@ struct Batch<S: Simd, const D: usize> {
     calmness: Lane<S>,
     area: [Lane<S>; D],
     apart: [Lane<S>; D],
+    /// From halfway between the cells to the faces' middles, where that counts.
+    skew: Option<[Lane<S>; D]>,
 }
 
 impl<S: Simd, const D: usize> Batch<S, D> {
@@ -145,6 +172,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             calmness: zero,
             area: [zero; D],
             apart: [zero; D],
+            skew: None,
         };
         let mut calmness = [zero; 2];
         for side in 0..2 {
@@ -165,6 +193,20 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         batch
     }
 
+    /// Where the middles of the faces are.
+    #[inline(always)]
+    fn find_skews(&mut self, simd: S, net: &Net<D>, faces: &[Face]) {
+        let shape = |l: usize| &net.face_shapes[faces[l.min(faces.len() - 1)].shape as usize].skew;
+        if (0..faces.len()).all(|l| *shape(l) == [0.0; D]) {
+            return;
+        }
+        let mut skew = self.apart;
+        for (k, lane) in skew.iter_mut().enumerate() {
+            *lane = gather(simd, |l| shape(l)[k]);
+        }
+        self.skew = Some(skew);
+    }
+
     /// Flux through the whole of each face.
     #[inline(always)]
     fn flux<G: Gas>(&self, gas: &G, energy: EnergyFlux) -> Conserved<D, Lane<S>> {
@@ -172,7 +214,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         let share = size.like(1.0) / size;
         let normal = scaled(&self.area, share);
         let smooth = smoothness(self.calmness);
-        let [left, right] = Neighbours {
+        let mut sides = Neighbours {
             means: self.states,
             rises: [
                 rise(&self.slopes[0], &self.apart),
@@ -182,6 +224,10 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             order: self.calmness,
         }
         .states();
+        if let Some(skew) = &self.skew {
+            moved(&mut sides, &self.slopes, skew, smooth);
+        }
+        let [left, right] = sides;
         let jump = Jump::new(gas, left, right, normal);
         let (sharp, blunt) = (jump.hllc(), jump.hll());
         let mix = Mix {

@@ -14,7 +14,11 @@ pub fn folded_faces<const D: usize>(mut faces: Vec<Face<D>>, spacing: f64) -> Ve
             .rev()
             .take_while(|known| (known.i, known.j) == (face.i, face.j));
         match same.find(|known| (known.apart - face.apart).norm() < 1e-6 * spacing) {
-            Some(known) => known.area += face.area,
+            Some(known) => {
+                let (a, b) = (known.area.norm(), face.area.norm());
+                known.skew += (face.skew - known.skew) * (b / (a + b));
+                known.area += face.area;
+            }
             None => kept.push(face),
         }
     }

@@ -36,6 +36,8 @@ pub struct FaceShape<const D: usize> {
     pub area: [f64; D],
     /// From the first to the second cell.
     pub apart: [f64; D],
+    /// From halfway between both points to the face's middle.
+    pub skew: [f64; D],
     /// Area.
     pub size: f64,
     /// Area over distance, in the plane of rings the length of the face there: weight in the cells' gradients.
@@ -204,11 +206,12 @@ impl<const D: usize> Net<D> {
         let mut shapes = Table::default();
         for (face, weight) in cells.faces.iter().zip(weights) {
             let size = face.area.norm();
-            let key = [bits(&face.area), bits(&face.apart)];
+            let key = [&face.area, &face.apart, &face.skew].map(bits);
             let shape = shapes.number(key, || {
                 self.face_shapes.push(FaceShape {
                     area: face.area.into(),
                     apart: face.apart.into(),
+                    skew: face.skew.into(),
                     size,
                     weight: *weight,
                 });

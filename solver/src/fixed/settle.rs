@@ -6,6 +6,8 @@
 use serde::{Deserialize, Serialize};
 
 use super::FixedSimulation;
+use super::gas::Gas;
+use super::state::dot;
 use crate::Failure;
 use crate::frame::Load;
 
@@ -26,6 +28,9 @@ const SLOWEST: f64 = 0.98;
 
 /// The same of viscous flows: heat spreads slowly.
 const SLOWEST_VISCOUS: f64 = 0.9995;
+
+/// Friction below this part of the largest force is not waited for, nor is the heat of as much at the speed of sound.
+const LEAST_FRICTION: f64 = 1e-6;
 
 /// Largest change over a window below which the flow may ask for points.
 const NEAR: f64 = 3e-3;
@@ -144,23 +149,44 @@ impl<const D: usize> FixedSimulation<D> {
                 .flat_map(|load| load.force.map(|f| f / largest)),
         );
         if self.viscous.is_some() {
-            watched.extend(rubbed(&loads));
+            watched.extend(self.rubbed(&loads, largest));
         }
         watched
     }
-}
 
-/// Friction and heat of all `loads`, in parts of the largest: beside pressure they hardly count, and they settle last.
-fn rubbed(loads: &[Load]) -> Vec<f64> {
-    let parts = |values: Vec<f64>| {
-        let largest = values
-            .iter()
-            .fold(f64::MIN_POSITIVE, |most, value| most.max(value.abs()));
-        values.into_iter().map(move |value| value / largest)
-    };
-    let friction = loads.iter().flat_map(|load| load.friction).collect();
-    let heat = loads.iter().map(|load| load.heat).collect();
-    parts(friction).chain(parts(heat)).collect()
+    /// What settles last in viscous gas, and hardly counts beside pressure: friction, heat, the temperature of walls and the energy of all gas.
+    /// Those of all walls in parts of themselves, so that they are seen to grow, be they ever so small beside the largest `force`.
+    fn rubbed(&self, loads: &[Load], force: f64) -> Vec<f64> {
+        let [mut friction, mut heat, mut area, mut level] = [0.0; 4];
+        for ((wall, _), share) in self.walls().zip(self.wall_shares()) {
+            let size = wall.image.size;
+            friction += dot(&share.stress, &share.stress).sqrt() * size;
+            heat += share.heat.abs() * size;
+            area += size;
+            level += share.level * size;
+        }
+        let held = self.columns.held.iter().enumerate();
+        let energy: f64 = held
+            .map(|(i, held)| held.energy * self.net.cell(i).volume)
+            .sum();
+        let sound = self.gas.sound_square(
+            self.problem.free_stream.density,
+            self.problem.free_stream.pressure,
+        );
+        let friction = friction + LEAST_FRICTION * force;
+        let heat = heat + LEAST_FRICTION * force * sound.sqrt();
+        let mut watched = vec![energy.ln(), friction.ln(), heat.ln()];
+        if area > 0.0 {
+            watched.push((level / area).ln());
+        }
+        watched.extend(
+            loads
+                .iter()
+                .flat_map(|load| load.friction.map(|f| f / friction)),
+        );
+        watched.extend(loads.iter().map(|load| load.heat / heat));
+        watched
+    }
 }
 
 impl Settling {

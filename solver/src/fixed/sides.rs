@@ -1,9 +1,11 @@
 //! Faces on the sides of the domain: what is beyond them, and what flows through.
 
+use super::calmness::smoothness;
 use super::cells::SideFace;
 use super::gas::Gas;
 use super::hll::Jump;
 use super::image::Image;
+use super::reconstruction::rise;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
 use crate::method::Time;
@@ -100,9 +102,19 @@ impl<const D: usize> Side<D> {
         }
     }
 
-    /// Flux through a unit area, out of the domain; `slopes` are the cell's.
-    pub fn flux<G: Gas>(&self, gas: &G, cell: &Primitive<D>, slopes: &Slopes<D>) -> Conserved<D> {
+    /// Flux through a unit area, out of the domain; `slopes` are the cell's, `rubbed` is what viscosity and heat conduction give it per volume.
+    pub fn flux<G: Gas>(
+        &self,
+        gas: &G,
+        cell: &Primitive<D>,
+        slopes: &Slopes<D>,
+        rubbed: Option<&Conserved<D>>,
+    ) -> Conserved<D> {
         let normal = self.image.normal;
+        let cell = &match (&self.beyond, rubbed) {
+            (Beyond::Same | Beyond::OneWay, Some(_)) => self.drawn_out(cell, slopes),
+            _ => *cell,
+        };
         let other = match &self.beyond {
             Beyond::Stream(state) => *state,
             Beyond::Same => *cell,
@@ -125,7 +137,10 @@ impl<const D: usize> Side<D> {
             }
             Beyond::Answers(answering) => {
                 let inside = along(cell, &normal);
-                let aside = aside(gas, cell, slopes, &normal);
+                let mut aside = aside(gas, cell, slopes, &normal);
+                if let Some(rubbed) = rubbed {
+                    aside += braked(gas, cell, rubbed, &normal);
+                }
                 let outside = answering.beyond(&inside, self.image.distance, aside);
                 let mut velocity = normal.map(|n| outside.speed * n);
                 if !answering.is_straight() {
@@ -143,6 +158,34 @@ impl<const D: usize> Side<D> {
         };
         Jump::new(gas, *cell, other, normal).hllc()
     }
+
+    /// The state of `cell` at the side itself, where gas leaves as it is; the cell's own where that is none, or in shocks. A layer along a wall
+    /// changes all the way up to the side: were it to leave as it is half a cell before, that half would be missing in all that balances there.
+    fn drawn_out(&self, cell: &Primitive<D>, slopes: &Slopes<D>) -> Primitive<D> {
+        let share = smoothness(slopes.calmness);
+        let way = self.image.normal.map(|n| share * self.image.distance * n);
+        let drawn = cell.plus(1.0, &rise(&slopes.along, &way));
+        let leaves = dot(&drawn.velocity, &self.image.normal) > 0.0;
+        if drawn.makes_sense() && leaves {
+            drawn
+        } else {
+            *cell
+        }
+    }
+}
+
+/// What viscosity and heat conduction take, per time, off the wave `u - 2 c / (gamma - 1)` in `cell`: `-F + q / (rho c)`, with the
+/// acceleration `F` along `normal` and what heat adds to the pressure, `q`, of what they give it per volume. A layer that is braked all along
+/// would be pressed back by the outlet without [as of the terms of diffusion in Yoo & Im 2007, section 2.1].
+fn braked<G: Gas, const D: usize>(
+    gas: &G,
+    cell: &Primitive<D>,
+    rubbed: &Conserved<D>,
+    normal: &[f64; D],
+) -> f64 {
+    let impedance = cell.density * gas.sound_square(cell.density, cell.pressure).sqrt();
+    let heat = rubbed.energy - dot(&cell.velocity, &rubbed.momentum);
+    gas.pressure_change(0.0, heat) / impedance - dot(&rubbed.momentum, normal) / cell.density
 }
 
 /// Flux through a face that nothing passes.
@@ -204,7 +247,7 @@ mod tests {
             velocity: [speed, 0.4],
             pressure: 0.8,
         };
-        side.flux(&GAS, &cell, &Slopes::LEVEL)
+        side.flux(&GAS, &cell, &Slopes::LEVEL, None)
     }
 
     #[test]
@@ -250,6 +293,50 @@ mod tests {
         );
     }
 
+    /// `dR/dx = -(F - q / (rho c)) / (u - c)` of a wave at rest: gas that friction brakes leaves slower, and heat draws it out.
+    #[test]
+    fn what_friction_and_heat_do_to_the_wave_is_taken_off_it() {
+        let cell = Primitive {
+            density: 1.4,
+            velocity: [0.5, 0.2],
+            pressure: 1.0,
+        };
+        let rubbed = |momentum: [f64; 2], heat: f64| Conserved {
+            mass: 0.0,
+            momentum,
+            energy: heat + dot(&cell.velocity, &momentum),
+        };
+        let normal = [1.0, 0.0];
+        let taken = |momentum, heat| braked(&GAS, &cell, &rubbed(momentum, heat), &normal);
+        assert!((taken([-0.7, 0.3], 0.0) - 0.5).abs() < 1e-14);
+        assert!((taken([0.0, 0.0], 0.7) - 0.4 * 0.7 / 1.4).abs() < 1e-14);
+    }
+
+    /// Gas that slows down on its way out leaves as it is at the side, not as it is half a cell before.
+    #[test]
+    fn gas_that_rubs_leaves_an_outlet_as_it_is_there() {
+        let face = SideFace {
+            i: 0,
+            axis: 0,
+            end: 1,
+            area: [0.5, 0.0].into(),
+            centre: [0.1, 0.0].into(),
+        };
+        let cell = Primitive {
+            density: 1.3,
+            velocity: [2.5, 0.4],
+            pressure: 0.8,
+        };
+        let mut slopes = Slopes::<2>::LEVEL;
+        slopes.along[0].velocity = [-2.0, 0.0];
+        for beyond in [Beyond::Same, Beyond::OneWay] {
+            let side = Side::new(&face, &Vector::zeros(), beyond);
+            let mass = |rubbed| side.flux(&GAS, &cell, &slopes, rubbed).mass;
+            assert_eq!(mass(None), 1.3 * 2.5);
+            assert!((mass(Some(&Conserved::ZERO)) - 1.3 * 2.3).abs() < 1e-14);
+        }
+    }
+
     /// At Mach 0.5 the wave that comes in rises by `sigma (1 - M^2) (p - p_held) / (rho L) t` on its way, `t = d / (c - u)` across half
     /// a cell, `d` wide [Poinsot & Lele 1992, eq. 40]; half of it is speed, and as much of pressure, over `rho c`, is lost.
     #[test]
@@ -275,7 +362,7 @@ mod tests {
             velocity: [0.5],
             pressure: 1.0 / 1.4,
         };
-        let flux = side.flux(&GAS, &cell, &Slopes::LEVEL);
+        let flux = side.flux(&GAS, &cell, &Slopes::LEVEL, None);
         let change = 0.25 * (1.0 - 0.25) * above * 0.05 / 0.5;
         // With du = change / 2 and dp = drho = -du: drho u + du, and dp + 2 u du + u^2 drho.
         let more = (flux.mass - 0.5) / (0.25 * change);

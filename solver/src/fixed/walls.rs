@@ -214,7 +214,7 @@ mod tests {
             image: image(),
             beyond: Beyond::Mirror,
         };
-        let flux = side.flux(&AIR, &cell, &slopes);
+        let flux = side.flux(&AIR, &cell, &slopes, None);
         assert!((flux.momentum[1] + 0.8).abs() < 1e-15, "{flux:?}");
         assert_eq!((flux.mass, flux.energy), (0.0, 0.0));
     }

@@ -1,4 +1,4 @@
-//! The laminar boundary layer of air along a flat plate; told and not judged as long as spacings that meet inside the layer add to its friction.
+//! The laminar boundary layer of air along a flat plate. What a cold wall does is told and not judged.
 
 use aero::run::Outcome;
 use aero_validation::exact::couette::air_viscosity;
@@ -19,6 +19,9 @@ const TEMPERATURE: f64 = 220.0;
 const REYNOLDS: f64 = 1e5;
 /// Where friction and temperature are read.
 const WINDOW: [f64; 2] = [0.9, 1.05];
+/// Per cent.
+const FRICTION: f64 = 3.0;
+const RECOVERY: f64 = 1.0;
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     let mut checks = Vec::new();
@@ -60,6 +63,7 @@ fn of(mach: f64, wall: Option<f64>, context: &Context<'_>) -> Result<Vec<Check>,
     let what = format!("plate, M {mach}, {how}: c_f sqrt(Re_x) sqrt(p / p_w)");
     let subject = Subject::new(NAME, &what, THEORY);
     let mut checks = vec![match &found {
+        Some(found) if wall.is_none() => subject.relative(found.friction, layer.friction, FRICTION),
         Some(found) => subject.informs(found.friction, layer.friction),
         None => subject.unmeasured(layer.friction),
     }];
@@ -69,7 +73,7 @@ fn of(mach: f64, wall: Option<f64>, context: &Context<'_>) -> Result<Vec<Check>,
         checks.push(match &found {
             Some(found) => {
                 let kinetic = 0.5 * (GAMMA - 1.0) * mach * mach;
-                subject.informs((found.wall - 1.0) / kinetic, layer.recovery)
+                subject.relative((found.wall - 1.0) / kinetic, layer.recovery, RECOVERY)
             }
             None => subject.unmeasured(layer.recovery),
         });

@@ -128,6 +128,7 @@ pub fn lattice<const D: usize>(problem: &Problem<D>) -> Cells<D> {
                         j,
                         area: full,
                         apart: normal * dx,
+                        skew: Vector::zeros(),
                     });
                 }
             }
@@ -230,6 +231,7 @@ pub fn bent(
                     j,
                     area: full,
                     apart: middle(next).0 - point,
+                    skew: Vector::zeros(),
                 });
             }
         }
