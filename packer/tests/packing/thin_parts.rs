@@ -34,14 +34,65 @@ fn plates_of_any_thickness_are_whole_at_any_angle() {
     }
 }
 
+/// A shape that does not tell what it is symmetric about.
+#[derive(Debug)]
+struct Untold<S: Shape<3>>(S);
+
+impl<S: Shape<3>> Shape<3> for Untold<S> {
+    fn bounds(&self) -> Bounds<3> {
+        self.0.bounds()
+    }
+
+    fn closest(&self, point: &Vector<3>) -> Closest<3> {
+        self.0.closest(point)
+    }
+
+    fn facets(&self, size: f64, region: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        self.0.facets(size, region)
+    }
+
+    fn measure(&self) -> Option<f64> {
+        self.0.measure()
+    }
+}
+
 #[test]
-fn plates_whose_middle_lies_on_sites_of_the_lattice_are_whole() {
-    for thickness in [0.5, 1.0, 1.4] {
-        let plate = bodies::cuboid([8.0, thickness, 8.0]).unwrap();
+fn plates_are_whole_wherever_their_middle_lies_between_sites_of_the_lattice() {
+    for tenths in 3..=40 {
+        let thickness = f64::from(tenths) / 10.0;
+        for height in [0.0, 0.25, 0.5] {
+            let plate = || bodies::cuboid([8.0, thickness, 8.3]).unwrap();
+            let shapes: [&dyn Shape<3>; 2] = [&plate(), &Untold(plate())];
+            for (shape, told) in shapes.iter().zip(["told", "untold"]) {
+                let mut options = PackOptions::new(1.0);
+                options.anchor = Vector::<3>::new(0.0, height, 0.0);
+                let packing = pack(*shape, &options).unwrap();
+                let name = format!("{thickness}, sites {height} below, symmetry {told}");
+                is_whole(&name, &packing.report);
+            }
+        }
+    }
+}
+
+/// Cells that a mirror plane halves count for one half.
+#[test]
+fn bodies_whose_mirror_planes_hold_sites_have_as_many_ghosts_as_others() {
+    let count = |shape: &dyn Shape<3>, height: f64| {
         let mut options = PackOptions::new(1.0);
-        options.anchor = Vector::<3>::new(0.0, 0.5, 0.0);
-        let packing = pack(&plate, &options).unwrap();
-        is_whole(&format!("{thickness}"), &packing.report);
+        options.anchor = Vector::<3>::new(0.0, height, 0.0);
+        pack(shape, &options).unwrap().report
+    };
+    let bodies: [&dyn Shape<3>; 3] = [
+        &bodies::sphere(6.0).unwrap(),
+        &bodies::cuboid([15.0; 3]).unwrap(),
+        &bodies::cone(15.0, 20.0).unwrap(),
+    ];
+    for shape in bodies {
+        let (between, on) = (count(shape, 0.0), count(shape, 0.5));
+        let more = on.ghosts as f64 / between.ghosts as f64 - 1.0;
+        assert!(more.abs() < 0.01, "{between:?} {on:?}");
+        assert!(on.volume_error_percent.abs() < 1.0, "{on:?}");
+        assert!(on.density_std_percent < 0.5, "{on:?}");
     }
 }
 
