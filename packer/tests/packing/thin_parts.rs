@@ -58,8 +58,8 @@ impl<S: Shape<3>> Shape<3> for Untold<S> {
 
 #[test]
 fn plates_are_whole_wherever_their_middle_lies_between_sites_of_the_lattice() {
-    for tenths in 3..=40 {
-        let thickness = f64::from(tenths) / 10.0;
+    let tenths = (3..=30).map(|tenths| 0.1 * f64::from(tenths));
+    for thickness in tenths.chain([1.87, 3.75, 4.0]) {
         for height in [0.0, 0.25, 0.5] {
             let plate = || bodies::cuboid([8.0, thickness, 8.3]).unwrap();
             let shapes: [&dyn Shape<3>; 2] = [&plate(), &Untold(plate())];
@@ -331,8 +331,8 @@ fn the_density_on_fins_and_at_their_roots_and_ends_is_right() {
 }
 
 #[test]
-fn needles_and_tips_are_covered_to_their_ends() {
-    for (angle, length) in [(5.0, 20.0), (15.0, 20.0), (60.0, 8.0)] {
+fn needles_and_tips_are_covered_to_their_ends_and_rims() {
+    for (angle, length) in [(5.0, 20.0), (15.0, 20.0), (30.0, 20.0), (60.0, 8.0)] {
         let cone = bodies::cone(angle, length).unwrap();
         let report = pack(&cone, &PackOptions::new(1.0)).unwrap().report;
         assert!(report.uncovered_area_percent <= 0.0, "{angle}: {report:?}");
@@ -350,6 +350,41 @@ fn plates_along_the_lattice_that_end_between_its_sites_keep_their_volume() {
             is_whole(&format!("{sides:?} by {thickness}"), &packing.report);
         }
     }
+}
+
+/// A slab of a section with sharp edges, 60 long.
+fn slab(thickness: f64) -> Mesh {
+    let half = 0.5 * thickness;
+    let section = [
+        [0.0, 0.0],
+        [7.2, -half],
+        [52.8, -half],
+        [60.0, 0.0],
+        [52.8, half],
+        [7.2, half],
+    ];
+    let at = |n: usize, z: f64| {
+        let [x, y] = section[n % 6];
+        Vector::<3>::new(x, y, z)
+    };
+    let mut facets = Vec::new();
+    for n in 0..6 {
+        let [a, b, c, d] = [at(n, 0.0), at(n + 1, 0.0), at(n + 1, 10.0), at(n, 10.0)];
+        facets.extend([[a, b, c], [a, c, d]]);
+    }
+    for n in 1..5 {
+        facets.push([at(0, 10.0), at(n, 10.0), at(n + 1, 10.0)]);
+        facets.push([at(0, 0.0), at(n + 1, 0.0), at(n, 0.0)]);
+    }
+    Mesh::from_facets(facets).unwrap()
+}
+
+#[test]
+fn sharp_edges_of_a_thin_slab_are_not_told_as_thin_parts_and_what_keeps_it_is_its_plate() {
+    let report = pack(&slab(0.3), &PackOptions::new(1.0)).unwrap().report;
+    assert!(report.warnings.is_empty(), "{report:?}");
+    let error = pack(&slab(0.25), &PackOptions::new(1.0)).unwrap_err();
+    assert!(error.to_string().contains("only 0.250 "), "{error}");
 }
 
 #[test]
