@@ -22,38 +22,46 @@ fn error(scene: &str, is_judged: impl Fn([f64; 3]) -> bool) -> (f64, usize) {
     (largest, count)
 }
 
-/// A solid whose face rises from a floor at (1.5, 0), with gas between both.
-fn overhang(angle: f64) -> String {
-    let top = 1.5 - 1.0 / angle.to_radians().tan();
-    let end = 3.0_f64.max(top + 1.4);
+/// Gas at rest around one body, in a box of walls of ten spacings to the metre.
+fn at_rest<const D: usize>([min, max]: [[f64; D]; 2], body: &str) -> String {
+    let sides = |axis: &&str| format!("{axis}_min = \"wall\"\n{axis}_max = \"wall\"\n");
+    let sides: String = ["x", "y", "z"][..D].iter().map(sides).collect();
+    let still = [0.0; D];
     format!(
         r#"
-dimension = 2
+dimension = {D}
 spacing = 0.1
 end_time = 0.001
 
 [free_stream]
 density = 1.4
 pressure = 1.0
-velocity = [0.0, 0.0]
+velocity = {still:?}
 
 [domain]
-min = [-1.0, 0.0]
-max = [4.5, 2.0]
+min = {min:?}
+max = {max:?}
 
 [domain.sides]
-x_min = "wall"
-x_max = "wall"
-y_min = "wall"
-y_max = "wall"
-
+{sides}
 [[body]]
-name = "post"
-shape = {{ polygon = {{ points = [[1.5, 0.0], [{end}, 0.0], [{end}, 1.0], [{top}, 1.0]] }} }}
+name = "body"
+{body}
 
 [output]
 frames = 1
 "#
+    )
+}
+
+/// A solid whose face rises from a floor at (1.5, 0), with gas between both.
+fn overhang(angle: f64) -> String {
+    let top = 1.5 - 1.0 / angle.to_radians().tan();
+    let end = 3.0_f64.max(top + 1.4);
+    let points = [[1.5, 0.0], [end, 0.0], [end, 1.0], [top, 1.0]];
+    at_rest(
+        [[-1.0, 0.0], [4.5, 2.0]],
+        &format!("shape = {{ polygon = {{ points = {points:?} }} }}"),
     )
 }
 
@@ -70,39 +78,13 @@ fn gas_at_rest_shows_its_pressure_in_corners_of_any_angle() {
 
 #[test]
 fn gas_at_rest_shows_its_pressure_at_the_foot_of_a_box_in_space() {
-    let scene = r#"
-dimension = 3
-spacing = 0.1
-end_time = 0.001
-
-[free_stream]
-density = 1.4
-pressure = 1.0
-velocity = [0.0, 0.0, 0.0]
-
-[domain]
-min = [0.0, 0.0, 0.0]
-max = [2.0, 2.0, 1.4]
-
-[domain.sides]
-x_min = "wall"
-x_max = "wall"
-y_min = "wall"
-y_max = "wall"
-z_min = "wall"
-z_max = "wall"
-
-[[body]]
-name = "box"
-shape = { cuboid = { edges = [0.8, 0.8, 0.6] } }
-place = { translate = [1.0, 1.0, 0.3] }
-
-[output]
-frames = 1
-"#;
+    let scene = at_rest(
+        [[0.0; 3], [2.0, 2.0, 1.4]],
+        "shape = { cuboid = { edges = [0.8, 0.8, 0.6] } }\nplace = { translate = [1.0, 1.0, 0.3] }",
+    );
     // Distance from the box's sides.
     let out = |at: [f64; 3]| (at[0] - 1.0).abs().max((at[1] - 1.0).abs()) - 0.4;
-    let (largest, count) = error(scene, |at| {
+    let (largest, count) = error(&scene, |at| {
         at[2] < 0.12 && out(at) > -1e-9 && out(at) < 0.12
     });
     println!("{largest} on {count}");
@@ -114,37 +96,11 @@ frames = 1
 /// rim sees both.
 #[test]
 fn gas_at_rest_shows_its_pressure_up_to_the_rim_of_a_thin_plate_in_space() {
-    let scene = r#"
-dimension = 3
-spacing = 0.1
-end_time = 0.001
-
-[free_stream]
-density = 1.4
-pressure = 1.0
-velocity = [0.0, 0.0, 0.0]
-
-[domain]
-min = [0.0, 0.0, 0.0]
-max = [2.4, 2.5, 2.4]
-
-[domain.sides]
-x_min = "wall"
-x_max = "wall"
-y_min = "wall"
-y_max = "wall"
-z_min = "wall"
-z_max = "wall"
-
-[[body]]
-name = "plate"
-shape = { cuboid = { edges = [0.8, 0.1, 0.8] } }
-place = { translate = [1.2, 1.25, 1.2] }
-
-[output]
-frames = 1
-"#;
-    let (largest, count) = error(scene, |at| (at[1] - 1.25).abs() < 0.06);
+    let scene = at_rest(
+        [[0.0; 3], [2.4, 2.5, 2.4]],
+        "shape = { cuboid = { edges = [0.8, 0.1, 0.8] } }\nplace = { translate = [1.2, 1.25, 1.2] }",
+    );
+    let (largest, count) = error(&scene, |at| (at[1] - 1.25).abs() < 0.06);
     println!("{largest} on {count}");
     assert!(count > 100, "{count} panels");
     assert!(largest < 0.05, "{largest}");

@@ -106,6 +106,36 @@ fn the_force_on_a_block_is_the_integral_of_its_surface() {
 }
 
 #[test]
+fn symmetric_bodies_in_a_stream_along_them_have_no_lift() {
+    let shapes = [
+        (
+            2,
+            0.025,
+            "biconvex = { chord = 1.0, thickness_ratio = 0.1 }",
+        ),
+        (
+            2,
+            0.025,
+            "polygon = { points = [[0.0, 0.0], [0.5, -0.05], [1.0, 0.0], [0.5, 0.05]] }",
+        ),
+        (3, 0.1, "sphere = { radius = 0.35 }"),
+    ];
+    for (dimension, spacing, shape) in shapes {
+        for motion in [MOVING, FIXED] {
+            let place = Workplace::new();
+            let settings = ["--set", motion];
+            place
+                .run(&scene(dimension, spacing, shape, ""), &settings)
+                .succeeds();
+            let force = &place.json("results/summary.json")["bodies"]["body"]["force_gauge"];
+            let force: [f64; 3] = std::array::from_fn(|k| force[k].as_f64().unwrap());
+            let lift = force[1].hypot(force[2]) / force[0];
+            assert!(lift < 1e-3, "{shape}, {motion}: {lift} of the drag");
+        }
+    }
+}
+
+#[test]
 fn the_force_on_bodies_in_space_is_the_integral_of_their_surfaces() {
     let shapes = [
         "cuboid = { edges = [0.6, 0.5, 0.5] }",

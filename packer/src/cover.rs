@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 
 use crate::cloud::{Cloud, Lock};
+use crate::level::project;
 use crate::nearest::Nearest;
 use crate::plan::Plan;
 use crate::sheets::Touched;
@@ -23,6 +24,9 @@ const ROOM: f64 = 0.6;
 
 /// And one nearer than this, whose volume it shares.
 const LENDS: f64 = 4.0;
+
+/// Depth of a ghost that is added at an edge, in spacings.
+const AT_EDGES: f64 = 0.25;
 
 /// A place this near to a mirror plane, in spacings, is put on it.
 const ON_PLANE: f64 = 0.3;
@@ -120,15 +124,13 @@ pub(crate) fn mend<const D: usize>(
         let mut touched = Touched::new(2.0 * spacing);
         let mut added = false;
         for sample in open.into_iter().map(|n| &samples[n]) {
-            let depth = depth_below(plan, sample);
-            let place = plan
-                .mirrors
-                .snapped(sample.point - depth * sample.normal, ON_PLANE * spacing);
+            let Some(place) = place_below(plan, sample) else {
+                continue;
+            };
             let Some((lender, gap)) = nearest.find(&place, LENDS * spacing, |_| true) else {
                 continue;
             };
-            let is_inside = plan.shape.signed_distance(&place) < 0.0 && plan.mirrors.above(&place);
-            if gap < ROOM * spacing || !is_inside || !touched.claim(&place) {
+            if gap < ROOM * spacing || !touched.claim(&place) {
                 continue;
             }
             let share = |point: &Vector<D>| plan.mirrors.share(point);
@@ -144,6 +146,21 @@ pub(crate) fn mend<const D: usize>(
         }
     }
     cloud.len() - before
+}
+
+/// A place inside of the body below a sample, half a spacing deep or in the middle of what is thinner; at an edge, where the way down leads
+/// out of the body, beside that way.
+fn place_below<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Vector<D>> {
+    let spacing = plan.options.spacing;
+    let below = sample.point - depth_below(plan, sample) * sample.normal;
+    let inside = if plan.shape.signed_distance(&below) < 0.0 {
+        below
+    } else {
+        project(plan.shape, &below, -AT_EDGES * spacing, plan.tolerance)?
+    };
+    let place = plan.mirrors.snapped(inside, ON_PLANE * spacing);
+    let is_inside = plan.shape.signed_distance(&place) < 0.0 && plan.mirrors.above(&place);
+    is_inside.then_some(place)
 }
 
 /// Depth of the wall layer below a sample: half a spacing, or half of a thinner body.

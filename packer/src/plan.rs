@@ -20,6 +20,9 @@ const BEYOND_REGION: f64 = 6.0;
 /// faces on them.
 const FINENESS: f64 = 5.0;
 
+/// A centre this near to a mirror plane, in edges of its cell, is on it.
+const ON_PLANE: f64 = 1e-6;
+
 /// A piece of a thin part: its centre and volume.
 pub(crate) type Bit<const D: usize> = (Vector<D>, f64);
 
@@ -88,8 +91,10 @@ impl<'a, const D: usize> Plan<'a, D> {
             Side::Fluid => (0.0, depth),
         };
         let (mut band, beyond) = grid.band(shape, &bounds, range, spacing)?;
-        band.par_iter_mut()
-            .for_each(|cell| cell.survey(shape, spacing, side));
+        band.par_iter_mut().for_each(|cell| {
+            cell.centre = mirrors.snapped(cell.centre, ON_PLANE * cell.step);
+            cell.survey(shape, spacing, side);
+        });
         let cut_band = if D == 2 && side == Side::Fluid {
             band.clone()
         } else {
@@ -145,7 +150,12 @@ impl<'a, const D: usize> Plan<'a, D> {
 
     /// Volume of each layer in the packed part of space.
     pub fn layer_volumes(&self) -> Vec<f64> {
-        self.summed_volumes(|_| 1.0)
+        self.summed_volumes(|cell| self.part_above(cell))
+    }
+
+    /// Part of a cell in the packed part of space: a cell around sites on a mirror plane is half beyond it.
+    pub fn part_above(&self, cell: &Cell<D>) -> f64 {
+        self.mirrors.share(&cell.centre)
     }
 
     /// The layers' cells, cut up where layers are not smooth; parts of one cell follow each other.
@@ -369,7 +379,9 @@ fn cut_up<const D: usize>(
                 done.push(*cell);
                 return done;
             }
-            let mut open: Vec<Cell<D>> = cell.halves(shape, spacing, side).collect();
+            let halves = cell.halves(shape, spacing, side);
+            let mut open: Vec<Cell<D>> =
+                halves.filter(|half| mirrors.above(&half.centre)).collect();
             if side == Side::Fluid {
                 return open;
             }
@@ -377,9 +389,6 @@ fn cut_up<const D: usize>(
                 let reach = 0.5 * cell.step * (D as f64).sqrt();
                 let is_coarse = cell.step > 1.01 * PIECE * spacing && cell.distance < reach;
                 let is_thin = cell.full < usize::MAX;
-                if is_thin && !mirrors.above(&cell.centre) {
-                    continue;
-                }
                 let smallest = if is_thin { SMALLEST_PIECE } else { EDGE_PIECE };
                 let is_bent = || cell.step > 1.01 * smallest * spacing && cell.is_bent(shape);
                 if is_thin && is_coarse || is_bent() {

@@ -16,6 +16,9 @@ const FARTHEST: f64 = 2.0;
 /// What is added to that, in spacings.
 const SLACK: f64 = 0.1;
 
+/// Cosine between the normals of opposite faces that are parallel, to 18 degrees; from faces of a wedge pushes lead up it.
+const PARALLEL: f64 = -0.95;
+
 /// Pushes away from the nearest surface.
 const PUSHES: usize = 10;
 
@@ -35,16 +38,23 @@ pub(crate) fn has_room<const D: usize>(
     let wanted = FITS * (layer as f64 + 1.0) * spacing;
     let mut here = *point;
     let mut farthest = f64::INFINITY;
+    let mut strength = 1.0;
+    let mut last = Vector::zeros();
     for _ in 0..PUSHES {
         let seen = shape.closest(&here);
         let missing = wanted + seen.distance;
+        // Between two parallel faces, pushed from one to the other, it comes to the middle.
+        if seen.normal.dot(&last) < PARALLEL {
+            strength *= 0.5;
+        }
+        last = seen.normal;
         if farthest == f64::INFINITY {
             farthest = FARTHEST * missing + SLACK * spacing;
         }
         if missing <= (1.0 - NEARLY) * wanted {
             return true;
         }
-        here -= missing * seen.normal;
+        here -= strength * missing * seen.normal;
         if (here - point).norm() > farthest {
             return false;
         }

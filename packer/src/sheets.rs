@@ -32,8 +32,17 @@ const MOST_REPAIRS: usize = 20;
 /// A cell whose centre is beyond the surface is cut by it where more than this part of it is not.
 const CUT: f64 = 0.01;
 
+/// A site on a mirror plane whose level is farther from it than this, in spacings, leaves the plane.
+const OFF_PLANE: f64 = 0.35;
+
+/// Cosine between the normals of faces that are opposite.
+const OPPOSITE: f64 = -0.5;
+
 /// Sites nearer than this, in spacings, to the middle between two levels are taken to be on it: coordinates of meshes are rounded.
 const TIE: f64 = 1e-3;
+
+/// A place on a level, and the normal of the face above it.
+type Seat<const D: usize> = (Vector<D>, Vector<D>);
 
 /// Lays the sheets of one packing.
 pub(crate) struct Sheets<'a, const D: usize> {
@@ -55,20 +64,17 @@ impl<const D: usize> Sheets<'_, D> {
             .par_iter()
             .filter(|cell| cell.distance >= low && cell.distance < low + self.step())
             .filter(|cell| layer < cell.full)
-            .filter_map(|cell| {
-                let mirrors = &self.plan.mirrors;
-                let centre = mirrors.snapped(cell.centre, 1e-6 * self.step());
-                let place = if cell.room == Room::Clear {
-                    centre - (cell.distance - level) * cell.normal
-                } else {
-                    project(self.plan.shape, &centre, level, self.plan.tolerance)?
-                };
-                ((place - centre).norm() < 1.01 * self.step()).then(|| Seed {
-                    place: self.keep_on_planes(place, &centre),
-                    normal: cell.normal,
-                    block: block_at(self.plan, &place),
-                    fixed: perfect.contains(&cell.index),
-                })
+            .flat_map_iter(|cell| {
+                let own = self.seat(cell.centre, cell, level);
+                [own, self.seat_across(cell, level, own)]
+                    .into_iter()
+                    .flatten()
+                    .map(|(place, normal)| Seed {
+                        place,
+                        normal,
+                        block: block_at(self.plan, &place),
+                        fixed: perfect.contains(&cell.index),
+                    })
             })
             .collect();
         let start = *carry;
@@ -90,6 +96,34 @@ impl<const D: usize> Sheets<'_, D> {
         }
         spread_on_sheet(self.plan, &mut points, level, SPREADING);
         points.into_iter().map(|seed| seed.place).collect()
+    }
+
+    /// Where a site of `cell`, or a place beside it, comes to lie on a level, and the normal of the face above it.
+    fn seat(&self, from: Vector<D>, cell: &Cell<D>, level: f64) -> Option<Seat<D>> {
+        let (place, normal) = if cell.room == Room::Clear {
+            let place = from - (cell.distance - level) * cell.normal;
+            (place, cell.normal)
+        } else {
+            let normal = self.plan.shape.closest(&from).normal;
+            (
+                project(self.plan.shape, &from, level, self.plan.tolerance)?,
+                normal,
+            )
+        };
+        let place = self.keep_on_planes(place, &cell.centre);
+        ((place - cell.centre).norm() < 1.01 * self.step()).then_some((place, normal))
+    }
+
+    /// A site mid-way between two opposite faces has a place on either's level: the one that it has not got yet. About a mirror plane that
+    /// is the image.
+    fn seat_across(&self, cell: &Cell<D>, level: f64, own: Option<Seat<D>>) -> Option<Seat<D>> {
+        if cell.room == Room::Clear {
+            return None;
+        }
+        let beyond = cell.centre - TIE * self.step() * cell.normal.scale(1.0_f64.copysign(-level));
+        let (place, normal) = self.seat(beyond, cell, level)?;
+        let is_other = own.is_none_or(|(own, _)| (own - place).norm() > OFF_PLANE * self.step());
+        (normal.dot(&cell.normal) < OPPOSITE && is_other).then_some((place, normal))
     }
 
     fn step(&self) -> f64 {
@@ -246,10 +280,15 @@ impl<const D: usize> Sheets<'_, D> {
             .map(|(found, _)| found)
     }
 
-    /// Keeps a projected point on the planes on which it started, and on its side of the others.
+    /// Keeps a projected point on the planes on which it started, and on its side of the others. From a plane mid-way between two faces it
+    /// goes to one of them, and its image to the other.
     fn keep_on_planes(&self, mut point: Vector<D>, start: &Vector<D>) -> Vector<D> {
         for &(axis, position) in self.plan.mirrors.planes() {
-            if start[axis] == position || point[axis] < position {
+            let height = point[axis] - position;
+            let is_between = height.abs() > OFF_PLANE * self.step();
+            if start[axis] == position && is_between {
+                point[axis] = position + height.abs();
+            } else if start[axis] == position || height < 0.0 {
                 point[axis] = position;
             }
         }
@@ -287,7 +326,7 @@ impl<const D: usize> BlockVolumes<D> {
                     blocks.order.push(block);
                     0.0
                 });
-                *sum += volume / plan.particle_volume();
+                *sum += plan.part_above(cell) * volume / plan.particle_volume();
             }
         }
         layers

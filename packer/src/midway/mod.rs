@@ -83,30 +83,25 @@ fn thinnest<const D: usize>(
         .filter(|site| site.whole < limit)
         .filter(|site| nearest.find(&site.place, reach, |_| true).is_none())
         .collect();
-    let least = |thin: &[&Site<D>]| {
-        let sites = thin.iter().copied();
-        sites.min_by(|a, b| a.whole.total_cmp(&b.whole)).map(&found)
-    };
-    if thick.is_empty()
-        && plan.roomy_cells().next().is_none()
-        && let Some(found) = least(&thin)
-    {
-        return Err(PackError::Thin {
-            thickness: found.thickness,
-            at: found.at,
-            spacing,
-        });
-    }
     let is_plate: Vec<bool> = thin
         .par_iter()
         .map(|site| !ends_in_an_edge(plan, site))
         .collect();
-    let mut is_plate = is_plate.into_iter();
-    let plates: Vec<&Site<D>> = thin
-        .into_iter()
-        .filter(|_| is_plate.next().unwrap_or(true))
-        .collect();
-    Ok(least(&plates))
+    let plates = thin.iter().zip(is_plate).filter(|plate| plate.1);
+    let by_thickness = |a: &&Site<D>, b: &&Site<D>| a.whole.total_cmp(&b.whole);
+    let thinnest = plates.map(|plate| *plate.0).min_by(by_thickness);
+    if thick.is_empty() && plan.roomy_cells().next().is_none() {
+        // What is nothing but edges is kept as far as its thickest place asks for.
+        let thickest = || thin.iter().copied().max_by(by_thickness);
+        if let Some(found) = thinnest.or_else(thickest).map(found) {
+            return Err(PackError::Thin {
+                thickness: found.thickness,
+                at: found.at,
+                spacing,
+            });
+        }
+    }
+    Ok(thinnest.map(found))
 }
 
 /// True on a wedge that is as thin as wanted near its edge: the planes of both faces meet where the body ends. Sites on rims count as edges; those on faces
@@ -123,7 +118,8 @@ fn ends_in_an_edge<const D: usize>(plan: &Plan<'_, D>, site: &Site<D>) -> bool {
     }
     let way = site.whole / lean.norm();
     let apex = site.place + way * lean.normalize();
-    way.is_finite() && plan.shape.signed_distance(&apex) < BEYOND_EDGE * way
+    let beyond = BEYOND_EDGE * way + AT_THE_EDGE * plan.options.spacing;
+    way.is_finite() && plan.shape.signed_distance(&apex) < beyond
 }
 
 /// Thickness is known to this part.
@@ -137,6 +133,9 @@ const ASKEW: f64 = 1.0;
 
 /// Where faces bend, their planes meet beyond the edge by less than this part of the way to it.
 const BEYOND_EDGE: f64 = 0.5;
+
+/// And by these spacings more: right at an edge thickness is known too roughly to tell the way to it.
+const AT_THE_EDGE: f64 = 0.02;
 
 /// Least volume of a ghost, of a full one's.
 const LEAST_VOLUME: f64 = 1e-3;

@@ -34,14 +34,65 @@ fn plates_of_any_thickness_are_whole_at_any_angle() {
     }
 }
 
+/// A shape that does not tell what it is symmetric about.
+#[derive(Debug)]
+struct Untold<S: Shape<3>>(S);
+
+impl<S: Shape<3>> Shape<3> for Untold<S> {
+    fn bounds(&self) -> Bounds<3> {
+        self.0.bounds()
+    }
+
+    fn closest(&self, point: &Vector<3>) -> Closest<3> {
+        self.0.closest(point)
+    }
+
+    fn facets(&self, size: f64, region: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        self.0.facets(size, region)
+    }
+
+    fn measure(&self) -> Option<f64> {
+        self.0.measure()
+    }
+}
+
 #[test]
-fn plates_whose_middle_lies_on_sites_of_the_lattice_are_whole() {
-    for thickness in [0.5, 1.0, 1.4] {
-        let plate = bodies::cuboid([8.0, thickness, 8.0]).unwrap();
+fn plates_are_whole_wherever_their_middle_lies_between_sites_of_the_lattice() {
+    let tenths = (3..=30).map(|tenths| 0.1 * f64::from(tenths));
+    for thickness in tenths.chain([1.87, 3.75, 4.0]) {
+        for height in [0.0, 0.25, 0.5] {
+            let plate = || bodies::cuboid([8.0, thickness, 8.3]).unwrap();
+            let shapes: [&dyn Shape<3>; 2] = [&plate(), &Untold(plate())];
+            for (shape, told) in shapes.iter().zip(["told", "untold"]) {
+                let mut options = PackOptions::new(1.0);
+                options.anchor = Vector::<3>::new(0.0, height, 0.0);
+                let packing = pack(*shape, &options).unwrap();
+                let name = format!("{thickness}, sites {height} below, symmetry {told}");
+                is_whole(&name, &packing.report);
+            }
+        }
+    }
+}
+
+/// Cells that a mirror plane halves count for one half.
+#[test]
+fn bodies_whose_mirror_planes_hold_sites_have_as_many_ghosts_as_others() {
+    let count = |shape: &dyn Shape<3>, height: f64| {
         let mut options = PackOptions::new(1.0);
-        options.anchor = Vector::<3>::new(0.0, 0.5, 0.0);
-        let packing = pack(&plate, &options).unwrap();
-        is_whole(&format!("{thickness}"), &packing.report);
+        options.anchor = Vector::<3>::new(0.0, height, 0.0);
+        pack(shape, &options).unwrap().report
+    };
+    let bodies: [&dyn Shape<3>; 3] = [
+        &bodies::sphere(6.0).unwrap(),
+        &bodies::cuboid([15.0; 3]).unwrap(),
+        &bodies::cone(15.0, 20.0).unwrap(),
+    ];
+    for shape in bodies {
+        let (between, on) = (count(shape, 0.0), count(shape, 0.5));
+        let more = on.ghosts as f64 / between.ghosts as f64 - 1.0;
+        assert!(more.abs() < 0.01, "{between:?} {on:?}");
+        assert!(on.volume_error_percent.abs() < 1.0, "{on:?}");
+        assert!(on.density_std_percent < 0.5, "{on:?}");
     }
 }
 
@@ -280,8 +331,8 @@ fn the_density_on_fins_and_at_their_roots_and_ends_is_right() {
 }
 
 #[test]
-fn needles_and_tips_are_covered_to_their_ends() {
-    for (angle, length) in [(5.0, 20.0), (15.0, 20.0), (60.0, 8.0)] {
+fn needles_and_tips_are_covered_to_their_ends_and_rims() {
+    for (angle, length) in [(5.0, 20.0), (15.0, 20.0), (30.0, 20.0), (60.0, 8.0)] {
         let cone = bodies::cone(angle, length).unwrap();
         let report = pack(&cone, &PackOptions::new(1.0)).unwrap().report;
         assert!(report.uncovered_area_percent <= 0.0, "{angle}: {report:?}");
@@ -299,6 +350,41 @@ fn plates_along_the_lattice_that_end_between_its_sites_keep_their_volume() {
             is_whole(&format!("{sides:?} by {thickness}"), &packing.report);
         }
     }
+}
+
+/// A slab of a section with sharp edges, 60 long.
+fn slab(thickness: f64) -> Mesh {
+    let half = 0.5 * thickness;
+    let section = [
+        [0.0, 0.0],
+        [7.2, -half],
+        [52.8, -half],
+        [60.0, 0.0],
+        [52.8, half],
+        [7.2, half],
+    ];
+    let at = |n: usize, z: f64| {
+        let [x, y] = section[n % 6];
+        Vector::<3>::new(x, y, z)
+    };
+    let mut facets = Vec::new();
+    for n in 0..6 {
+        let [a, b, c, d] = [at(n, 0.0), at(n + 1, 0.0), at(n + 1, 10.0), at(n, 10.0)];
+        facets.extend([[a, b, c], [a, c, d]]);
+    }
+    for n in 1..5 {
+        facets.push([at(0, 10.0), at(n, 10.0), at(n + 1, 10.0)]);
+        facets.push([at(0, 0.0), at(n + 1, 0.0), at(n, 0.0)]);
+    }
+    Mesh::from_facets(facets).unwrap()
+}
+
+#[test]
+fn sharp_edges_of_a_thin_slab_are_not_told_as_thin_parts_and_what_keeps_it_is_its_plate() {
+    let report = pack(&slab(0.3), &PackOptions::new(1.0)).unwrap().report;
+    assert!(report.warnings.is_empty(), "{report:?}");
+    let error = pack(&slab(0.25), &PackOptions::new(1.0)).unwrap_err();
+    assert!(error.to_string().contains("only 0.250 "), "{error}");
 }
 
 #[test]
