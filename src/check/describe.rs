@@ -69,15 +69,14 @@ fn opening<const D: usize>(problem: &Problem<D>, opening: &Opening<D>) -> String
     let extent = opening.part.as_ref().unwrap_or(&problem.domain.bounds);
     let mut middle = (extent.min + extent.max) / 2.0;
     middle[opening.axis] = problem.domain.face(opening.axis, opening.end);
-    let mut text = opening.part.as_ref().map_or("  beyond it".into(), |part| {
+    let text = opening.part.as_ref().map_or("  beyond it".into(), |part| {
         let [from, to] = [&part.min, &part.max].map(super::place);
         format!("  a patch from {from} to {to}")
     });
     let Some(state) = opening.given.as_ref().map(|given| given.at(&middle, 0.0)) else {
         return format!("{text}: {}", opening.side);
     };
-    text += &format!(", at its middle {} and t = 0: ", super::place(&middle));
-    text + &if opening.side.lets_in() {
+    let inside = if opening.side.lets_in() {
         format!(
             "gas of density {:.5e}, pressure {:.5e} and velocity {}",
             state.density,
@@ -86,7 +85,9 @@ fn opening<const D: usize>(problem: &Problem<D>, opening: &Opening<D>) -> String
         )
     } else {
         format!("a pressure of {:.5e}", state.pressure)
-    }
+    };
+    let middle = super::place(&middle);
+    format!("{text}, at its middle {middle} and t = 0: {inside}")
 }
 
 /// A body: its size in spacings, what its coefficients refer to, what it touches.

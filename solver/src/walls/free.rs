@@ -49,8 +49,8 @@ impl FreeBody {
         let own = |vector: Vector3<f64>| Vector::from_fn(|k, _| vector[k]);
         Pose {
             rotation: nalgebra::SMatrix::from_fn(|a, b| rotation[(a, b)]),
-            pivot: *origin,
-            pivot_now: own(self.pivot + self.velocity * ahead),
+            first_pivot: *origin,
+            pivot: own(self.pivot + self.velocity * ahead),
             velocity: own(self.velocity + self.acceleration * ahead),
             acceleration: own(self.acceleration),
             angular_velocity: self.angular_velocity + self.angular_acceleration * ahead,

@@ -34,6 +34,9 @@ struct Hit<const D: usize> {
 /// Walls that send a particle back, each with what that changes of its velocity.
 type Strikes<const D: usize> = [Option<(usize, Vector<D>)>; TRIES];
 
+/// What becomes of a particle that walls send back; none of the others.
+type Change<const D: usize> = Option<(Particle<D>, Strikes<D>)>;
+
 /// Brings the gas that is in walls at `time`, the end of a step, back, and books the impulse. The columns still hold the step.
 pub fn rebound<const D: usize>(
     problem: &Problem<D>,
@@ -106,7 +109,7 @@ pub fn rebound<const D: usize>(
         rates,
         ..
     } = fluid.columns();
-    let changes: Vec<Option<(Particle<D>, Strikes<D>)>> = state
+    let changes: Vec<Change<D>> = state
         .par_iter()
         .zip(saved)
         .zip(&*rates)
@@ -134,6 +137,17 @@ pub fn rebound<const D: usize>(
             (back.position != particle.position).then_some((back, strikes))
         })
         .collect();
+    send_back(problem, time, (state, changes), walls, books);
+}
+
+/// Puts the gas that walls send back where they send it, and books what that gives gas and walls.
+fn send_back<const D: usize>(
+    problem: &Problem<D>,
+    time: f64,
+    (state, changes): (&mut [Particle<D>], Vec<Change<D>>),
+    walls: &mut Walls<D>,
+    books: &mut Books,
+) {
     let rings = Rings::new(problem);
     let mut received = Totals::default();
     for (particle, back) in state.iter_mut().zip(changes) {

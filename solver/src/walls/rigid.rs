@@ -10,8 +10,8 @@ use crate::records::Matrix;
 #[derive(Clone, Copy, Debug)]
 pub struct Pose<const D: usize> {
     pub(super) rotation: Matrix<D>,
+    pub(super) first_pivot: Vector<D>,
     pub(super) pivot: Vector<D>,
-    pub(super) pivot_now: Vector<D>,
     pub(super) velocity: Vector<D>,
     pub(super) acceleration: Vector<D>,
     pub(super) angular_velocity: Vector3<f64>,
@@ -23,8 +23,8 @@ impl<const D: usize> Pose<D> {
     pub fn new(motion: &Motion<D>, time: f64) -> Self {
         Self {
             rotation: rotation(&motion.turning.angle(time)),
-            pivot: motion.pivot,
-            pivot_now: motion.pivot
+            first_pivot: motion.pivot,
+            pivot: motion.pivot
                 + motion.velocity * time
                 + motion.acceleration * (0.5 * time * time),
             velocity: motion.velocity + motion.acceleration * time,
@@ -36,7 +36,7 @@ impl<const D: usize> Pose<D> {
 
     /// Position now of a point that was at `origin` at time zero.
     pub fn position(&self, origin: &Vector<D>) -> Vector<D> {
-        self.pivot_now + self.rotation * (origin - self.pivot)
+        self.pivot + self.rotation * (origin - self.first_pivot)
     }
 
     /// Direction now of what pointed along `origin` at time zero.
@@ -58,7 +58,7 @@ impl<const D: usize> Pose<D> {
 
     /// Where its pivot is now.
     pub fn pivot(&self) -> Vector<D> {
-        self.pivot_now
+        self.pivot
     }
 
     /// How it has turned, radians: a vector along the axis, as long as the angle, of half a turn at most.
@@ -77,17 +77,17 @@ impl<const D: usize> Pose<D> {
 
     /// Position at time zero of the body's point that is at `position` now.
     pub fn origin(&self, position: &Vector<D>) -> Vector<D> {
-        self.pivot + self.rotation.transpose() * (position - self.pivot_now)
+        self.first_pivot + self.rotation.transpose() * (position - self.pivot)
     }
 
     /// Velocity of the body's point at `position`: `v + w x r`.
     pub fn velocity(&self, position: &Vector<D>) -> Vector<D> {
-        self.velocity + cross(&self.angular_velocity, &(position - self.pivot_now))
+        self.velocity + cross(&self.angular_velocity, &(position - self.pivot))
     }
 
     /// Acceleration of the body's point at `position`: `a + dw/dt x r + w x (w x r)`.
     pub fn acceleration(&self, position: &Vector<D>) -> Vector<D> {
-        let arm = position - self.pivot_now;
+        let arm = position - self.pivot;
         self.acceleration
             + cross(&self.angular_acceleration, &arm)
             + cross(&self.angular_velocity, &cross(&self.angular_velocity, &arm))
