@@ -151,7 +151,7 @@ fn gas_on_both_sides_of_a_slab_of_long_facets_stays_apart() {
                  z_min = \"symmetry\"\nz_max = \"symmetry\"\n\
                  [[body]]\nname = \"slab\"\nshape = { stl = { file = \"slab.stl\" } }\n\
                  place = { rotate = { axis = [0.0, 0.0, 1.0], angle = -5.0 } }\nreference_area = 0.64\n";
-    for spacings in [0.5, 2.0] {
+    for spacings in [0.3, 1.0] {
         let place = Workplace::new();
         place.write("slab.stl", slab(0.04 * spacings));
         place.run(scene, &[]).succeeds();
@@ -160,7 +160,7 @@ fn gas_on_both_sides_of_a_slab_of_long_facets_stays_apart() {
         let lift = summary["bodies"]["slab"]["cl"].as_f64().unwrap();
         println!("{spacings}: {returned}, {lift}");
         assert_eq!(summary["leaked"], 0);
-        assert!(returned <= 60, "{spacings}: {returned}");
+        assert!(returned <= 40, "{spacings}: {returned}");
         assert!(lift > 0.15, "{spacings}: {lift}");
     }
 }
