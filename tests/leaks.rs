@@ -104,3 +104,63 @@ fn a_nozzle_that_ends_in_the_buffer_is_refused() {
     let words = ["ends inside the buffer of side `x_max`", "carry it on past"];
     Workplace::new().run(&scene, &[]).refuses(&words);
 }
+
+/// A slab of a section with sharp edges in space, of facets as long as it is, `thickness` chords thick.
+fn slab(thickness: f64) -> String {
+    let half = 0.5 * thickness;
+    let section = [
+        [0.0, 0.0],
+        [0.12, -half],
+        [0.88, -half],
+        [1.0, 0.0],
+        [0.88, half],
+        [0.12, half],
+    ];
+    let at = |n: usize, z: f64| {
+        let [x, y] = section[n % 6];
+        [x, y, z]
+    };
+    let mut facets = Vec::new();
+    for n in 0..6 {
+        let [a, b, c, d] = [at(n, -0.5), at(n + 1, -0.5), at(n + 1, 0.5), at(n, 0.5)];
+        facets.extend([[a, b, c], [a, c, d]]);
+    }
+    for n in 1..5 {
+        facets.push([at(0, 0.5), at(n, 0.5), at(n + 1, 0.5)]);
+        facets.push([at(0, -0.5), at(n + 1, -0.5), at(n, -0.5)]);
+    }
+    let mut text = String::from("solid slab\n");
+    for facet in facets {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for [x, y, z] in facet {
+            // Writing to a string cannot fail.
+            let _ = writeln!(text, "vertex {x} {y} {z}");
+        }
+        text += "endloop\nendfacet\n";
+    }
+    text + "endsolid slab\n"
+}
+
+/// A mesh's normals lean where its facets are long, those of the smooth surface that it stands for.
+#[test]
+fn gas_on_both_sides_of_a_slab_of_long_facets_stays_apart() {
+    let scene = "dimension = 3\nspacing = 0.04\nend_time = 0.4\n\
+                 [free_stream]\nvelocity = [2.0, 0.0, 0.0]\ndensity = 1.4\npressure = 1.0\n\
+                 [domain]\nmin = [-0.2, -0.4, 0.0]\nmax = [1.2, 0.32, 0.16]\n\
+                 [domain.sides]\nx_min = \"inlet\"\nx_max = \"outlet\"\ny_min = \"free-stream\"\ny_max = \"free-stream\"\n\
+                 z_min = \"symmetry\"\nz_max = \"symmetry\"\n\
+                 [[body]]\nname = \"slab\"\nshape = { stl = { file = \"slab.stl\" } }\n\
+                 place = { rotate = { axis = [0.0, 0.0, 1.0], angle = -5.0 } }\nreference_area = 0.64\n";
+    for spacings in [0.3, 1.0] {
+        let place = Workplace::new();
+        place.write("slab.stl", slab(0.04 * spacings));
+        place.run(scene, &[]).succeeds();
+        let summary = place.json("results/summary.json");
+        let returned = summary["returned"].as_u64().unwrap();
+        let lift = summary["bodies"]["slab"]["cl"].as_f64().unwrap();
+        println!("{spacings}: {returned}, {lift}");
+        assert_eq!(summary["leaked"], 0);
+        assert!(returned <= 40, "{spacings}: {returned}");
+        assert!(lift > 0.15, "{spacings}: {lift}");
+    }
+}

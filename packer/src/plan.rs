@@ -16,6 +16,9 @@ use crate::{PackError, PackOptions};
 /// Spacings by which the packing reaches beyond the region, so that its cut ends do not show.
 const BEYOND_REGION: f64 = 6.0;
 
+/// Spacings beyond the region from which on seeds stay where the lattice put them.
+const FAR_BEYOND: f64 = 3.0;
+
 /// Cells per spacing in the plane: five puts the layers' middles between cell corners, and their
 /// faces on them.
 const FINENESS: f64 = 5.0;
@@ -269,6 +272,12 @@ impl<'a, const D: usize> Plan<'a, D> {
         self.options
             .region
             .is_none_or(|region| region.contains(point))
+    }
+
+    /// True for points of the margin around the region whose particles nothing holds on their other side.
+    pub fn is_far_beyond_region(&self, point: &Vector<D>) -> bool {
+        let near = FAR_BEYOND * self.options.spacing;
+        (self.options.region).is_some_and(|region| !region.grown(near).contains(point))
     }
 
     /// How many particles inside the region a particle stands for: itself and its images, each

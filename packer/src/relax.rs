@@ -259,7 +259,8 @@ pub(crate) fn spread_on_sheet<const D: usize>(
         let settle = Settle::at(step, run.steps).min(Settle::Nearly);
         let all = seeds.par_iter_mut().zip(homes.par_iter_mut());
         all.enumerate().for_each(|(n, (seed, home))| {
-            if seed.fixed {
+            // Where the region cuts the body off, seeds beyond it hold those inside.
+            if seed.fixed || plan.is_far_beyond_region(&seed.place) {
                 return;
             }
             let slope = sheet.sum(&seed.place, smoothing).1;

@@ -18,9 +18,6 @@ const POINTS: usize = 60;
 /// One body in so many is packed too.
 const PACKED: u64 = 20;
 
-/// Corners nearer to each other than this part of their distance from the origin are welded: two units in the last place of single precision.
-const SINGLE: f64 = 2.5e-7;
-
 /// What became of a file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 enum Fate {
@@ -93,14 +90,7 @@ fn same_inside(mesh: &Mesh, truth: &[Facet]) -> Result<(), String> {
         .repairs()
         .iter()
         .any(|repair| repair.starts_with("filled"));
-    // Far from the origin, numbers of single precision say no more than this of where a surface is.
-    let far = bounds.min.abs().sup(&bounds.max.abs()).max();
-    let known = SINGLE * far;
-    let skin = if filled {
-        0.05 * size
-    } else {
-        known.max(1e-4 * size)
-    };
+    let skin = if filled { 0.05 * size } else { 1e-4 * size };
     let mut dice = Dice(7);
     for _ in 0..POINTS {
         let part = Vector::<3>::from_fn(|_, _| 1.2 * dice.unit() - 0.1);

@@ -352,6 +352,30 @@ fn plates_along_the_lattice_that_end_between_its_sites_keep_their_volume() {
     }
 }
 
+#[test]
+fn plates_that_the_region_cuts_off_keep_their_volume_inside_of_it() {
+    for thickness in [1.0, 2.0, 2.5, 3.0, 4.0, 12.0] {
+        for degrees in [-5.0, -30.0_f64] {
+            let axis = Vector::<3>::z();
+            let place = Placement::default().rotated_about(&axis, degrees.to_radians());
+            let plate = bodies::cuboid([24.0, thickness, 40.0]).unwrap();
+            let mut options = PackOptions::new(1.0);
+            let (low, high) = (Vector::<3>::new(-20.0, -20.0, 0.0), 20.0);
+            let high = Vector::<3>::new(high, high, 4.0);
+            options.region = Some(Bounds::new(low, high));
+            let Packing { ghosts, report, .. } =
+                pack(&Placed::new(plate, place.unwrap()), &options).unwrap();
+            let name = format!("{thickness} at {degrees}");
+            is_whole(&name, &report);
+            if thickness < 5.0 {
+                let volume: f64 = ghosts.volume.iter().sum();
+                let off = volume / (96.0 * thickness) - 1.0;
+                assert!(off.abs() < 0.05, "{name}: {off}");
+            }
+        }
+    }
+}
+
 /// A slab of a section with sharp edges, 60 long.
 fn slab(thickness: f64) -> Mesh {
     let half = 0.5 * thickness;

@@ -169,12 +169,14 @@ pub fn foot_on<const D: usize>(
     let mut depth = guess.depth(point);
     let mut found = None;
     for _ in 0..FOOT_STEPS {
-        let seen = shape.closest(&(point + direction * (depth + lift)));
+        let above = point + direction * (depth + lift);
+        let seen = shape.closest(&above);
         if seen.distance <= 0.0 || seen.normal.dot(&guess.normal) < -APART {
             return None;
         }
         let arm = seen.point - point;
-        direction = seen.normal;
+        // On a mesh the normal is that of the smooth surface that it stands for, and leans on its long facets.
+        direction = (above - seen.point) / seen.distance;
         depth = arm.dot(&direction);
         let off = (arm - direction * depth).norm();
         if off < TOLERANCE * spacing {
