@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 use rayon::prelude::*;
 
 use super::build::{Beside, Builder, Findings};
-use super::cells::{Cells, Face, SideFace, WallFace, WallOwner};
+use super::cells::{Cells, Face, SideFace, WallFace, WallOwner, ordered, settled};
 use super::cut_cell::CutCell;
 use super::folding::{folded_faces, folded_sides, folded_walls};
 use super::merge::{Nodes, Target, given};
@@ -316,40 +316,4 @@ impl<const D: usize> Builder<'_, D> {
             }
         });
     }
-}
-
-fn ordered<const D: usize>(
-    (i, j): (u32, u32),
-    area: Vector<D>,
-    apart: Vector<D>,
-    skew: Vector<D>,
-) -> Face<D> {
-    if i < j {
-        Face {
-            i,
-            j,
-            area,
-            apart,
-            skew,
-        }
-    } else {
-        Face {
-            i: j,
-            j: i,
-            area: -area,
-            apart: -apart,
-            skew,
-        }
-    }
-}
-
-/// A `skew` less what is but rounding.
-fn settled<const D: usize>(skew: Vector<D>, spacing: f64) -> Vector<D> {
-    skew.map(|part| {
-        if part.abs() > 1e-9 * spacing {
-            part
-        } else {
-            0.0
-        }
-    })
 }

@@ -108,3 +108,40 @@ impl<const D: usize> Cells<D> {
         sums
     }
 }
+
+/// A face between two cells, from the one with the lower number to the other.
+pub(super) fn ordered<const D: usize>(
+    (i, j): (u32, u32),
+    area: Vector<D>,
+    apart: Vector<D>,
+    skew: Vector<D>,
+) -> Face<D> {
+    if i < j {
+        Face {
+            i,
+            j,
+            area,
+            apart,
+            skew,
+        }
+    } else {
+        Face {
+            i: j,
+            j: i,
+            area: -area,
+            apart: -apart,
+            skew,
+        }
+    }
+}
+
+/// A `skew` less what is but rounding.
+pub(super) fn settled<const D: usize>(skew: Vector<D>, spacing: f64) -> Vector<D> {
+    skew.map(|part| {
+        if part.abs() > 1e-9 * spacing {
+            part
+        } else {
+            0.0
+        }
+    })
+}

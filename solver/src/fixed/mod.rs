@@ -13,6 +13,7 @@ pub mod cloud;
 mod columns;
 mod cut;
 mod cut_cell;
+mod departing;
 mod edges;
 mod energy;
 mod filler;

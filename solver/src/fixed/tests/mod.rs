@@ -17,6 +17,7 @@ mod flows;
 mod jumps;
 pub(crate) mod lattice;
 mod plane;
+mod sheared;
 mod sides;
 mod space;
 mod tubes;

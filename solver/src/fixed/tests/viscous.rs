@@ -6,16 +6,13 @@ use std::sync::Arc;
 use aero_geometry::Vector;
 use approx::assert_relative_eq;
 
-use super::jumps::around;
 use super::lattice::{field, lattice, problem};
-use super::{Scene, domain};
 use crate::fixed::FixedSimulation;
 use crate::fixed::state::Conserved;
 use crate::gas::{Gas, IdealGas, Transport, Viscosity};
-use crate::method::{FixedPoints, Method, Time};
 use crate::problem::{Added, NoSlip, Problem, Side, Slide, Source, State, WallHeat, WallKind};
 
-fn gas(viscosity: f64, prandtl: f64) -> Gas {
+pub fn gas(viscosity: f64, prandtl: f64) -> Gas {
     Gas::Ideal(IdealGas {
         gamma: 1.4,
         constant: 1.0,
@@ -26,7 +23,7 @@ fn gas(viscosity: f64, prandtl: f64) -> Gas {
     })
 }
 
-fn sticky(heat: WallHeat, velocity: f64) -> Side {
+pub fn sticky(heat: WallHeat, velocity: f64) -> Side {
     Side::Wall {
         kind: WallKind::NoSlip(NoSlip {
             heat,
@@ -76,7 +73,7 @@ fn rubbed<const D: usize>(problem: &Problem<D>) -> (Vec<Vector<D>>, Vec<Conserve
 }
 
 /// Cells at least so many spacings from the sides.
-fn is_inside<const D: usize>(problem: &Problem<D>, point: &Vector<D>, depth: f64) -> bool {
+pub fn is_inside<const D: usize>(problem: &Problem<D>, point: &Vector<D>, depth: f64) -> bool {
     let bounds = &problem.domain.bounds;
     (0..D).all(|k| {
         point[k] - bounds.min[k] > depth * problem.spacing
@@ -265,112 +262,4 @@ fn vortices_decay_as_fast_as_they_should() {
     let rate = (before / after).ln() / (4.0 * VISCOSITY * wave * wave * end);
     println!("decay over exact {rate}");
     assert!((rate - 1.0).abs() < 0.02, "{rate}");
-}
-
-/// Air between a wall at 300 K and one that slides at a Mach number, both of this temperature or the sliding one adiabatic: shear over
-/// `mu_w U / H`, and temperature of the sliding wall.
-fn couette(mach: f64, is_adiabatic: bool, cells: usize) -> (f64, f64) {
-    const R: f64 = 287.05;
-    let temperature = 300.0;
-    let speed = mach * (1.4 * R * temperature).sqrt();
-    let viscosity = Viscosity::AIR.at(temperature);
-    let (density, height) = (1.0, 100.0 * viscosity / speed);
-    let held = WallHeat::Temperature(temperature);
-    let above = if is_adiabatic {
-        WallHeat::Adiabatic
-    } else {
-        held
-    };
-    let spacing = height / cells as f64;
-    let sides = [
-        [Side::Periodic; 2],
-        [sticky(held, 0.0), sticky(above, speed)],
-    ];
-    let mut problem = problem([2, cells], spacing, sides);
-    problem.gas = Gas::Ideal(IdealGas {
-        gamma: 1.4,
-        constant: R,
-        transport: Some(Transport {
-            viscosity: Viscosity::AIR,
-            prandtl: 0.72,
-        }),
-    });
-    problem.free_stream = State {
-        density,
-        velocity: Vector::zeros(),
-        pressure: density * R * temperature,
-    };
-    problem.initial = field(move |x: &Vector<2>| State {
-        density,
-        velocity: [speed * x[1] / height, 0.0].into(),
-        pressure: density * R * temperature,
-    });
-    problem.method = Method::Fixed(FixedPoints {
-        time: Time::Settle,
-        ..FixedPoints::default()
-    });
-    let mut flow = FixedSimulation::on(lattice(&problem), problem).unwrap();
-    assert!(flow.settle(20_000).unwrap().is_settled);
-    let mut found = (0.0, 0.0);
-    for (block, shares) in flow.net.blocks.iter().zip(&flow.columns.shares) {
-        for (wall, share) in block.walls.iter().zip(shares) {
-            if wall.image.normal[1] > 0.0 {
-                found = (
-                    share.stress[0] * height / (viscosity * speed),
-                    share.level / R,
-                );
-            }
-        }
-    }
-    found
-}
-
-/// `T = T_w + Pr (U u - u^2) / (2 c_p)` whatever the viscosity does, and `tau H = integral of mu du`.
-#[test]
-fn air_between_walls_one_of_which_slides_heats_up_as_it_should() {
-    for (mach, shear) in [(0.5, 1.0046), (2.0, 1.0718), (3.0, 1.1567)] {
-        let (found, _) = couette(mach, false, 24);
-        println!("Mach {mach}: {found} {shear}");
-        assert!((found / shear - 1.0).abs() < 5e-3, "{mach} {found} {shear}");
-        // The cell next to the wall alone would be off by a hundredth, and a flow that had settled before its wall is warm by a thousandth.
-        let (_, hot) = couette(mach, true, 8);
-        let expected = 300.0 * (1.0 + 0.72 * 0.2 * mach * mach);
-        println!("Mach {mach}: {hot} {expected}");
-        assert!(
-            (hot / expected - 1.0).abs() < 2e-4,
-            "{mach} {hot} {expected}"
-        );
-    }
-}
-
-/// Gas that slides past gas gathers nowhere, whatever the faces look like that it goes through: askew ones lie aside of the line between their
-/// points.
-#[test]
-fn a_shear_neither_gathers_nor_thins_where_two_spacings_meet() {
-    let square = domain([-1.0, -1.0], [1.0, 1.0]);
-    let scene = Scene::new(square.clone(), Vec::new(), 0.125);
-    let levels = around(&scene, Vector::<2>::new(-0.1, 0.05), 2, 2);
-    let cells = scene.made_with(&levels).cells;
-    let skew = cells.faces.iter().map(|face| face.skew.norm());
-    assert!(skew.fold(0.0, f64::max) > 0.01);
-    let mut problem = problem::<2>([16; 2], 0.125, [[Side::FreeStream; 2]; 2]);
-    problem.domain = square;
-    problem.gas = gas(1e-3, 0.72);
-    problem.initial = field(|x: &Vector<2>| State {
-        density: 1.0,
-        velocity: [1.0 + 0.5 * x[1], 0.25].into(),
-        pressure: 1.0,
-    });
-    let mut flow = FixedSimulation::on(cells, problem.clone()).unwrap();
-    flow.find_slopes();
-    flow.exchange(|_, part, gains| part.before.copy_from_slice(&gains.cells));
-    let mut seen = 0;
-    for (i, gain) in flow.columns.before.iter().enumerate() {
-        if is_inside(&problem, &flow.points[i], 2.0) {
-            seen += 1;
-            let rate = gain.mass / flow.net.cell(i).volume;
-            assert!(rate.abs() < 1e-12, "{:?} {rate:e}", flow.points[i]);
-        }
-    }
-    assert!(seen > 150);
 }
