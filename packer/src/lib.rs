@@ -3,6 +3,7 @@
 mod cloud;
 mod contour;
 mod cover;
+mod cutting;
 mod error;
 mod finish;
 mod flawless;
