@@ -2,9 +2,11 @@
 
 mod bodies;
 mod defects;
+mod fins;
 mod layers;
 mod mutations;
 mod quality;
 mod shapes;
 mod thin_parts;
+mod too_thin;
 mod triangulations;

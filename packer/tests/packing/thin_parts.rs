@@ -1,9 +1,9 @@
-//! Thin parts in the plane and in space: plates alone and as fins are whole, whatever their thickness and angle.
+//! Thin plates in the plane and in space are whole, whatever their thickness and angle.
 
-use aero_geometry::{Bounds, Closest, Mesh, Placed, Placement, Shape, Vector, bodies};
-use aero_packer::{About, PackOptions, PackReport, Packing, pack};
+use aero_geometry::{Bounds, Closest, Placed, Placement, Shape, Vector, bodies};
+use aero_packer::{PackOptions, PackReport, Packing, pack};
 
-fn turned(degrees: f64) -> Placement<3> {
+pub fn turned(degrees: f64) -> Placement<3> {
     let axis = Vector::<3>::new(0.3, 0.9, 0.2);
     Placement::default()
         .rotated_about(&axis, degrees.to_radians())
@@ -11,7 +11,7 @@ fn turned(degrees: f64) -> Placement<3> {
         .moved(Vector::<3>::new(0.13, 0.27, 0.41) * (degrees / 17.0))
 }
 
-fn is_whole(name: &str, report: &PackReport) {
+pub fn is_whole(name: &str, report: &PackReport) {
     assert!(
         report.volume_error_percent.abs() < 1.0,
         "{name}: {report:?}"
@@ -150,83 +150,6 @@ fn sections_with_sharp_edges_in_the_plane_keep_their_volume_and_no_ghost_stands_
 }
 
 #[test]
-fn fins_on_a_body_in_the_plane_are_whole() {
-    for tenths in 3..=30 {
-        let half = 0.05 * f64::from(tenths);
-        let outline = [
-            [0.0, 0.0],
-            [40.0, 0.0],
-            [40.0, 10.0],
-            [20.0 + half, 10.0],
-            [20.0 + half, 22.2],
-            [20.0 - half, 22.2],
-            [20.0 - half, 10.0],
-            [0.0, 10.0],
-        ];
-        let points: Vec<_> = outline.iter().map(|&p| Vector::<2>::from(p)).collect();
-        let finned = bodies::polygon(&points).unwrap();
-        for angle in [0.0, 17.0_f64] {
-            let place = Placement::default().rotated(angle.to_radians());
-            let packing = pack(&Placed::new(finned.clone(), place), &PackOptions::new(1.0));
-            let Packing { ghosts, report, .. } = packing.unwrap();
-            let name = format!("fin of {} at {angle}", 2.0 * half);
-            is_whole(&name, &report);
-            // Above the block there is the fin alone.
-            let up = Vector::<2>::new(-angle.to_radians().sin(), angle.to_radians().cos());
-            let on_fin = (0..ghosts.volume.len()).filter(|&n| ghosts.position[n].dot(&up) > 12.0);
-            let volume: f64 = on_fin.map(|n| ghosts.volume[n]).sum();
-            assert!(
-                (volume - 20.4 * half).abs() < 2.0 * half,
-                "{name}: {volume}"
-            );
-        }
-    }
-}
-
-#[test]
-fn a_fin_too_thin_for_the_spacing_is_told_and_an_edge_where_two_faces_meet_is_not() {
-    let told = |report: &PackReport| -> Vec<String> {
-        let thin = report.warnings.iter().filter(|w| w.about == About::Thin);
-        thin.map(|w| w.text.clone()).collect()
-    };
-    let outline = |tip: f64| {
-        let points = [
-            [0.0, 0.0],
-            [20.0, 0.0],
-            [20.0, 9.0],
-            [10.1, 9.0],
-            [10.0 + tip, 20.0],
-            [10.0 - tip, 20.0],
-            [9.9, 9.0],
-            [0.0, 9.0],
-        ];
-        let points: Vec<_> = points.iter().map(|&p| Vector::<2>::from(p)).collect();
-        bodies::polygon(&points).unwrap()
-    };
-    for (tip, thickness) in [(0.1, "0.20"), (0.05, "0.10")] {
-        let report = pack(&outline(tip), &PackOptions::new(1.0)).unwrap().report;
-        let told = told(&report);
-        assert!(told.len() == 1 && told[0].contains(thickness), "{told:?}");
-    }
-    let wedge = bodies::polygon(&[[0.0, 0.0], [40.0, -1.4], [40.0, 1.4]].map(Vector::<2>::from));
-    let report = pack(&wedge.unwrap(), &PackOptions::new(1.0))
-        .unwrap()
-        .report;
-    assert!(told(&report).is_empty(), "{report:?}");
-    let cone = bodies::cone(3.0, 20.0).unwrap();
-    let report = pack(&cone, &PackOptions::new(1.0)).unwrap().report;
-    assert!(told(&report).is_empty(), "{report:?}");
-    let block = bodies::cuboid([14.0, 10.0, 8.0]).unwrap();
-    let fin = bodies::cuboid([7.3, 0.2, 9.0]).unwrap();
-    let place = Placement::default().moved(Vector::<3>::new(1.2, 0.4, 6.1));
-    let fin = Placed::new(fin, place);
-    let report = pack(&Finned { block, fin }, &PackOptions::new(1.0))
-        .unwrap()
-        .report;
-    assert!(told(&report)[0].contains("0.20"), "{report:?}");
-}
-
-#[test]
 fn a_plate_thinner_than_a_spacing_and_a_half_has_one_row_of_its_thickness() {
     for thickness in [0.4, 1.0, 1.4] {
         let plate = bodies::cuboid([12.0, 12.0, thickness]).unwrap();
@@ -251,93 +174,6 @@ fn a_plate_thicker_than_a_spacing_and_a_half_has_two_rows_at_its_quarters() {
             .iter()
             .all(|p| (p[2].abs() - 0.4).abs() < 0.05)
     );
-}
-
-/// A block with a fin on top.
-#[derive(Debug)]
-struct Finned<F: Shape<3>> {
-    block: bodies::Cuboid,
-    fin: F,
-}
-
-impl<F: Shape<3>> Shape<3> for Finned<F> {
-    fn bounds(&self) -> Bounds<3> {
-        let (a, b) = (self.block.bounds(), self.fin.bounds());
-        Bounds::new(a.min.inf(&b.min), a.max.sup(&b.max))
-    }
-
-    fn closest(&self, point: &Vector<3>) -> Closest<3> {
-        // Of the union: exact outside, and inside as far as one of the two goes.
-        let (a, b) = (self.block.closest(point), self.fin.closest(point));
-        if a.distance <= b.distance { a } else { b }
-    }
-
-    fn facets(&self, size: f64, region: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
-        let mut facets = self.block.facets(size, region);
-        facets.extend(self.fin.facets(size, region));
-        facets
-    }
-}
-
-#[test]
-fn fins_on_a_body_are_whole() {
-    for tenths in 3..=30 {
-        let thickness = f64::from(tenths) / 10.0;
-        let block = bodies::cuboid([14.0, 10.0, 8.0]).unwrap();
-        let fin = bodies::cuboid([7.3, thickness, 9.0]).unwrap();
-        let place = Placement::default().moved(Vector::<3>::new(1.2, 0.4, 6.1));
-        let finned = Finned {
-            block,
-            fin: Placed::new(fin, place),
-        };
-        let Packing { ghosts, report, .. } = pack(&finned, &PackOptions::new(1.0)).unwrap();
-        is_whole(&format!("fin of {thickness}"), &report);
-        // Above the block there is the fin alone; one ghost at the root stands for what is on either side of it.
-        let on_fin = (0..ghosts.volume.len()).filter(|&n| ghosts.position[n][2] > 4.0);
-        let volume: f64 = on_fin.map(|n| ghosts.volume[n]).sum();
-        let exact = 7.3 * thickness * 6.6;
-        assert!(
-            (volume - exact).abs() < 0.5 * 7.3 * thickness,
-            "{thickness}: {volume} for {exact}"
-        );
-    }
-}
-
-/// The wall layer of the block, whose level runs on into the fin, must not creep up it.
-#[test]
-fn the_density_on_fins_and_at_their_roots_and_ends_is_right() {
-    for (thickness, angle) in [
-        (0.5, 20.0),
-        (1.0, 20.0),
-        (1.4, 0.0),
-        (1.4, 20.0),
-        (1.4, 45.0),
-    ] {
-        let block = bodies::cuboid([20.0, 12.0, 10.0]).unwrap();
-        let fin = bodies::cuboid([10.0, thickness, 9.0]).unwrap();
-        let place = Placement::default().moved(Vector::<3>::new(-1.0, 0.13, 8.5));
-        let mut facets = Vec::new();
-        for solid in [&block as &dyn Shape<3>, &Placed::new(fin, place)] {
-            facets.extend(solid.facets(f64::INFINITY, &solid.bounds()));
-        }
-        let finned = Placed::new(Mesh::from_facets(facets).unwrap(), turned(angle));
-        let report = pack(&finned, &PackOptions::new(1.0)).unwrap().report;
-        is_whole(&format!("fin of {thickness} at {angle}"), &report);
-        assert!(
-            report.density_max_percent < 2.0,
-            "{thickness} at {angle}: {report:?}"
-        );
-    }
-}
-
-#[test]
-fn needles_and_tips_are_covered_to_their_ends_and_rims() {
-    for (angle, length) in [(5.0, 20.0), (15.0, 20.0), (30.0, 20.0), (60.0, 8.0)] {
-        let cone = bodies::cone(angle, length).unwrap();
-        let report = pack(&cone, &PackOptions::new(1.0)).unwrap().report;
-        assert!(report.uncovered_area_percent <= 0.0, "{angle}: {report:?}");
-        assert!(report.min_gap >= 0.5 - 1e-9, "{angle}: {report:?}");
-    }
 }
 
 #[test]
@@ -374,47 +210,4 @@ fn plates_that_the_region_cuts_off_keep_their_volume_inside_of_it() {
             }
         }
     }
-}
-
-/// A slab of a section with sharp edges, 60 long.
-fn slab(thickness: f64) -> Mesh {
-    let half = 0.5 * thickness;
-    let section = [
-        [0.0, 0.0],
-        [7.2, -half],
-        [52.8, -half],
-        [60.0, 0.0],
-        [52.8, half],
-        [7.2, half],
-    ];
-    let at = |n: usize, z: f64| {
-        let [x, y] = section[n % 6];
-        Vector::<3>::new(x, y, z)
-    };
-    let mut facets = Vec::new();
-    for n in 0..6 {
-        let [a, b, c, d] = [at(n, 0.0), at(n + 1, 0.0), at(n + 1, 10.0), at(n, 10.0)];
-        facets.extend([[a, b, c], [a, c, d]]);
-    }
-    for n in 1..5 {
-        facets.push([at(0, 10.0), at(n, 10.0), at(n + 1, 10.0)]);
-        facets.push([at(0, 0.0), at(n + 1, 0.0), at(n, 0.0)]);
-    }
-    Mesh::from_facets(facets).unwrap()
-}
-
-#[test]
-fn sharp_edges_of_a_thin_slab_are_not_told_as_thin_parts_and_what_keeps_it_is_its_plate() {
-    let report = pack(&slab(0.3), &PackOptions::new(1.0)).unwrap().report;
-    assert!(report.warnings.is_empty(), "{report:?}");
-    let error = pack(&slab(0.25), &PackOptions::new(1.0)).unwrap_err();
-    assert!(error.to_string().contains("only 0.250 "), "{error}");
-}
-
-#[test]
-fn a_body_too_thin_everywhere_is_refused_and_told_what_keeps_it() {
-    let foil = bodies::cuboid([12.0, 12.0, 0.2]).unwrap();
-    let error = pack(&foil, &PackOptions::new(1.0)).unwrap_err().to_string();
-    assert!(error.contains("0.20"), "{error}");
-    assert!(pack(&foil, &PackOptions::new(0.6)).is_ok());
 }
