@@ -1,5 +1,7 @@
 //! What a scene meant: the flow problem that the solver reads, and how it is run.
 
+use std::any::Any;
+
 use aero_geometry::{Bounds, Vector};
 use aero_packer::Warning;
 
@@ -27,6 +29,16 @@ pub enum AnyCase {
 }
 
 impl AnyCase {
+    /// The case itself, where it has `D` dimensions.
+    pub fn of<const D: usize>(self) -> Option<Case<D>> {
+        let case: Box<dyn Any> = match self {
+            Self::One(case) => case,
+            Self::Two(case) => case,
+            Self::Three(case) => case,
+        };
+        case.downcast().ok().map(|case| *case)
+    }
+
     /// What was repaired in the bodies' meshes, and what the user should know about their packing,
     /// one line each.
     pub fn remarks(&self) -> Vec<String> {

@@ -198,15 +198,21 @@ impl Scene {
     /// The case that the scene means, in its own dimension, with all bodies packed.
     pub fn build_any(&self) -> Result<AnyCase, SceneError> {
         match self.dimension() {
-            1 => self.build().map(|case| AnyCase::One(Box::new(case))),
-            2 => self.build().map(|case| AnyCase::Two(Box::new(case))),
-            _ => self.build().map(|case| AnyCase::Three(Box::new(case))),
+            1 => self.made().map(|case| AnyCase::One(Box::new(case))),
+            2 => self.made().map(|case| AnyCase::Two(Box::new(case))),
+            _ => self.made().map(|case| AnyCase::Three(Box::new(case))),
         }
     }
 
-    /// As [`Self::build_any`], for callers that know the dimension.
+    /// As [`Self::build_any`], for callers that know the dimension. It is compiled with this crate, not with theirs.
     pub fn build<const D: usize>(&self) -> Result<Case<D>, SceneError> {
         self.expect_dimension::<D>()?;
+        let case = self.build_any()?.of();
+        case.ok_or_else(|| self.other_dimension(D))
+    }
+
+    /// The case of a scene of `D` dimensions.
+    fn made<const D: usize>(&self) -> Result<Case<D>, SceneError> {
         let file = &self.file;
         let spacing = file.spacing.get();
         let mut domain = domain::domain(file)?;
@@ -318,14 +324,16 @@ impl Scene {
     }
 
     fn expect_dimension<const D: usize>(&self) -> Result<(), SceneError> {
-        if self.dimension() == D {
-            return Ok(());
-        }
+        let is_same = self.dimension() == D;
+        is_same.then_some(()).ok_or_else(|| self.other_dimension(D))
+    }
+
+    fn other_dimension(&self, wanted: usize) -> SceneError {
         let dimension = self.dimension();
-        Err(SceneError::value(
+        SceneError::value(
             "dimension",
-            format!("is {dimension}, but a scene of dimension {D} is wanted here"),
-        ))
+            format!("is {dimension}, but a scene of dimension {wanted} is wanted here"),
+        )
     }
 }
 

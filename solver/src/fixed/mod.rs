@@ -36,6 +36,7 @@ mod net;
 mod order;
 mod origins;
 mod outlines;
+mod pace;
 mod panels;
 mod part;
 mod passes;

@@ -7,15 +7,10 @@ use serde::{Deserialize, Serialize};
 
 use super::FixedSimulation;
 use super::gas::Gas;
+use super::pace::Pace;
 use super::state::dot;
 use crate::Failure;
 use crate::frame::Load;
-
-/// The Courant number grows by this much with each iteration.
-const RAMP: f64 = 0.4;
-
-/// Up to this much.
-const FASTEST: f64 = 20.0;
 
 /// Iterations over which nothing may change.
 const WINDOW: usize = 20;
@@ -29,14 +24,21 @@ const SLOWEST: f64 = 0.98;
 /// The same of viscous flows: heat spreads slowly.
 const SLOWEST_VISCOUS: f64 = 0.9995;
 
+/// A force counts as at least this part of what presses the walls, and as at most so many times that.
+const LEAST_FORCE: f64 = 0.01;
+const MOST_FORCE: f64 = 10.0;
+
 /// Friction below this part of the largest force is not waited for, nor is the heat of as much at the speed of sound.
 const LEAST_FRICTION: f64 = 1e-6;
 
 /// Largest change over a window below which the flow may ask for points.
 const NEAR: f64 = 3e-3;
 
-/// Largest change over a window, of a force relative to the largest one, of the mass, and of its centre relative to the domain.
-pub const TOLERANCE: f64 = 1e-4;
+/// Largest change over a window of the mass, of its centre relative to the domain, and of what friction and heat are watched by.
+const TOLERANCE: f64 = 1e-4;
+
+/// The same of a force: limiters may keep it cycling by a few parts in ten thousand.
+const TOLERANCE_OF_FORCES: f64 = 1e-3;
 
 /// Where a flow is on its way to the steady state.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -69,9 +71,22 @@ pub struct Settling {
     pub(super) has_points: bool,
     /// The first residual; the largest of the first ones of viscous gas.
     first: f64,
-
+    #[serde(default)]
+    pace: Pace,
     /// What was watched in the last iterations.
     pub(super) watched: Vec<Vec<f64>>,
+    /// What changes of each of that are measured by.
+    #[serde(default)]
+    measures: Vec<Measure>,
+}
+
+/// What changes of a value are measured by.
+#[derive(Clone, Copy, Debug, Serialize, Deserialize)]
+struct Measure {
+    /// How large the value counts as.
+    size: f64,
+    /// Largest part of that by which it may change where the flow has settled.
+    tolerance: f64,
 }
 
 impl<const D: usize> FixedSimulation<D> {
@@ -80,15 +95,17 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// A [`Failure`] where a cell's state makes no sense any more.
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
-        let courant = self.settling.courant();
+        let courant = self.settling.pace.courant(self.settling.calm);
         let residual = self.sweep(courant)?;
         self.tally.steps += 1;
         self.tally.updates += self.awake_cells();
-        let watched = self.watched();
+        let (watched, measures) = self.watched().into_iter().unzip();
         let settling = &mut self.settling;
+        settling.measures = measures;
         settling.iterations += 1;
         settling.since += 1;
         settling.calm += 1;
+        settling.pace.go_by(residual, settling.since);
         if settling.first == 0.0 {
             settling.first = residual;
         }
@@ -101,7 +118,8 @@ impl<const D: usize> FixedSimulation<D> {
             // Walls stop the gas before anything else changes.
             settling.first = settling.first.max(residual);
         }
-        let change = settling.change(if is_viscous { SLOWEST_VISCOUS } else { SLOWEST });
+        let slowest = if is_viscous { SLOWEST_VISCOUS } else { SLOWEST };
+        let (change, is_still) = settling.change(slowest);
         let settled = Settled {
             iterations: settling.iterations,
             residual: if settling.first > 0.0 {
@@ -110,7 +128,7 @@ impl<const D: usize> FixedSimulation<D> {
                 0.0
             },
             change,
-            is_settled: change < TOLERANCE
+            is_settled: is_still
                 && settling.since >= WINDOW as u64
                 && (settling.has_points || self.ground.is_none()),
         };
@@ -132,26 +150,49 @@ impl<const D: usize> FixedSimulation<D> {
         }
     }
 
-    /// What must not change, in parts of what it is measured by.
-    fn watched(&self) -> Vec<f64> {
+    /// What must not change, and what its changes are measured by.
+    fn watched(&self) -> Vec<(f64, Measure)> {
+        let within = |size| Measure {
+            size,
+            tolerance: TOLERANCE,
+        };
         let (mass, centre) = self.mass_and_centre();
         let size = self.problem.domain.bounds.size().norm();
-        let mut watched = vec![mass.ln()];
-        watched.extend(centre.iter().map(|x| x / size));
+        let mut watched = vec![(mass.ln(), within(1.0))];
+        watched.extend(centre.iter().map(|x| (*x, within(size))));
         let loads = self.loads();
+        let force = Measure {
+            size: self.size_of_forces(&loads),
+            tolerance: TOLERANCE_OF_FORCES,
+        };
+        let forces = loads.iter().flat_map(|load| load.force);
+        watched.extend(forces.map(|f| (f, force)));
+        if self.viscous.is_some() {
+            let rubbed = self.rubbed(&loads, force.size);
+            watched.extend(rubbed.into_iter().map(|value| (value, within(1.0))));
+        }
+        watched
+    }
+
+    /// What changes of forces are measured by: the largest one, bounded by what all departures from the stream's pressure press the walls with:
+    /// from above, for what that pressure does to a body that the domain cuts does not change, and from below, for opposite sides may leave
+    /// nothing of it.
+    fn size_of_forces(&self, loads: &[Load]) -> f64 {
         let norms = loads
             .iter()
             .map(|load| load.force.iter().map(|f| f * f).sum::<f64>().sqrt());
         let largest = norms.fold(f64::MIN_POSITIVE, f64::max);
-        watched.extend(
-            loads
-                .iter()
-                .flat_map(|load| load.force.map(|f| f / largest)),
-        );
         if self.viscous.is_some() {
-            watched.extend(self.rubbed(&loads, largest));
+            // Friction is watched by itself, and where it is all there is, pressure need not be as still.
+            return largest;
         }
-        watched
+        let calm = self.problem.free_stream.pressure;
+        let departures = self
+            .walls()
+            .map(|(wall, pressure)| (pressure - calm).abs() * wall.image.size);
+        let pressed = departures.sum::<f64>() * self.around();
+        let size = largest.min(MOST_FORCE * pressed).max(LEAST_FORCE * pressed);
+        size.max(f64::MIN_POSITIVE)
     }
 
     /// What settles last in viscous gas, and hardly counts beside pressure: friction, heat, the temperature of walls and the energy of all gas.
@@ -199,35 +240,35 @@ impl Settling {
         }
     }
 
-    /// Courant number of the next iteration.
-    fn courant(&self) -> f64 {
-        (1.0 + RAMP * self.calm as f64).min(FASTEST)
-    }
-
-    /// Largest change of what was watched, see [`change`]; infinite before two windows are full.
-    fn change(&self, slowest: f64) -> f64 {
+    /// Largest change of what was watched, see [`change`], and whether all of it is within its tolerance; infinite before two windows are full.
+    fn change(&self, slowest: f64) -> (f64, bool) {
         if self.watched.len() <= 2 * WINDOW {
-            return f64::INFINITY;
+            return (f64::INFINITY, false);
         }
-        Self::largest(&self.watched, |values| change(values, slowest))
+        let changes = self.changes(&self.watched, |values| change(values, slowest));
+        let mut pairs = changes.iter().zip(&self.measures);
+        let is_still = pairs.all(|(change, by)| *change < by.tolerance);
+        (changes.into_iter().fold(0.0, f64::max), is_still)
     }
 
     /// Largest range over the last window, whatever was before it; infinite before one is full.
     fn last_change(&self) -> f64 {
         match self.watched.len().checked_sub(WINDOW + 1) {
-            Some(first) => Self::largest(&self.watched[first..], range),
+            Some(first) => {
+                let changes = self.changes(&self.watched[first..], range);
+                changes.into_iter().fold(0.0, f64::max)
+            }
             None => f64::INFINITY,
         }
     }
 
-    /// The largest of what `measure` makes of each value that was watched.
-    fn largest(watched: &[Vec<f64>], measure: impl Fn(&[f64]) -> f64) -> f64 {
-        let count = watched.first().map_or(0, Vec::len);
-        let measured = (0..count).map(|k| {
+    /// What `measure` makes of each value that was watched, in parts of its size.
+    fn changes(&self, watched: &[Vec<f64>], measure: impl Fn(&[f64]) -> f64) -> Vec<f64> {
+        let each = self.measures.iter().enumerate().map(|(k, by)| {
             let values: Vec<f64> = watched.iter().map(|watched| watched[k]).collect();
-            measure(&values)
+            measure(&values) / by.size
         });
-        measured.fold(0.0, f64::max)
+        each.collect()
     }
 }
 

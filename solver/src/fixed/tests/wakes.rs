@@ -33,3 +33,20 @@ fn gas_behind_a_body_settles_near_the_total_enthalpy_of_the_stream() {
     let off = parts.filter(|part| (part - 1.0).abs() > 0.1).count();
     assert!(off < 55, "{off} of {}", frame.position.len());
 }
+
+/// Nothing but the wake presses a cylinder whose halves pull it up and down alike; its drag, which takes long to come to rest, is what it is
+/// once the flow is said to have settled.
+#[test]
+fn a_drag_that_nothing_stands_beside_is_waited_for() {
+    let cylinder = Arc::new(bodies::circle(0.5).unwrap());
+    let mut problem = stream(0.2, [[-4.0, 0.0], [4.0, 4.0]], 0.125, vec![cylinder]);
+    problem.domain.sides = [[Side::FreeStream; 2], [Side::Symmetry, Side::FreeStream]];
+    let mut flow = FixedSimulation::new(problem).unwrap();
+    assert!(flow.settle(5000).unwrap().is_settled);
+    let drag = |flow: &FixedSimulation<2>| flow.loads()[0].force[0];
+    let told = drag(&flow);
+    for _ in 0..500 {
+        flow.settle_step().unwrap();
+        assert!((drag(&flow) / told - 1.0).abs() < 0.01, "{told}");
+    }
+}

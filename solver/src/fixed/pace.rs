@@ -1,0 +1,103 @@
+//! How long the steps towards the steady state are.
+//!
+//! Symmetric Gauss-Seidel sweeps over slopes that its left-hand side does not know are not stable at any Courant number: waves of a few cells
+//! grow by a thousandth in each step and more (von Neumann's analysis, on a lattice). A fast stream carries them out of the domain before they count; a
+//! slow one lets them swing to and fro. Steps are therefore shortened where the residual grows [after the switched evolution relaxation of Mulder &
+//! van Leer 1985, J. Comput. Phys. 59, 232-246].
+
+use serde::{Deserialize, Serialize};
+
+/// The Courant number grows by this much with each iteration.
+const RAMP: f64 = 0.4;
+
+/// Up to this much.
+const FASTEST: f64 = 20.0;
+
+/// It is never bounded by less.
+const SLOWEST: f64 = 2.0;
+
+/// Iterations over which residuals are averaged.
+const WINDOW: u32 = 20;
+
+/// A residual that is so many times what it was grows; limiters make one cycle by less.
+const GROWN: f64 = 2.0;
+
+/// The Courant number, and the residuals that it goes by.
+#[derive(Clone, Debug, Serialize, Deserialize)]
+pub struct Pace {
+    fastest: f64,
+    /// Sum of the squares of the residuals of this window, and how many they are.
+    window: (f64, u32),
+    /// The least of the windows before, as a mean square.
+    least: Option<f64>,
+}
+
+impl Default for Pace {
+    fn default() -> Self {
+        Self {
+            fastest: FASTEST,
+            window: (0.0, 0),
+            least: None,
+        }
+    }
+}
+
+impl Pace {
+    /// Courant number of the next iteration, `calm` iterations after the gas was far from rest.
+    pub fn courant(&self, calm: u64) -> f64 {
+        (1.0 + RAMP * calm as f64).min(self.fastest)
+    }
+
+    /// Goes by the `residual` of an iteration, `since` iterations after points came or went.
+    pub fn go_by(&mut self, residual: f64, since: u64) {
+        if RAMP * (since as f64) < FASTEST {
+            self.window = (0.0, 0);
+            self.least = None;
+            return;
+        }
+        let (sum, count) = (self.window.0 + residual * residual, self.window.1 + 1);
+        self.window = (sum, count);
+        if count < WINDOW {
+            return;
+        }
+        self.window = (0.0, 0);
+        let mean = sum / f64::from(count);
+        let least = self.least.unwrap_or(mean);
+        let has_grown = mean > GROWN * GROWN * least;
+        if has_grown {
+            self.fastest = (0.5 * self.fastest).max(SLOWEST);
+        }
+        self.least = Some(if has_grown { mean } else { mean.min(least) });
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn after(residual: impl Fn(f64) -> f64) -> f64 {
+        let mut pace = Pace::default();
+        for calm in 0..400 {
+            pace.go_by(residual(calm as f64), calm);
+        }
+        pace.courant(400)
+    }
+
+    #[test]
+    fn steps_are_shortened_where_the_residual_grows_and_not_where_it_falls_or_cycles() {
+        assert_eq!(after(|k| (-0.01 * k).exp()), FASTEST);
+        assert_eq!(after(|k| 1.0 + 0.3 * (0.07 * k).sin()), FASTEST);
+        assert_eq!(after(|k| (0.003 * k).exp()), 0.5 * FASTEST);
+        assert_eq!(after(|k| (0.1 * k).exp()), SLOWEST);
+    }
+
+    #[test]
+    fn what_comes_with_new_points_is_no_growth() {
+        let mut pace = Pace::default();
+        for calm in (0..300).chain(0..300) {
+            pace.go_by((-0.02 * calm as f64).exp(), calm);
+        }
+        assert_eq!(pace.courant(300), FASTEST);
+        assert_eq!(pace.courant(5), 3.0);
+    }
+}
