@@ -2,15 +2,12 @@
 
 use std::f64::consts::{PI, TAU};
 
-use aero_geometry::kernel::SUPPORT;
 use aero_geometry::outline::{Outline, Piece};
-use aero_geometry::{Bounds, Pencils, Vector};
+use aero_geometry::{Bounds, Vector};
 use aero_packer::{PackOptions, pack};
 
 use crate::compare::context::CompareError;
 
-/// Smoothing length over spacing, of the paper (eq 6).
-const SMOOTHING_RATIO: f64 = 1.2;
 /// Layers of ghosts: gradients are asked for at ghosts that reach the gas.
 const LAYERS: f64 = 8.0;
 
@@ -103,10 +100,6 @@ pub struct Places {
 }
 
 impl Places {
-    pub fn smoothing(&self) -> f64 {
-        SMOOTHING_RATIO * self.spacing
-    }
-
     /// The ghosts that a treatment asks for.
     pub fn ghosts(&self, layers: Layers) -> Vec<Ghost> {
         match layers {
@@ -292,44 +285,4 @@ fn ring() -> Result<Outline, CompareError> {
         circle(Form::Concave, -TAU),
         circle(Form::Convex, TAU),
     ])?)
-}
-
-/// Points and what is near them.
-#[derive(Clone, Debug)]
-pub struct Cloud {
-    pub points: Vec<Vector<2>>,
-    pencils: Pencils<2>,
-    reach: f64,
-    pub smoothing: f64,
-}
-
-impl Cloud {
-    pub fn new(points: Vec<Vector<2>>, smoothing: f64) -> Self {
-        let reach = SUPPORT * smoothing;
-        Self {
-            pencils: Pencils::new(&points, reach),
-            points,
-            reach,
-            smoothing,
-        }
-    }
-
-    /// Distance of neighbours, m.
-    pub fn spacing(&self) -> f64 {
-        self.smoothing / SMOOTHING_RATIO
-    }
-
-    /// Calls `visit` with each point in the kernel's support about `place`, and the way there.
-    pub fn near(&self, place: &Vector<2>, mut visit: impl FnMut(usize, Vector<2>)) {
-        let order = self.pencils.order();
-        self.pencils
-            .for_each_run_near(place, place, self.reach, |run| {
-                for &point in &order[run] {
-                    let arm = self.points[point as usize] - place;
-                    if arm.norm_squared() < self.reach * self.reach {
-                        visit(point as usize, arm);
-                    }
-                }
-            });
-    }
 }

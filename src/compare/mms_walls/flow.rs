@@ -1,19 +1,16 @@
 //! Weakly compressible gas beside a wall, kept to a solution by sources: particles stay where they are, so that their arrangement is what it
 //! is called.
 
-use aero_geometry::Vector;
-use aero_geometry::kernel::QuinticSpline;
 use rayon::prelude::*;
 
-use super::arrangement::{Cloud, Ghost, Places};
+use super::arrangement::Places;
+use super::cloud::{Cloud, SMOOTHING_RATIO};
+use super::equations::{SOUND, terms};
+use super::ghosts::{Now, Overridden, Treated};
 use super::operators::{Fields, Gradient, Gradients, volumes};
 use super::solution::{Condition, Exact, Family, Solution};
-use super::treatment::{Mistake, Rule, Treatment};
+use super::treatment::{Mistake, Treatment};
 
-/// Speed of sound, m/s, density where the pressure is zero, kg/m^3 [section II], and viscosity, m^2/s, of which the paper says nothing.
-const SOUND: f64 = 20.0;
-const DENSITY: f64 = 1.0;
-const VISCOSITY: f64 = 0.01;
 /// Time that passes: 100 of the paper's steps, s [eq 6], which are those of its finest spacing.
 const TIME: f64 = 100.0 * 0.00012;
 const STEPS: usize = 100;
@@ -50,23 +47,6 @@ impl Outcome {
     }
 }
 
-/// A ghost, how it follows from the gas, and the solution at the wall.
-struct Treated {
-    ghost: Ghost,
-    rule: Rule,
-    /// Of the solution at its foot, at the time zero.
-    wall: Exact,
-}
-
-/// A particle of the gas whose velocity its neighbours make.
-struct Overridden {
-    particle: usize,
-    /// Of the gas.
-    weights: Vec<(usize, f64)>,
-    /// Velocity of the wall at the time zero.
-    wall: [f64; 2],
-}
-
 /// The gas and all that it needs.
 struct Flow {
     solution: Solution,
@@ -84,7 +64,7 @@ impl Trial<'_> {
         let steps = match self.solution.family {
             Family::Published => STEPS,
             Family::Sheared => {
-                let step = COURANT * places.smoothing() / (SOUND + SPEED);
+                let step = COURANT * SMOOTHING_RATIO * places.spacing / (SOUND + SPEED);
                 (TIME / step / SNAPSHOTS as f64).ceil() as usize * SNAPSHOTS
             }
         };
@@ -95,7 +75,7 @@ impl Trial<'_> {
 impl Flow {
     fn new(trial: &Trial<'_>, places: &Places) -> Self {
         let solution = trial.solution;
-        let gas = Cloud::new(places.gas.clone(), places.smoothing());
+        let gas = Cloud::new(places.gas.clone(), places.spacing);
         let mut points = places.gas.clone();
         points.extend(&places.given);
         let mut treated = Vec::new();
@@ -115,11 +95,12 @@ impl Flow {
                 }
             }
         }
-        let cloud = Cloud::new(points, places.smoothing());
+        let cloud = Cloud::new(points, places.spacing);
         let volume = volumes(&cloud);
         let overrides = trial.treatment.is_some_and(Treatment::overrides_gas);
         let overridden = if overrides {
-            row_at_wall(&cloud, &volume, &places.gas, places.given.len(), solution)
+            let (gas, first) = (places.gas.len(), places.gas.len() + places.given.len());
+            Overridden::all(&cloud, &volume, gas, first, solution)
         } else {
             Vec::new()
         };
@@ -178,137 +159,66 @@ impl Flow {
 
     /// Shows the walls the gas and returns the rates of the gas, and of ghosts that have a pressure of their own.
     fn rates(&self, fields: &mut Fields, time: f64) -> Fields {
-        let left = self.left(time);
-        self.override_gas(fields, left);
-        let slopes = self.fill(fields, left);
+        let now = Now {
+            solution: self.solution,
+            left: self.left(time),
+        };
+        self.override_gas(fields, now);
+        let own = self.fill(fields, now);
         let gradients = self.gradient.of(fields);
         let mut rates: Fields = (0..self.gas)
             .into_par_iter()
-            .map(|i| self.rate(i, fields, &gradients, left))
+            .map(|i| self.rate(i, fields, &gradients, now))
             .collect();
         rates.resize(fields.len(), [0.0; 3]);
         let first = fields.len() - self.treated.len();
-        for (k, slope) in slopes.into_iter().enumerate() {
-            rates[first + k][0] = slope;
+        for (rate, own) in rates[first..].iter_mut().zip(own) {
+            rate[0] = own;
         }
         rates
     }
 
-    /// `dp/dt = -rho c^2 div u - u.grad p + S`, `du/dt = -grad p/rho - u.grad u + nu lap u + S` [eqs 1, 2, about points that stay].
-    fn rate(&self, i: usize, fields: &Fields, gradients: &Gradients, left: f64) -> [f64; 3] {
-        let bend = if self.solution.condition == Condition::NoSlip {
-            self.gradient.laplacian(i, gradients)
-        } else {
-            [0.0; 2]
-        };
-        let found = terms(&fields[i], &gradients[i], bend);
+    /// The rates of a particle of the gas, the source among them.
+    fn rate(&self, i: usize, fields: &Fields, gradients: &Gradients, now: Now) -> [f64; 3] {
         let exact = &self.exact[i];
-        let value = exact.value.map(|v| left * v);
-        let slopes = exact.gradient.map(|g| g.map(|v| left * v));
-        let bend = if self.solution.condition == Condition::NoSlip {
-            [left * exact.laplacian[1], left * exact.laplacian[2]]
+        let value = exact.value.map(|v| now.left * v);
+        let slopes = exact.gradient.map(|g| g.map(|v| now.left * v));
+        let [found_bend, exact_bend] = if self.solution.condition == Condition::NoSlip {
+            let [_, u, v] = exact.laplacian.map(|v| now.left * v);
+            [self.gradient.laplacian(i, gradients), [u, v]]
         } else {
-            [0.0; 2]
+            [[0.0; 2]; 2]
         };
-        let source = terms(&value, &slopes, bend);
+        let found = terms(&fields[i], &gradients[i], found_bend);
+        let lacking = terms(&value, &slopes, exact_bend);
         let decay = self.solution.decay();
-        std::array::from_fn(|k| found[k] - source[k] - decay * value[k])
+        std::array::from_fn(|k| found[k] - lacking[k] - decay * value[k])
     }
 
     /// Gives ghosts their state; returns the rates of the pressures that are their own.
-    fn fill(&self, fields: &mut Fields, left: f64) -> Vec<f64> {
+    fn fill(&self, fields: &mut Fields, now: Now) -> Vec<f64> {
         let first = fields.len() - self.treated.len();
-        for (state, exact) in fields[self.gas..first]
-            .iter_mut()
-            .zip(&self.exact[self.gas..])
-        {
-            *state = exact.value.map(|v| left * v);
+        let given = fields[self.gas..first].iter_mut();
+        for (state, exact) in given.zip(&self.exact[self.gas..]) {
+            *state = exact.value.map(|v| now.left * v);
         }
         let (gas, ghosts) = fields.split_at_mut(first);
         let fill = |(k, (treated, state)): (usize, (&Treated, &mut [f64; 3]))| {
-            let exact = self.exact[first + k].value.map(|v| left * v);
-            treated.fill(gas, state, exact, left, &self.solution)
+            let exact = self.exact[first + k].value.map(|v| now.left * v);
+            treated.fill(gas, state, exact, now)
         };
         let treated = self.treated.par_iter().zip(ghosts.par_iter_mut());
         treated.enumerate().map(fill).collect()
     }
 
-    fn override_gas(&self, fields: &mut Fields, left: f64) {
-        let mean = |one: &Overridden| -> [f64; 2] {
-            std::array::from_fn(|k| {
-                let wall = left * one.wall[k];
-                let sum = one.weights.iter();
-                wall + sum
-                    .map(|(j, w)| w * (fields[*j][k + 1] - wall))
-                    .sum::<f64>()
-            })
-        };
-        let means: Vec<[f64; 2]> = self.overridden.par_iter().map(mean).collect();
-        for (one, [u, v]) in self.overridden.iter().zip(means) {
-            fields[one.particle][1..].copy_from_slice(&[u, v]);
-        }
-    }
-}
-
-impl Treated {
-    /// Gives the ghost its state, what is not treated from the `exact` one; returns the rate of its own pressure.
-    fn fill(
-        &self,
-        gas: &[[f64; 3]],
-        state: &mut [f64; 3],
-        exact: [f64; 3],
-        left: f64,
-        solution: &Solution,
-    ) -> f64 {
-        let normal = self.ghost.normal;
-        let along = |k: usize| {
-            let [x, y] = self.wall.gradient[k];
-            left * (x * normal.x + y * normal.y)
-        };
-        let wall = Vector::<2>::new(left * self.wall.value[1], left * self.wall.value[2]);
-        match &self.rule {
-            Rule::Wall(factor) => {
-                let velocity = *factor * wall;
-                *state = [exact[0], velocity.x, velocity.y];
-                0.0
-            }
-            Rule::Reads {
-                weights,
-                rise,
-                factor,
-            } => {
-                let read = |k: usize| weights.iter().map(|(j, w)| w * gas[*j as usize][k]).sum();
-                *state = exact;
-                if solution.condition == Condition::Neumann {
-                    let pressure: f64 = read(0);
-                    state[0] = pressure + rise * along(0);
-                    return 0.0;
-                }
-                let velocity = Vector::<2>::new(read(1), read(2));
-                let beyond = velocity - wall;
-                let found = if solution.condition == Condition::Slip {
-                    velocity - (1.0 + factor) * beyond.dot(&normal) * normal
-                } else {
-                    wall - *factor * beyond
-                };
-                state[1..].copy_from_slice(found.as_slice());
-                0.0
-            }
-            Rule::Evolves { weights, own } => {
-                state[1..].copy_from_slice(&exact[1..]);
-                let across = |state: &[f64; 3]| state[1] * normal.x + state[2] * normal.y;
-                let read = |of: &dyn Fn(&[f64; 3]) -> f64| {
-                    let sum = weights.iter().map(|(j, w)| w * of(&gas[*j as usize]));
-                    sum.sum::<f64>() + own * of(state)
-                };
-                let (pressed, stretched) = (read(&|state| state[0]), read(&across));
-                let stiffness = |pressure: f64| density(pressure) * SOUND * SOUND;
-                let exact_stretch = normal.x * along(1) + normal.y * along(2);
-                let pressure = left * self.wall.value[0];
-                // What the solution lacks of the equation.
-                let source = stiffness(pressure) * exact_stretch - solution.decay() * pressure;
-                SOUND * (pressed - along(0)) - stiffness(state[0]) * stretched + source
-            }
+    fn override_gas(&self, fields: &mut Fields, now: Now) {
+        let found: Vec<[f64; 2]> = self
+            .overridden
+            .par_iter()
+            .map(|one| one.velocity(fields, now))
+            .collect();
+        for (one, velocity) in self.overridden.iter().zip(found) {
+            fields[one.particle][1..].copy_from_slice(&velocity);
         }
     }
 }
@@ -324,64 +234,9 @@ fn mean_difference(pairs: impl ExactSizeIterator<Item = ([f64; 3], [f64; 3])>) -
     sum.map(|sum| sum / count)
 }
 
-fn density(pressure: f64) -> f64 {
-    DENSITY + pressure / (SOUND * SOUND)
-}
-
-/// The right-hand sides of a state with its gradients and the Laplacian of its velocity.
-fn terms(state: &[f64; 3], gradient: &[[f64; 2]; 3], bend: [f64; 2]) -> [f64; 3] {
-    let [p, u, v] = *state;
-    let rho = density(p);
-    let carried = |k: usize| u * gradient[k][0] + v * gradient[k][1];
-    let divergence = gradient[1][0] + gradient[2][1];
-    [
-        -rho * SOUND * SOUND * divergence - carried(0),
-        -gradient[0][0] / rho - carried(1) + VISCOSITY * bend[0],
-        -gradient[0][1] / rho - carried(2) + VISCOSITY * bend[1],
-    ]
-}
-
 fn advance(fields: &mut Fields, rates: &Fields, time: f64) {
     fields
         .par_iter_mut()
         .zip(rates)
         .for_each(|(state, rate)| *state = std::array::from_fn(|k| state[k] + time * rate[k]));
-}
-
-/// The particles of the gas nearer than a smoothing length to a ghost of the tested wall, and the weights of
-/// `sum_gas W omega_j / (1 - sum_ghosts W omega_j)`.
-fn row_at_wall(
-    cloud: &Cloud,
-    volume: &[f64],
-    gas: &[Vector<2>],
-    given: usize,
-    solution: Solution,
-) -> Vec<Overridden> {
-    let mut row = Vec::new();
-    for (particle, place) in gas.iter().enumerate() {
-        let (mut behind, mut nearest) = (0.0, f64::INFINITY);
-        let mut weights = Vec::new();
-        cloud.near(place, |j, arm| {
-            let weight = QuinticSpline::<2>::value(arm.norm(), cloud.smoothing) * volume[j];
-            if j < gas.len() {
-                weights.push((j, weight));
-            } else if j >= gas.len() + given {
-                behind += weight;
-                nearest = arm.norm().min(nearest);
-            }
-        });
-        if nearest < cloud.smoothing {
-            for (_, weight) in &mut weights {
-                *weight /= 1.0 - behind;
-            }
-            let (height, normal) = solution.form.height(place);
-            let [_, u, v] = solution.at(&(place - height * normal)).value;
-            row.push(Overridden {
-                particle,
-                weights,
-                wall: [u, v],
-            });
-        }
-    }
-    row
 }

@@ -62,7 +62,7 @@ pub struct Exact {
 
 impl Solution {
     /// Rate of decay, 1/s: what has shear at a wall decays, as in the paper.
-    pub fn decay(&self) -> f64 {
+    pub fn decay(self) -> f64 {
         if self.condition == Condition::NoSlip {
             10.0
         } else {
@@ -71,7 +71,7 @@ impl Solution {
     }
 
     /// The field at `place` at the time zero.
-    pub fn at(&self, place: &Vector<2>) -> Exact {
+    pub fn at(self, place: &Vector<2>) -> Exact {
         let along = |axis: usize| {
             let number = |k: usize| {
                 let number = Dual2_64::from_re(place[k]);
@@ -91,7 +91,7 @@ impl Solution {
         }
     }
 
-    fn values(&self, x: Dual2_64, y: Dual2_64) -> Values {
+    fn values(self, x: Dual2_64, y: Dual2_64) -> Values {
         match (self.family, self.form) {
             (Family::Sheared, form) => sheared(self.condition, form, x, y),
             (Family::Published, Form::Straight) => straight(self.condition, x, y),
@@ -167,12 +167,11 @@ fn sheared(condition: Condition, form: Form, x: Dual2_64, y: Dual2_64) -> Values
         Form::Convex => (radius - form.radius(), [a / radius, b / radius]),
         Form::Concave => (-radius + form.radius(), [-a / radius, -b / radius]),
     };
-    let (sin, cos) = match form {
-        Form::Straight => (x * (2.0 * PI)).sin_cos(),
-        _ => {
-            let square = radius * radius;
-            (a * b * 2.0 / square, (a * a - b * b) / square)
-        }
+    let (sin, cos) = if form == Form::Straight {
+        (x * (2.0 * PI)).sin_cos()
+    } else {
+        let square = radius * radius;
+        (a * b * 2.0 / square, (a * a - b * b) / square)
     };
     let pressure = cos * (e * 2.0 + e * e * 6.0 + 1.0) + e * 2.0;
     let (along, across) = if condition == Condition::NoSlip {

@@ -56,12 +56,11 @@ fn solutions_keep_their_conditions() {
         .flat_map(|family| [Form::Straight, Form::Convex, Form::Concave].map(|form| (family, form)))
     {
         let angle: f64 = 0.7;
-        let foot = match form {
-            Form::Straight => Vector::<2>::new(0.3, 1.0),
-            _ => {
-                let (sin, cos) = angle.sin_cos();
-                Vector::<2>::repeat(0.5) + form.radius() * Vector::<2>::new(cos, sin)
-            }
+        let (sin, cos) = angle.sin_cos();
+        let foot = if form == Form::Straight {
+            Vector::<2>::new(0.3, 1.0)
+        } else {
+            Vector::<2>::repeat(0.5) + form.radius() * Vector::<2>::new(cos, sin)
         };
         let (height, normal) = form.height(&foot);
         assert!(height.abs() < 1e-12);
@@ -89,4 +88,29 @@ fn solutions_keep_their_conditions() {
         assert_eq!(speed > 1e-12, is_ours, "{form:?}");
         assert!(!is_ours || shear > 0.1);
     }
+}
+
+/// The same bits by one thread and by three.
+#[test]
+fn threads_change_nothing() {
+    let arrangement = Arrangement {
+        form: Form::Concave,
+        is_packed: true,
+        cells: 0,
+    };
+    let by = |threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.expect("threads").install(|| {
+            let study = Study::new(arrangement, [0, 0, 40]).expect("a packed ring");
+            let base = study.base(Family::Sheared, Condition::NoSlip);
+            let added = kept(Condition::NoSlip).map(|treatment| {
+                study
+                    .added(&base, treatment, None)
+                    .finest(Condition::NoSlip)
+                    .to_bits()
+            });
+            added.collect::<Vec<u64>>()
+        })
+    };
+    assert_eq!(by(1), by(3));
 }

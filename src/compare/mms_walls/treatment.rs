@@ -4,7 +4,8 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::QuinticSpline;
 use nalgebra::{Matrix3, Vector3};
 
-use super::arrangement::{Cloud, Ghost, Layers, Manner};
+use super::arrangement::{Ghost, Layers, Manner};
+use super::cloud::Cloud;
 use super::solution::Condition;
 
 /// Numbers of particles of the gas, and their shares.
@@ -135,7 +136,7 @@ pub fn linear(gas: &Cloud, place: &Vector<2>) -> Option<Weights> {
     });
     let all = moment[(0, 0)];
     let spread = (moment / all).determinant();
-    if !(spread > LEAST_SPREAD) {
+    if spread.is_nan() || spread < LEAST_SPREAD {
         return None;
     }
     let share = moment.try_inverse()? * Vector3::x();

@@ -1,6 +1,7 @@
 //! Ghosts are images of the gas.
 
-use crate::compare::mms_walls::arrangement::{Cloud, Ghost, Layers, Manner};
+use crate::compare::mms_walls::arrangement::{Ghost, Layers, Manner};
+use crate::compare::mms_walls::cloud::Cloud;
 use crate::compare::mms_walls::solution::Condition;
 use crate::compare::mms_walls::treatment::{Mistake, Rule, Treatment};
 

@@ -4,7 +4,8 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::QuinticSpline;
 use nalgebra::Matrix2;
 
-use crate::compare::mms_walls::arrangement::{Cloud, Ghost, Layers, Manner};
+use crate::compare::mms_walls::arrangement::{Ghost, Layers, Manner};
+use crate::compare::mms_walls::cloud::Cloud;
 use crate::compare::mms_walls::solution::Condition;
 use crate::compare::mms_walls::treatment::{Rule, Treatment, Weights};
 

@@ -1,6 +1,7 @@
 //! One row of ghosts on the wall, whose pressure follows the waves that arrive.
 
-use crate::compare::mms_walls::arrangement::{Cloud, Ghost, Layers, Manner};
+use crate::compare::mms_walls::arrangement::{Ghost, Layers, Manner};
+use crate::compare::mms_walls::cloud::Cloud;
 use crate::compare::mms_walls::solution::Condition;
 use crate::compare::mms_walls::treatment::{Rule, Treatment, shepard};
 
@@ -30,7 +31,7 @@ impl Treatment for Marongiu {
     }
 
     fn rule(&self, _: Condition, gas: &Cloud, ghost: &Ghost) -> Option<Rule> {
-        let spacing = gas.spacing();
+        let spacing = gas.spacing;
         let mut weights = Vec::new();
         for (k, difference) in DIFFERENCES.into_iter().enumerate().skip(1) {
             let place = ghost.position + k as f64 * spacing * ghost.normal;

@@ -1,6 +1,7 @@
 //! Ghosts have the wall's velocity, and the row of gas at the wall what that makes of it.
 
-use crate::compare::mms_walls::arrangement::{Cloud, Ghost, Manner};
+use crate::compare::mms_walls::arrangement::{Ghost, Manner};
+use crate::compare::mms_walls::cloud::Cloud;
 use crate::compare::mms_walls::solution::Condition;
 use crate::compare::mms_walls::treatment::{Rule, Treatment};
 

@@ -1,6 +1,7 @@
 //! Ghosts lie on the line from a particle of gas through the wall.
 
-use crate::compare::mms_walls::arrangement::{Cloud, Ghost, Manner};
+use crate::compare::mms_walls::arrangement::{Ghost, Manner};
+use crate::compare::mms_walls::cloud::Cloud;
 use crate::compare::mms_walls::solution::Condition;
 use crate::compare::mms_walls::treatment::{Rule, Treatment};
 
