@@ -66,7 +66,7 @@ impl Compare for Walls {
             let study = Study::new(arrangement, if is_quick { QUICK } else { FULL })?;
             checks.extend(judge(&study, is_quick, context)?);
             if !is_quick && *form == Form::Straight {
-                let planted = |condition| planted_row(&study, condition, false);
+                let planted = |condition| planted_row(&study, condition);
                 checks.extend(Condition::ALL.map(planted));
             }
             if !is_quick {

@@ -5,8 +5,8 @@ use aero_validation::table::{Check, Subject};
 use super::arrangement::Manner;
 use super::kept;
 use super::solution::{Condition, Family};
-use super::study::{Errors, Study};
-use super::treatment::Treatment;
+use super::study::{Base, Errors, Study};
+use super::treatment::{Mistake, Treatment};
 
 pub const NAME: &str = "mms-walls";
 const THEORY: &str = "manufactured solution with slopes at the wall (Roache 2002)";
@@ -56,6 +56,12 @@ impl Judged<'_> {
         [order, share]
     }
 
+    /// True if a row fails with a mistake.
+    pub fn shows(&self, base: &Base, mistake: Mistake) -> bool {
+        let added = self.study.added(base, self.treatment, Some(mistake));
+        self.rows(&added).iter().any(|row| !row.pass)
+    }
+
     fn least(&self, wanted: f64) -> f64 {
         if wanted < 2.0 {
             FIRST
@@ -65,8 +71,8 @@ impl Judged<'_> {
     }
 }
 
-/// The row on mistakes in the treatments of a condition: so many of those planted must make a row fail.
-pub fn planted_row(study: &Study, condition: Condition, is_quick: bool) -> Check {
+/// The row on mistakes in the treatments of a condition: those planted must each make a row fail.
+pub fn planted_row(study: &Study, condition: Condition) -> Check {
     let base = study.base(Family::Sheared, condition);
     let own = study.own(&base);
     let (mut planted, mut caught) = (0, 0);
@@ -76,12 +82,11 @@ pub fn planted_row(study: &Study, condition: Condition, is_quick: bool) -> Check
             condition,
             treatment,
             own: &own,
-            is_quick,
+            is_quick: false,
         };
         for mistake in treatment.mistakes(condition) {
-            let added = study.added(&base, treatment, Some(*mistake));
             planted += 1;
-            caught += i32::from(judged.rows(&added).iter().any(|row| !row.pass));
+            caught += i32::from(judged.shows(&base, *mistake));
         }
     }
     let (kept, lie, range) = (condition.name(), study.arrangement.name(), study.range());
