@@ -35,6 +35,12 @@ pub trait Treatment: Sync {
         true
     }
 
+    /// False where noise grows by a factor in so many spacings of sound's way, however short the steps: then it is judged at wide spacings
+    /// alone, where there is no time for it.
+    fn lasts(&self) -> bool {
+        true
+    }
+
     /// The mistakes in it that must show. First order cannot tell one distance from another.
     fn mistakes(&self, condition: Condition) -> &'static [Mistake] {
         if self.order(condition, Manner::Along) == Some(2.0) {

@@ -19,12 +19,11 @@ impl Treatment for Adami {
     }
 
     /// Its mean is that of the gas about a point nearer to the wall than the mirror point, so that all but the pressure, whose rise it knows, is
-    /// of first order.
+    /// of first order, and of less where walls are round.
     fn order(&self, condition: Condition, manner: Manner) -> Option<f64> {
         match (condition, manner) {
-            (_, Manner::Steps) => None,
-            (Condition::Neumann, _) => Some(2.0),
-            (Condition::NoSlip, _) | (_, Manner::Along) => Some(1.0),
+            (Condition::Neumann, Manner::Along | Manner::Packed) => Some(2.0),
+            (_, Manner::Along) => Some(1.0),
             _ => None,
         }
     }

@@ -29,7 +29,12 @@ impl Treatment for Hashemi {
 
     /// One row is too few for the Laplacian.
     fn order(&self, condition: Condition, manner: Manner) -> Option<f64> {
-        (condition == Condition::Neumann || manner == Manner::Along).then_some(1.0)
+        let is_known = condition == Condition::Neumann || manner == Manner::Along;
+        is_known.then_some(1.0)
+    }
+
+    fn lasts(&self) -> bool {
+        false
     }
 
     fn rule(&self, condition: Condition, gas: &Cloud, ghost: &Ghost) -> Option<Rule> {

@@ -30,6 +30,10 @@ impl Treatment for Marongiu {
         None
     }
 
+    fn lasts(&self) -> bool {
+        false
+    }
+
     fn rule(&self, _: Condition, gas: &Cloud, ghost: &Ghost) -> Option<Rule> {
         let spacing = gas.spacing;
         let mut weights = Vec::new();

@@ -18,8 +18,8 @@ impl Treatment for Marrone {
         true
     }
 
-    fn order(&self, _: Condition, _: Manner) -> Option<f64> {
-        Some(2.0)
+    fn order(&self, condition: Condition, manner: Manner) -> Option<f64> {
+        (condition != Condition::Slip || manner != Manner::Steps).then_some(2.0)
     }
 
     fn rule(&self, _: Condition, gas: &Cloud, ghost: &Ghost) -> Option<Rule> {
