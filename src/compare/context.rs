@@ -78,6 +78,12 @@ pub enum CompareError {
         /// Why.
         source: std::io::Error,
     },
+    /// A shape that the project makes is none.
+    #[error(transparent)]
+    Geometry(#[from] aero_geometry::GeometryError),
+    /// A shape that the project makes cannot be packed.
+    #[error(transparent)]
+    Pack(#[from] aero_packer::PackError),
     /// A picture cannot be written.
     #[error(transparent)]
     Picture(#[from] aero_validation::pictures::PictureError),

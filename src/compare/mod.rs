@@ -14,6 +14,7 @@ mod duct;
 mod expansion;
 mod free;
 mod mms;
+mod mms_walls;
 mod nozzle;
 mod profiles;
 mod report;
@@ -42,7 +43,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 18] = [
+static CASES: [Case; 19] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -51,6 +52,7 @@ static CASES: [Case; 18] = [
     ("duct", &[&duct::DUCT]),
     ("sound", &[&sound::SOUND]),
     ("mms", &[&mms::Manufactured]),
+    ("mms-walls", &[&mms_walls::Walls]),
     ("viscous", &[&viscous::Viscous]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
