@@ -16,6 +16,7 @@ mod free;
 mod mms;
 mod nozzle;
 mod profiles;
+mod real_gas;
 mod report;
 mod row;
 pub mod scenes;
@@ -42,7 +43,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 18] = [
+static CASES: [Case; 19] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -52,6 +53,7 @@ static CASES: [Case; 18] = [
     ("sound", &[&sound::SOUND]),
     ("mms", &[&mms::Manufactured]),
     ("viscous", &[&viscous::Viscous]),
+    ("real-gas", &[&real_gas::RealGas]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),

@@ -1,0 +1,126 @@
+//! The nose of what returns to Earth.
+
+use aero_solver::frame::Frame;
+use aero_solver::gas::Air;
+use aero_validation::exact::hot_air::HotAir;
+use aero_validation::table::{Check, Subject};
+
+use super::{NAME, THEORY, at_60_km, exact, values};
+use crate::compare::context::{CompareError, Context, Level};
+use crate::compare::scenes::{Source, scene};
+
+const SCENE: Source = scene!("hemisphere-hot");
+
+/// m/s, as in the scene.
+const SPEED: f64 = 7500.0;
+
+/// Stand-off over radius and `rho_1 / rho_2` of an ideal gas: of a sphere at Mach 10, 0.136 behind a shock of 5.714.
+const IDEAL: f64 = 0.136 * 5.714;
+
+/// Parts of the way from the shock to the nose between which the gas is read.
+const READ: [f64; 2] = [0.3, 0.8];
+
+/// Per cent: behind the shock, and of the stand-off.
+const STATE: [f64; 2] = [5.0, 2.0];
+const STAND_OFF: [f64; 2] = [15.0, 10.0];
+
+pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let (cells, halvings, pick) = match context.level {
+        Level::Quick => (20, 3, 0),
+        Level::Full => (40, 3, 1),
+    };
+    let ahead = at_60_km()?;
+    let behind = HotAir::Reacting.normal_shock(&ahead, SPEED)?;
+    let ratio = behind.density / ahead.density;
+    let spacing = 1.0 / f64::from(cells);
+    let settings = [
+        format!("spacing={spacing:?}"),
+        format!("scheme.refine={halvings}"),
+    ];
+    let attempt = SCENE.attempt(&settings, context)?;
+    let label = format!("hemisphere, 7.5 km/s at 60 km, dx R/{cells} halved {halvings} times");
+    let row = attempt.outcome().map(|outcome| {
+        let width = spacing / f64::from(1_u32 << halvings);
+        axis(&outcome.gas, spacing, width)
+    });
+    let level = 0.5 * (ahead.density + behind.density);
+    let found = row.and_then(|row| Nose::new(&row, level));
+    let names = ["density", "pressure", "temperature"];
+    let mut checks = Vec::new();
+    for (k, expected) in exact(&behind).into_iter().enumerate() {
+        let what = format!("{label}: {} behind the shock on the axis", names[k]);
+        let subject = Subject::new(NAME, &what, THEORY);
+        checks.push(match &found {
+            Some(nose) => {
+                let state = values(Air::Equilibrium, nose.density, nose.pressure);
+                subject.relative(state[k].1, expected, STATE[pick])
+            }
+            None => subject.unmeasured(expected),
+        });
+    }
+    let what = format!("{label}: stand-off / R over rho_1 / rho_2");
+    let subject = Subject::new(NAME, &what, "an ideal gas (validation/sphere)");
+    checks.push(match found {
+        Some(nose) => subject.relative(nose.stand_off * ratio, IDEAL, STAND_OFF[pick]),
+        None => subject.unmeasured(IDEAL),
+    });
+    Ok(checks)
+}
+
+/// Place, density and pressure of the point nearest to the axis in each column of the finest cells ahead of the nose.
+fn axis(gas: &Frame, spacing: f64, width: f64) -> Vec<[f64; 3]> {
+    let mut row: Vec<[f64; 5]> = (0..gas.position.len())
+        .map(|i| {
+            let [x, y, _] = gas.position[i];
+            [(x / width).floor(), y, x, gas.density[i], gas.pressure[i]]
+        })
+        .filter(|point| point[2] < -1.0 && point[1] < spacing)
+        .collect();
+    row.sort_by(|a, b| a[0].total_cmp(&b[0]).then(a[1].total_cmp(&b[1])));
+    row.dedup_by_key(|point| point[0]);
+    row.iter()
+        .map(|point| [point[2], point[3], point[4]])
+        .collect()
+}
+
+/// The gas ahead of the nose.
+struct Nose {
+    stand_off: f64,
+    /// Just behind the shock.
+    density: f64,
+    pressure: f64,
+}
+
+impl Nose {
+    /// From the gas along the axis: where its density passes `level`, and straight lines through what is read drawn out to there.
+    fn new(row: &[[f64; 3]], level: f64) -> Option<Self> {
+        let pair = row
+            .windows(2)
+            .find(|pair| pair[0][1] < level && level <= pair[1][1])?;
+        let [[a, low, _], [b, high, _]] = [pair[0], pair[1]];
+        let shock = a + (b - a) * (level - low) / (high - low);
+        let stand_off = -1.0 - shock;
+        let read = row.iter().filter(|point| {
+            let part = (point[0] - shock) / stand_off;
+            (READ[0]..READ[1]).contains(&part)
+        });
+        let read: Vec<[f64; 3]> = read.copied().collect();
+        if read.len() < 3 {
+            return None;
+        }
+        let at_shock = |k: usize| {
+            let count = read.len() as f64;
+            let mean =
+                |value: &dyn Fn(&[f64; 3]) -> f64| read.iter().map(value).sum::<f64>() / count;
+            let (x, y) = (mean(&|point| point[0]), mean(&|point| point[k]));
+            let across = mean(&|point| (point[0] - x) * (point[k] - y));
+            let along = mean(&|point| (point[0] - x).powi(2));
+            y + across / along * (shock - x)
+        };
+        Some(Self {
+            stand_off,
+            density: at_shock(1),
+            pressure: at_shock(2),
+        })
+    }
+}
