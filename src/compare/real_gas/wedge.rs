@@ -28,8 +28,8 @@ const ALLOWED: f64 = 1.0;
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     let cells = match context.level {
-        Level::Quick => 16,
-        Level::Full => 32,
+        Level::Quick => 32,
+        Level::Full => 64,
     };
     let air = Air::ThermallyPerfect;
     let ahead = HotAir::Whole.at(PRESSURE, TEMPERATURE)?;

@@ -81,6 +81,9 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
+    /// Part of a value by which two polynomials may differ where they meet.
+    const MEETS: f64 = 1e-5;
+
     /// Heat capacities, J/(mol K), and enthalpies over that at 298.15 K, kJ/mol, at 1000 and 3000 K
     /// [Chase 1998, NIST-JANAF Thermochemical Tables].
     #[test]
@@ -115,6 +118,37 @@ mod tests {
                 assert_relative_eq!(heat / (2.0 * step), capacity, max_relative = 1e-6);
                 let entropy = t * (high.1.entropy - low.1.entropy) / (2.0 * step);
                 assert_relative_eq!(entropy, capacity, max_relative = 1e-6);
+            }
+        }
+    }
+
+    /// The polynomials of a species meet: a wrong digit in one of them shows.
+    #[test]
+    fn polynomials_meet_where_one_ends() {
+        let all = [
+            Species::NITROGEN,
+            Species::OXYGEN,
+            Species::NITRIC_OXIDE,
+            Species::NITROGEN_ATOM,
+            Species::OXYGEN_ATOM,
+            Species::NITRIC_OXIDE_ION,
+            Species::NITROGEN_ION,
+            Species::OXYGEN_ION,
+            Species::ELECTRON,
+        ];
+        for (number, species) in all.into_iter().enumerate() {
+            for end in BREAKS {
+                let [below, above] = [1.0 - 1e-12, 1.0 + 1e-12].map(|part| species.at(part * end));
+                for (a, b) in [
+                    (below.capacity, above.capacity),
+                    (below.enthalpy, above.enthalpy),
+                    (below.entropy, above.entropy),
+                ] {
+                    assert!(
+                        (a - b).abs() < MEETS * a.abs(),
+                        "{number} at {end}: {a}, {b}"
+                    );
+                }
             }
         }
     }

@@ -249,6 +249,30 @@ fn cold_air_is_an_ideal_gas() {
     }
 }
 
+/// `c_v = (de / dT)_v` and `c_p = (dh / dT)_p`, on both sides of where polynomials begin and end.
+#[test]
+fn heat_capacities_are_slopes() {
+    for air in BOTH {
+        for temperature in [150.0, 199.99, 200.01, 700.0, 2500.0, 5999.0, 6001.0, 9000.0] {
+            let density = 2e-3;
+            let energy = air.energy_at(density, temperature);
+            let step = 1e-4 * temperature;
+            let [low, high] = [temperature - step, temperature + step];
+            let rise = air.energy_at(density, high) - air.energy_at(density, low);
+            let found = air.heat_capacity_at_volume(density, energy);
+            assert_relative_eq!(found, rise / (2.0 * step), max_relative = 2e-3);
+            let pressure = air.pressure(density, energy);
+            let enthalpy = |temperature| {
+                let density = air.density_at(pressure, temperature);
+                air.energy(density, pressure) + pressure / density
+            };
+            let rise = enthalpy(high) - enthalpy(low);
+            let found = air.heat_capacity(density, energy);
+            assert_relative_eq!(found, rise / (2.0 * step), max_relative = 2e-3);
+        }
+    }
+}
+
 /// What is no state of a gas stays so, and nothing panics.
 #[test]
 fn nonsense_stays_nonsense() {
