@@ -23,11 +23,8 @@ const NOSE: [&str; 2] = ["domain.min=[-1.2, 0.0]", "domain.max=[-0.4, 1.2]"];
 /// Parts of the way from the shock to the nose between which the gas is read.
 const READ: [f64; 2] = [0.3, 0.8];
 
-/// Fewest points that make a line.
-const FEWEST: usize = 4;
-
 /// Per cent, quickly and in full.
-const STATE: [f64; 2] = [5.0, 2.0];
+const STATE: [f64; 2] = [6.0, 3.0];
 
 /// Per cent of the stand-off, which four cells between shock and nose are too few for.
 const STAND_OFF: f64 = 10.0;
@@ -51,7 +48,13 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
         axis(&outcome.gas, spacing, width)
     });
     let level = 0.5 * (ahead.density + behind.density);
-    let found = row.and_then(|row| Nose::new(&row, level));
+    // What is left of the speed behind the shock.
+    let rest = 0.5 * ahead.density * SPEED * SPEED / ratio;
+    let gains = [
+        rest / Air::Equilibrium.sound_square(behind.density, behind.pressure),
+        rest,
+    ];
+    let found = row.and_then(|row| Nose::new(&row, level, gains));
     let names = ["density", "pressure", "temperature"];
     let mut checks = Vec::new();
     for (k, expected) in exact(&behind).into_iter().enumerate() {
@@ -102,8 +105,9 @@ struct Nose {
 }
 
 impl Nose {
-    /// From the gas along the axis: where its density passes `level`, and straight lines through what is read drawn out to there.
-    fn new(row: &[[f64; 3]], level: f64) -> Option<Self> {
+    /// From the gas along the axis: where its density passes `level`, and what is read less what it has gained since, of `gains` in density
+    /// and pressure on the whole way to the nose.
+    fn new(row: &[[f64; 3]], level: f64, gains: [f64; 2]) -> Option<Self> {
         // From the nose on, against the stream.
         let pair = row
             .windows(2)
@@ -112,31 +116,26 @@ impl Nose {
         let [[a, low, _], [b, high, _]] = [pair[0], pair[1]];
         let shock = a + (b - a) * (level - low) / (high - low);
         let stand_off = -1.0 - shock;
-        let read = row.iter().filter(|point| {
-            let part = (point[0] - shock) / stand_off;
-            (READ[0]..READ[1]).contains(&part)
-        });
-        let read: Vec<[f64; 3]> = read.copied().collect();
+        let part = |point: &[f64; 3]| (point[0] - shock) / stand_off;
+        let read: Vec<&[f64; 3]> = row
+            .iter()
+            .filter(|point| (READ[0]..READ[1]).contains(&part(point)))
+            .collect();
         if read.is_empty() {
             return None;
         }
-        let at_shock = |k: usize| {
-            let count = read.len() as f64;
-            let mean =
-                |value: &dyn Fn(&[f64; 3]) -> f64| read.iter().map(value).sum::<f64>() / count;
-            let (x, y) = (mean(&|point| point[0]), mean(&|point| point[k]));
-            let across = mean(&|point| (point[0] - x) * (point[k] - y));
-            let along = mean(&|point| (point[0] - x).powi(2));
-            // Too few for a line: as they are.
-            if read.len() < FEWEST {
-                return y;
-            }
-            y + across / along * (shock - x)
+        // Along the axis the speed falls to nothing on a straight line, and pressure rises as it does.
+        let mean = |gain: f64, k: usize| {
+            let each = read.iter().map(|point| {
+                let left = 1.0 - part(point);
+                point[k] - gain * (1.0 - left * left)
+            });
+            each.sum::<f64>() / read.len() as f64
         };
         Some(Self {
             stand_off,
-            density: at_shock(1),
-            pressure: at_shock(2),
+            density: mean(gains[0], 1),
+            pressure: mean(gains[1], 2),
         })
     }
 }
