@@ -2,7 +2,7 @@
 //!
 //! Of species `j` there are `c_j = (p0 / (R T)) exp(-G_j / (R T)) a^n_j b^o_j q^z_j` moles to a volume, with `n_j` atoms of nitrogen, `o_j` of
 //! oxygen and `z_j` charges; `a`, `b` and `q` follow from how much nitrogen, oxygen and charge there is [e.g. Vincenti & Kruger
-//! 1965, Introduction to Physical Gas Dynamics, chapter III; Gordon & McBride 1994, NASA RP-1311, section 2.3].
+//! 1965, Introduction to Physical Gas Dynamics, chapter III; Gordon & `McBride` 1994, NASA RP-1311, section 2.3].
 
 use super::mixture::{FRACTIONS, moles};
 use super::species::{STANDARD_PRESSURE, Species, UNIVERSAL};

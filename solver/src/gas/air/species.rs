@@ -1,7 +1,7 @@
 //! What a mole of each species of air holds: the NASA Glenn polynomials.
 //!
-//! [McBride, Zehe & Gordon 2002, NASA Glenn Coefficients for Calculating Thermodynamic Properties of Individual Species,
-//! NASA/TP-2002-211556], at a standard pressure of 1 bar, with enthalpies counted from the elements at 298.15 K.
+//! [`McBride`, Zehe & Gordon 2002, NASA Glenn Coefficients for Calculating Thermodynamic Properties of Individual Species,
+//! `NASA/TP-2002-211556`], at a standard pressure of 1 bar, with enthalpies counted from the elements at 298.15 K.
 
 /// Temperatures, K, that the three polynomials of a species reach up to.
 const BREAKS: [f64; 2] = [1000.0, 6000.0];
@@ -59,7 +59,7 @@ impl Species {
     }
 
     /// The same within the range: `C_p / R = a_1 T^-2 + a_2 T^-1 + a_3 + a_4 T + a_5 T^2 + a_6 T^3 + a_7 T^4`, and its integrals
-    /// [McBride et al. 2002, eqs 1 to 3].
+    /// [`McBride` et al. 2002, eqs 1 to 3].
     fn inside(&self, t: f64) -> Molar {
         let part = BREAKS.iter().filter(|&&end| t > end).count();
         let [a1, a2, a3, a4, a5, a6, a7, b1, b2] = self.0[part];
