@@ -120,7 +120,7 @@ mod tests {
     use super::super::Air;
     use approx::assert_relative_eq;
 
-    /// Specific heats of air, c_p in kJ/(kg K) and gamma [Hilsenrath et al. 1955, NBS Circular 564, tables 2-3 and 2-4, low pressure].
+    /// Specific heats of air, `c_p` in kJ/(kg K) and gamma [Hilsenrath et al. 1955, NBS Circular 564, tables 2-3 and 2-4, low pressure].
     #[test]
     fn heat_capacities_are_those_of_the_tables() {
         let air = Air::ThermallyPerfect;
