@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 30] = [
+const SMALL: [(&str, &[&str]); 33] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("becker", &["end_time=1.0"]),
@@ -31,6 +31,16 @@ const SMALL: [(&str, &[&str]); 30] = [
         "flat-plate",
         &["end_time=1e-4", "stop=end-time", "scheme.refine=0"],
     ),
+    (
+        "hemisphere-hot",
+        &[
+            "end_time=2e-5",
+            "spacing=0.1",
+            "stop=end-time",
+            "scheme.refine=0",
+        ],
+    ),
+    ("hot-shock", &["end_time=1e-4", "spacing=0.02"]),
     ("jet", &["end_time=0.2", "spacing=0.1"]),
     ("mms", &["end_time=0.05"]),
     ("mms-3d", &["spacing=0.1"]),
@@ -72,6 +82,10 @@ const SMALL: [(&str, &[&str]); 30] = [
     (
         "wedge-fixed",
         &["end_time=0.1", "spacing=0.125", "stop=end-time"],
+    ),
+    (
+        "wedge-hot",
+        &["end_time=1e-4", "spacing=0.125", "stop=end-time"],
     ),
 ];
 

@@ -9,7 +9,7 @@ use super::neighbourhood::Neighbourhood;
 use super::neighbours::Lists;
 use super::pairs::diffusion::diffuse;
 use super::pairs::renormalisation::even_renormalisation;
-use super::particles::{Columns, Particles};
+use super::particles::{Columns, Particle, Particles};
 use super::problem::Problem;
 use super::records::{Diffusive, GHOSTS, Near, Records};
 use super::sides::Buffers;
@@ -44,7 +44,6 @@ fn fill<const D: usize>(
     records: &mut Records<D>,
 ) {
     let gas = &problem.gas;
-    let heat_capacity = gas.heat_capacity_at_volume();
     let Columns {
         state,
         rates,
@@ -65,11 +64,16 @@ fn fill<const D: usize>(
                 energy: rates.energy_gradient,
             };
             let coefficients = gas.coefficients(particle.density, particle.energy);
+            let heat_capacity = gas.heat_capacity_at_volume(particle.density, particle.energy);
             let weight = (near.volume, &r.matrix);
             *diffusive = Diffusive::new(&gradients, weight, coefficients, heat_capacity);
         });
     for (slot, open) in (count..).zip(buffers.particles()) {
-        let coefficients = gas.coefficients(open.particle.density, open.particle.energy);
+        let Particle {
+            density, energy, ..
+        } = open.particle;
+        let coefficients = gas.coefficients(density, energy);
+        let heat_capacity = gas.heat_capacity_at_volume(density, energy);
         let weight = (near[slot].volume, &open.renormalisation);
         diffusive[slot] = Diffusive::new(&open.gradients, weight, coefficients, heat_capacity);
     }
@@ -83,7 +87,6 @@ fn fill_ghosts<const D: usize>(
     records: &mut Records<D>,
 ) {
     let first = records.start[GHOSTS];
-    let heat_capacity = gas.heat_capacity_at_volume();
     let even = even_renormalisation();
     let (seen, own) = records.diffusive.split_at_mut(first);
     let near = &records.near;
@@ -100,7 +103,9 @@ fn fill_ghosts<const D: usize>(
                         continue;
                     };
                     let gradients = beyond(gas, walls.kind(ghost.body), ghost, &inside);
-                    let coefficients = gas.coefficients(ghost.shown.density, ghost.shown.energy);
+                    let (density, energy) = (ghost.shown.density, ghost.shown.energy);
+                    let coefficients = gas.coefficients(density, energy);
+                    let heat_capacity = gas.heat_capacity_at_volume(density, energy);
                     let weight = (ghost.volume, &even);
                     own[target - first_target] =
                         Diffusive::new(&gradients, weight, coefficients, heat_capacity);

@@ -68,7 +68,7 @@ impl StepBound {
                 let thins = particle.density / rates.density.abs();
                 let cools = particle.energy / (-rates.energy).max(0.0);
                 [
-                    h * h / particle.energy,
+                    h * h / gas.sound_measure(particle.density, particle.energy),
                     h * h / acceleration.norm_squared(),
                     thins.min(cools),
                 ]
@@ -94,7 +94,7 @@ impl StepBound {
             }
             StepRule::EachParticle => {
                 let [courant, force, change] = [first, second, third];
-                let acoustic = courant.sqrt() / gas.sound_speed(1.0, 1.0);
+                let acoustic = courant.sqrt() / gas.unit_sound();
                 let force = C_FORCE * force.sqrt().sqrt();
                 cfl * acoustic.min(force).min(C_CHANGE * change)
             }
@@ -106,7 +106,7 @@ impl StepBound {
 /// The larger of the diffusivities of momentum, `mu / rho`, and of heat, `k / (rho c_v)`.
 fn diffusivity(gas: &Gas, density: f64, energy: f64) -> f64 {
     let coefficients = gas.coefficients(density, energy);
-    let heat = coefficients.conductivity / gas.heat_capacity_at_volume();
+    let heat = coefficients.conductivity / gas.heat_capacity_at_volume(density, energy);
     coefficients.viscosity.max(heat) / density
 }
 
@@ -114,7 +114,7 @@ fn diffusivity(gas: &Gas, density: f64, energy: f64) -> f64 {
 pub fn acoustic_step<const D: usize>(cfl: f64, gas: &Gas, particles: &[Particle<D>]) -> f64 {
     let each = particles
         .par_iter()
-        .map(|p| p.smoothing_length * p.smoothing_length / p.energy);
+        .map(|p| p.smoothing_length * p.smoothing_length / gas.sound_measure(p.density, p.energy));
     let squared = each.reduce(|| f64::INFINITY, f64::min);
-    cfl * squared.sqrt() / gas.sound_speed(1.0, 1.0)
+    cfl * squared.sqrt() / gas.unit_sound()
 }

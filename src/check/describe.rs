@@ -1,5 +1,6 @@
 //! What a case is, in words: the stream, what each side does, how finely each body is resolved and what it touches.
 
+use aero_solver::gas::Gas;
 use aero_solver::panels::Panels;
 use aero_solver::problem::{Opening, Problem};
 
@@ -41,6 +42,7 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
             0.5 * stream.density * speed * speed
         ),
     ];
+    lines.push(gas(problem));
     if let Some(per_length) = reynolds_per_length(problem) {
         lines.push(format!(
             "Reynolds number: {per_length:.5e} to a unit of length, {:.3e} to a spacing",
@@ -62,6 +64,21 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
         lines.extend(body(problem, &panels, number));
     }
     lines
+}
+
+/// The gas, and how warm its stream is where that is known.
+fn gas<const D: usize>(problem: &Problem<D>) -> String {
+    let stream = &problem.free_stream;
+    match &problem.gas {
+        Gas::Ideal(gas) => format!("gas: ideal, ratio of specific heats {}", gas.gamma),
+        Gas::Air(air) => {
+            let [least, most] = air.range();
+            format!(
+                "gas: {air}, {least} to {most} K; the stream has {:.2} K",
+                air.temperature(stream.density, stream.pressure)
+            )
+        }
+    }
 }
 
 /// A part of a side, or what is given beyond it: where it is and, at its middle and at the start, its state.

@@ -8,6 +8,7 @@ mod pockets;
 mod shock;
 mod sides;
 mod sound;
+mod warmth;
 
 use std::collections::BTreeSet;
 
@@ -65,6 +66,7 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
     };
     sides::look(problem, &panels, &mut found);
     sound::look(problem, &mut found);
+    warmth::look(problem, &mut found);
     layer::look(problem, &mut found);
     contact::look(problem, &mut found);
     pockets::look(problem, &mut found);

@@ -1,7 +1,6 @@
 //! Open sides that send sound back: those of particles whose stream is slower than sound.
 
 use aero_packer::{About, Warning};
-use aero_solver::gas::{Gas, IdealGas};
 use aero_solver::problem::{Problem, Side};
 
 use super::{Check, side_name};
@@ -12,8 +11,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
         return;
     }
     let stream = &problem.free_stream;
-    let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
-    let sound = (gamma * stream.pressure / stream.density).sqrt();
+    let sound = (problem.gas).sound_speed_at(stream.density, stream.pressure);
     if stream.velocity.norm() > sound {
         return;
     }

@@ -17,6 +17,7 @@ mod mms;
 mod mms_walls;
 mod nozzle;
 mod profiles;
+mod real_gas;
 mod report;
 mod row;
 pub mod scenes;
@@ -54,6 +55,7 @@ static CASES: [Case; 19] = [
     ("mms", &[&mms::Manufactured]),
     ("mms-walls", &[&mms_walls::Walls]),
     ("viscous", &[&viscous::Viscous]),
+    ("real-gas", &[&real_gas::RealGas]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),

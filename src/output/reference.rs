@@ -2,6 +2,7 @@
 
 use super::vtk_xml::Told;
 use crate::sample::{Scale, State};
+use aero_solver::gas::Gas;
 
 /// The undisturbed stream and the gas.
 #[derive(Clone, Debug, PartialEq)]
@@ -12,8 +13,8 @@ pub struct Reference {
     pub density: f64,
     /// Velocity of the free stream.
     pub velocity: [f64; 3],
-    /// Ratio of specific heats.
-    pub gamma: f64,
+    /// The gas.
+    pub gas: Gas,
     /// Specific gas constant, where the scene states or implies it.
     pub gas_constant: Option<f64>,
     /// Spacing of particles or of the lattice.
@@ -44,7 +45,10 @@ impl Reference {
             ("free_stream_pressure", vec![self.pressure]),
             ("free_stream_density", vec![self.density]),
             ("free_stream_velocity", self.velocity.to_vec()),
-            ("gamma", vec![self.gamma]),
+            (
+                "gamma",
+                vec![self.gas.ratio_at(self.density, self.pressure)],
+            ),
             ("spacing", vec![self.spacing]),
         ];
         for (k, name) in ["reference_area", "reference_length"]
@@ -72,7 +76,7 @@ impl Reference {
     pub fn scale(&self) -> Scale {
         let speed = self.velocity.iter().map(|u| u * u).sum::<f64>();
         Scale {
-            gamma: self.gamma,
+            gas: self.gas,
             gas_constant: self.gas_constant,
             stream: [self.pressure, self.density],
             dynamic_pressure: 0.5 * self.density * speed,

@@ -20,6 +20,7 @@ mod tally;
 mod to_folder;
 mod under_way;
 mod views;
+mod warmth;
 
 pub use burst::{Burst, burst};
 pub use claim::is_of;

@@ -17,7 +17,6 @@ use crate::output::{
     self, Background, BodyMotion, Collection, History, HistoryRow, Mirrors, OutputError, Reference,
 };
 use aero_solver::frame::Kind;
-use aero_solver::gas::{Gas, IdealGas};
 use aero_solver::{Flow, wall_sides};
 
 /// Sees a run at its frames and steps.
@@ -310,12 +309,11 @@ fn shown_time<const D: usize>(simulation: &Flow<D>) -> f64 {
 fn reference<const D: usize>(case: &Case<D>) -> Reference {
     let problem = &case.problem;
     let stream = &problem.free_stream;
-    let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
     Reference {
         pressure: stream.pressure,
         density: stream.density,
         velocity: std::array::from_fn(|k| stream.velocity.get(k).copied().unwrap_or(0.0)),
-        gamma,
+        gas: problem.gas,
         gas_constant: case.plan.gas_constant,
         spacing: problem.spacing,
         bodies: problem

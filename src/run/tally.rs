@@ -3,9 +3,9 @@
 use serde::{Deserialize, Serialize};
 
 use super::coefficients::Coefficients;
-use super::outlets;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
+use super::{outlets, warmth};
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
@@ -166,6 +166,7 @@ impl Tally {
         stop_reason: &str,
     ) -> Summary {
         let problem = simulation.problem();
+        let frame = simulation.frame();
         // What the summary itself costs is no part of the speed.
         let spent = self.spent();
         let statistics = simulation.statistics();
@@ -231,7 +232,8 @@ impl Tally {
                 .clone()
                 .unwrap_or_else(|| warnings(&problem.bodies))
                 .into_iter()
-                .chain(outlets::warnings(problem, &simulation.frame()))
+                .chain(outlets::warnings(problem, &frame))
+                .chain(warmth::warnings(problem, &frame))
                 .collect(),
         }
     }

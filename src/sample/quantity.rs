@@ -1,12 +1,13 @@
 //! What can be shown of the gas at a place.
 
 use super::gas::State;
+use aero_solver::gas::Gas;
 
 /// What it is measured by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// Ratio of specific heats.
-    pub gamma: f64,
+    /// The gas.
+    pub gas: Gas,
     /// Specific gas constant, where it is known.
     pub gas_constant: Option<f64>,
     /// Pressure and density of the free stream.
@@ -37,22 +38,24 @@ pub enum Quantity {
 }
 
 impl Scale {
-    /// Temperature, `p / (rho R)`, K, where the gas constant is known.
+    /// Temperature, K, where the gas constant is known: of an ideal gas `p / (rho R)`.
     pub fn temperature(&self, state: &State) -> Option<f64> {
+        self.gas_constant?;
         Some(finite(
-            state.pressure / (state.density * self.gas_constant?),
+            self.gas.temperature_at(state.density, state.pressure),
         ))
     }
 
-    /// Mach number, `|u| / sqrt(gamma p / rho)`.
+    /// Mach number.
     pub fn mach(&self, state: &State) -> f64 {
-        finite(size(&state.velocity) / (self.gamma * state.pressure / state.density).sqrt())
+        finite(size(&state.velocity) / self.gas.sound_speed_at(state.density, state.pressure))
     }
 
-    /// Entropy over that of the free stream, in heat capacities at constant volume: `ln((p / p_inf) (rho_inf / rho)^gamma)`.
+    /// Entropy over that of the free stream, in heat capacities at constant volume: of an ideal gas `ln((p / p_inf) (rho_inf / rho)^gamma)`.
     pub fn entropy(&self, state: &State) -> f64 {
         let [pressure, density] = self.stream;
-        finite((state.pressure / pressure).ln() - self.gamma * (state.density / density).ln())
+        let here = [state.density, state.pressure];
+        finite(self.gas.entropy_rise(here, [density, pressure]))
     }
 
     /// The number that `quantity` is at a place; none of a temperature that is not known.

@@ -21,7 +21,8 @@ use super::views::LatticeEntry;
 use super::viscosity::ViscosityEntry;
 use super::wall::BodyWallEntry;
 use super::words::{
-    ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName, StopWord, TimeWord,
+    EquationOfStateWord, ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName,
+    StopWord, TimeWord,
 };
 
 /// A whole scene.
@@ -68,7 +69,9 @@ pub struct SceneFile {
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GasEntry {
-    /// Ratio of specific heats; 1.4 unless given.
+    /// How pressure and temperature follow from density and energy; `ideal` unless given.
+    pub equation_of_state: Option<EquationOfStateWord>,
+    /// Ratio of specific heats; 1.4 unless given, of an ideal gas alone.
     pub gamma: Option<Gamma>,
     /// Specific gas constant in J/(kg K), which makes temperatures of pressures and densities; that of the free stream unless given.
     pub gas_constant: Option<Positive>,

@@ -5,19 +5,12 @@ use std::path::Path;
 use super::error::SceneError;
 use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::manufactured::Manufactured;
-use super::number::Gamma;
+use super::transport::equation_of_state;
 use super::vector::{AXES, vector_or_zero};
 use super::{earlier, field, stream};
 use crate::case::Stop;
+use aero_solver::gas::Gas;
 use aero_solver::problem::{Domain, Initial, Opening, Side, State};
-
-/// Ratio of specific heats of a diatomic gas.
-const DIATOMIC: f64 = 1.4;
-
-/// Ratio of specific heats of the scene.
-pub(super) fn gamma(file: &SceneFile) -> f64 {
-    file.gas.gamma.map_or(DIATOMIC, Gamma::get)
-}
 
 /// A free stream whose temperature goes with the gas constant of the scene, where it says none itself.
 pub(super) fn with_constant(file: &SceneFile, entry: &FreeStreamEntry) -> FreeStreamEntry {
@@ -36,7 +29,7 @@ pub(super) fn free_stream<const D: usize>(
     solution: Option<&Manufactured<D>>,
 ) -> Result<State<D>, SceneError> {
     if let Some(entry) = &file.free_stream {
-        return stream::state(&with_constant(file, entry), gamma(file));
+        return stream::state(&with_constant(file, entry), &equation_of_state(file));
     }
     if let Some(solution) = solution {
         return Ok(solution.state(&domain.bounds.min, 0.0));
@@ -74,7 +67,8 @@ pub(super) fn end_time<const D: usize>(
         (None, Stop::Steady) => {
             let size = domain.bounds.size();
             let velocity = &free_stream.velocity;
-            let sound = (gamma(file) * free_stream.pressure / free_stream.density).sqrt();
+            let gas = equation_of_state(file);
+            let sound = gas.sound_speed_at(free_stream.density, free_stream.pressure);
             let crossing = size.dot(&velocity.abs()) / velocity.norm_squared();
             let crossing = if crossing.is_finite() {
                 crossing
@@ -119,7 +113,7 @@ pub(super) fn check_inlets<const D: usize>(
 pub(super) fn check_reservoir<const D: usize>(
     domain: &Domain<D>,
     free_stream: &State<D>,
-    gamma: f64,
+    gas: &Gas,
 ) -> Result<(), SceneError> {
     let entrances = domain.sides.iter().flatten().filter(|side| side.lets_in());
     let entrances = entrances.count();
@@ -136,7 +130,7 @@ pub(super) fn check_reservoir<const D: usize>(
                 ));
             }
             let velocity = &free_stream.velocity;
-            let sound = (gamma * free_stream.pressure / free_stream.density).sqrt();
+            let sound = gas.sound_speed_at(free_stream.density, free_stream.pressure);
             let speed = inward * velocity[k];
             if speed < 0.0 || speed >= sound || velocity.norm() > speed * (1.0 + 1e-12) {
                 return Err(SceneError::value(
@@ -160,7 +154,8 @@ fn of_frame<const D: usize>(
 ) -> Result<Initial<D>, SceneError> {
     let turned = |section: &str, path: &Path, stream: Option<&FreeStreamEntry>| {
         let place = format!("{section}.stream");
-        let stream = stream.map(|entry| stream::state(&with_constant(file, entry), gamma(file)));
+        let stream = stream
+            .map(|entry| stream::state(&with_constant(file, entry), &equation_of_state(file)));
         let stream = stream.transpose();
         let stream = stream.map_err(|error| error.moved("free_stream", &place))?;
         let streams = stream.as_ref().map(|before| [before, free_stream]);

@@ -8,7 +8,7 @@ mod terms;
 use std::sync::Arc;
 
 use aero_geometry::Vector;
-use aero_solver::gas::{Gas, IdealGas};
+use aero_solver::gas::IdealGas;
 use aero_solver::problem::{Added, Field, Initial, Source, State};
 use num_dual::DualSVec64;
 
@@ -32,7 +32,7 @@ pub struct Manufactured<const D: usize> {
     pressure: TimedFormula,
     velocity: [TimedFormula; D],
     spacing: f64,
-    gas: Gas,
+    gas: IdealGas,
 }
 
 /// A state in any kind of number.
@@ -50,7 +50,7 @@ impl<const D: usize> Manufactured<D> {
     pub(super) fn new(
         entry: &ManufacturedEntry,
         spacing: f64,
-        gas: Gas,
+        gas: IdealGas,
     ) -> Result<Self, SceneError> {
         let velocity = entry.velocity.clone().try_into();
         let velocity = velocity.map_err(|given: Vec<TimedFormula>| {
@@ -83,7 +83,7 @@ impl<const D: usize> Manufactured<D> {
 
     /// What each term of the equations comes to there and then.
     pub fn terms(&self, position: &Vector<D>, time: f64) -> Terms<D> {
-        let Gas::Ideal(IdealGas { gamma, .. }) = self.gas;
+        let IdealGas { gamma, .. } = self.gas;
         let rubbed = self.rubbed(position, time);
         let variable = |value: f64, k: usize| DualSVec64::<VARIABLES>::from_re(value).derivative(k);
         let position = std::array::from_fn(|k| variable(at(position, k), k));
@@ -158,11 +158,11 @@ fn slope(value: &DualSVec64<VARIABLES>, k: usize) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use aero_solver::gas::{Transport, Viscosity};
+    use aero_solver::gas::{Gas, Transport, Viscosity};
 
     use super::*;
 
-    fn solution(gas: Gas) -> Manufactured<2> {
+    fn solution(gas: IdealGas) -> Manufactured<2> {
         let entry: ManufacturedEntry = toml::from_str(
             r#"density = "1 + 0.3 * sin(x + 2 * y - t)"
                pressure = "exp(0.2 * x) * (1 + t * y)"
@@ -186,7 +186,7 @@ mod tests {
     /// In conserved variables, from fluxes: what is checked is also that both forms of the equations agree.
     #[test]
     fn sources_are_what_the_conserved_equations_lack() {
-        let solution = solution(Gas::ideal(1.4));
+        let solution = solution(*Gas::ideal(1.4).ideal_gas().unwrap());
         let at = [0.4, -0.7, 0.3];
         let place = |[x, y, t]: [f64; 3]| (Vector::from([x, y]), t);
         // Mass, momentum and energy per volume, and their fluxes along x and y.
@@ -237,14 +237,14 @@ mod tests {
             temperature: 1.0,
             exponent: 0.8,
         };
-        let solution = solution(Gas::Ideal(IdealGas {
+        let solution = solution(IdealGas {
             gamma: 1.4,
             constant: 1.0,
             transport: Some(Transport {
                 viscosity: law,
                 prandtl: 0.6,
             }),
-        }));
+        });
         let at = [0.4, -0.7, 0.3];
         let heat = |[x, y, t]: [f64; 3]| {
             let state = solution.state(&Vector::from([x, y]), t);
@@ -290,7 +290,7 @@ mod tests {
                 "{found:?} {expected:?}"
             );
         }
-        let inviscid = super::tests::solution(Gas::ideal(1.4));
+        let inviscid = super::tests::solution(*Gas::ideal(1.4).ideal_gas().unwrap());
         assert_eq!(inviscid.terms(&position, time).rubbed, Rubbed::none());
     }
 }

@@ -222,7 +222,9 @@ impl Scene {
         let method = method::method(&file.scheme, stop)?;
         openings::open(file, &mut domain, &free_stream, method)?;
         flow::check_inlets(&domain, &free_stream)?;
-        flow::check_reservoir(&domain, &free_stream, flow::gamma(file))?;
+        let equation = transport::equation_of_state(file);
+        flow::check_reservoir(&domain, &free_stream, &equation)?;
+        transport::check_sides(&equation, &domain)?;
         axis::check(&domain, &free_stream)?;
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
         let initial = solution.as_ref().map_or(initial, Manufactured::initial);
@@ -307,7 +309,14 @@ impl Scene {
             Manufactured::new(
                 entry,
                 self.file.spacing.get(),
-                transport::gas(&self.file, &rest)?,
+                *transport::gas(&self.file, &rest)?
+                    .ideal_gas()
+                    .ok_or_else(|| {
+                        SceneError::value(
+                            "manufactured",
+                            "is a solution of an ideal gas; leave out gas.equation_of_state",
+                        )
+                    })?,
             )
         };
         entry.map(made).transpose()

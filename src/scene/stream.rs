@@ -7,6 +7,7 @@ use super::error::SceneError;
 use super::file::FreeStreamEntry;
 use super::number::{Positive, StreamAngle};
 use super::vector::vector;
+use aero_solver::gas::Gas;
 use aero_solver::problem::State;
 
 /// Specific gas constant of dry air, J/(kg K) (R* / M = 8.31446 / 0.0289652; Picard et al. 2008,
@@ -16,10 +17,10 @@ const AIR: f64 = 287.05;
 /// The undisturbed state.
 pub(super) fn state<const D: usize>(
     entry: &FreeStreamEntry,
-    gamma: f64,
+    gas: &Gas,
 ) -> Result<State<D>, SceneError> {
-    let (pressure, density) = at_rest(entry)?;
-    let sound_speed = (gamma * pressure / density).sqrt();
+    let (pressure, density) = at_rest(entry, gas)?;
+    let sound_speed = gas.sound_speed_at(density, pressure);
     let velocity = match (entry.mach, entry.speed, &entry.velocity) {
         (Some(mach), None, None) => direction(entry)? * (mach.get() * sound_speed),
         (None, Some(speed), None) => direction(entry)? * speed.get(),
@@ -58,8 +59,8 @@ pub(super) fn gas_constant(entry: &FreeStreamEntry) -> Option<f64> {
     of_air.or(entry.temperature.map(|_| given))
 }
 
-/// Pressure and density: of the atmosphere, or `p` and `rho` or `p / (R T)`.
-fn at_rest(entry: &FreeStreamEntry) -> Result<(f64, f64), SceneError> {
+/// Pressure and density: of the atmosphere, or `p` and `rho` or, of an ideal gas, `p / (R T)`.
+fn at_rest(entry: &FreeStreamEntry, gas: &Gas) -> Result<(f64, f64), SceneError> {
     if let Some(altitude) = entry.altitude {
         let others = [
             ("pressure", entry.pressure),
@@ -85,6 +86,9 @@ fn at_rest(entry: &FreeStreamEntry) -> Result<(f64, f64), SceneError> {
     match (entry.density, entry.temperature) {
         (Some(density), None) if entry.gas_constant.is_none() => Ok((pressure, density.get())),
         (None, Some(temperature)) => {
+            if let Gas::Air(air) = gas {
+                return Ok((pressure, air.density_at(pressure, temperature.get())));
+            }
             let gas_constant = entry.gas_constant.map_or(AIR, Positive::get);
             Ok((pressure, pressure / (gas_constant * temperature.get())))
         }
@@ -144,7 +148,7 @@ mod tests {
 
     fn stream<const D: usize>(text: &str) -> Result<State<D>, String> {
         let entry: FreeStreamEntry = toml::from_str(text).map_err(|error| error.to_string())?;
-        state::<D>(&entry, 1.4).map_err(|error| error.to_string())
+        state::<D>(&entry, &Gas::ideal(1.4)).map_err(|error| error.to_string())
     }
 
     #[test]

@@ -2,22 +2,51 @@
 
 use super::error::SceneError;
 use super::file::SceneFile;
-use super::number::Positive;
+use super::number::{Gamma, Positive};
+use super::vector::AXES;
 use super::viscosity::ViscosityEntry;
+use super::words::EquationOfStateWord;
 use super::{flow, stream};
-use aero_solver::gas::{Gas, IdealGas, Transport, Viscosity};
-use aero_solver::problem::State;
+use aero_solver::gas::{Air, Gas, IdealGas, Transport, Viscosity};
+use aero_solver::problem::{Domain, Side, State};
+
+/// Ratio of specific heats of a diatomic gas.
+const DIATOMIC: f64 = 1.4;
 
 /// Prandtl number of air about room temperature.
 const PRANDTL: f64 = 0.72;
 
-/// Specific gas constant, where the scene says one: its own, or the free stream's.
+/// Specific gas constant, where the scene says one: its own, or the free stream's; air that is named has one.
 pub(super) fn gas_constant(file: &SceneFile) -> Option<f64> {
+    if let Some(air) = air(file) {
+        return Some(air.gas_constant());
+    }
     let of_stream = file.free_stream.as_ref().and_then(|entry| {
         let entry = flow::with_constant(file, entry);
         stream::gas_constant(&entry)
     });
     of_stream.or(file.gas.gas_constant.map(Positive::get))
+}
+
+/// The air that the scene names.
+fn air(file: &SceneFile) -> Option<Air> {
+    file.gas
+        .equation_of_state
+        .and_then(EquationOfStateWord::air)
+}
+
+/// How pressure and temperature follow from density and energy: the gas, whether or not it is viscous.
+pub(super) fn equation_of_state(file: &SceneFile) -> Gas {
+    air(file).map_or_else(
+        || {
+            Gas::Ideal(IdealGas {
+                gamma: file.gas.gamma.map_or(DIATOMIC, Gamma::get),
+                constant: gas_constant(file).unwrap_or(1.0),
+                transport: None,
+            })
+        },
+        Gas::Air,
+    )
 }
 
 /// The gas of the scene.
@@ -26,12 +55,73 @@ pub(super) fn gas<const D: usize>(
     free_stream: &State<D>,
 ) -> Result<Gas, SceneError> {
     check_constant(file)?;
-    let constant = gas_constant(file);
-    Ok(Gas::Ideal(IdealGas {
-        gamma: flow::gamma(file),
-        constant: constant.unwrap_or(1.0),
-        transport: transport(file, free_stream, constant)?,
-    }))
+    match equation_of_state(file) {
+        Gas::Ideal(gas) => Ok(Gas::Ideal(IdealGas {
+            transport: transport(file, free_stream, gas_constant(file))?,
+            ..gas
+        })),
+        air @ Gas::Air(_) => {
+            check_air(file)?;
+            Ok(air)
+        }
+    }
+}
+
+/// Refuses what is said of an ideal gas where air is named.
+fn check_air(file: &SceneFile) -> Result<(), SceneError> {
+    let stream = file.free_stream.as_ref();
+    let own = [
+        ("gas.gamma", file.gas.gamma.is_some()),
+        ("gas.gas_constant", file.gas.gas_constant.is_some()),
+        (
+            "free_stream.gas_constant",
+            stream.is_some_and(|stream| stream.gas_constant.is_some()),
+        ),
+    ];
+    if let Some((key, _)) = own.into_iter().find(|(_, is_given)| *is_given) {
+        let message =
+            "follows from gas.equation_of_state, which names air; leave one of the two out";
+        return Err(SceneError::value(key, message));
+    }
+    let rubs = [
+        ("gas.viscosity", file.gas.viscosity.is_some()),
+        ("gas.prandtl", file.gas.prandtl.is_some()),
+    ];
+    match rubs.into_iter().find(|(_, is_given)| *is_given) {
+        None => Ok(()),
+        Some((key, _)) => Err(SceneError::value(
+            key,
+            "goes with gas.equation_of_state = \"ideal\"; take that, or leave viscosity out",
+        )),
+    }
+}
+
+/// Refuses sides that know what comes in or goes out slower than sound of an ideal gas alone, where the gas is another.
+pub(super) fn check_sides<const D: usize>(gas: &Gas, domain: &Domain<D>) -> Result<(), SceneError> {
+    if gas.ideal_gas().is_some() {
+        return Ok(());
+    }
+    let refused = domain
+        .each_side()
+        .map(|(axis, end, side, _)| (axis, end, side));
+    let openings = domain.openings.iter();
+    let openings = openings.map(|opening| (opening.axis, opening.end, opening.side));
+    for (axis, end, side) in refused.chain(openings) {
+        let mend = match side {
+            Side::SoftInlet => "inlet",
+            Side::Reservoir { .. } => "inlet` or `free-stream",
+            Side::HeldOutlet { .. } => "outlet",
+            _ => continue,
+        };
+        let place = format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end]);
+        return Err(SceneError::value(
+            place,
+            format!(
+                "rests on the waves of an ideal gas, which gas.equation_of_state does not name; use `{mend}`, or `ideal`"
+            ),
+        ));
+    }
+    Ok(())
 }
 
 /// Refuses a gas constant that is said twice.

@@ -4,6 +4,7 @@ use serde::Deserialize;
 
 use crate::case::{Pressure, Stop};
 use crate::sample::Quantity;
+use aero_solver::gas::Air;
 use aero_solver::method::Time;
 use aero_solver::scheme::{Extrapolation, Precision, Scheme};
 
@@ -51,6 +52,30 @@ impl From<StopWord> for Stop {
         match word {
             StopWord::EndTime => Self::EndTime,
             StopWord::Steady => Self::Steady,
+        }
+    }
+}
+
+/// How pressure and temperature follow from density and energy, as a scene spells it.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+#[serde(rename_all = "kebab-case")]
+pub enum EquationOfStateWord {
+    /// Constant specific heats.
+    #[default]
+    Ideal,
+    /// Air whose molecules vibrate as it gets hot.
+    ThermallyPerfectAir,
+    /// Air whose molecules come apart too, in chemical equilibrium.
+    EquilibriumAir,
+}
+
+impl EquationOfStateWord {
+    /// The air that it is, if it is one.
+    pub(super) fn air(self) -> Option<Air> {
+        match self {
+            Self::Ideal => None,
+            Self::ThermallyPerfectAir => Some(Air::ThermallyPerfect),
+            Self::EquilibriumAir => Some(Air::Equilibrium),
         }
     }
 }

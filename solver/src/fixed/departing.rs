@@ -34,5 +34,6 @@ pub fn braked<G: Gas, const D: usize>(
 ) -> f64 {
     let impedance = cell.density * gas.sound_square(cell.density, cell.pressure).sqrt();
     let heat = rubbed.energy - dot(&cell.velocity, &rubbed.momentum);
-    gas.pressure_change(0.0, heat) / impedance - dot(&rubbed.momentum, normal) / cell.density
+    gas.pressure_change(cell.density, cell.pressure, [0.0, heat]) / impedance
+        - dot(&rubbed.momentum, normal) / cell.density
 }

@@ -9,15 +9,12 @@ use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
 use super::hll::Jump;
 use super::net::{Block, Face, Net};
-use super::real::{Lane, Real};
+use super::real::{Lane, MAX_LANES, Real};
 use super::reconstruction::{Neighbours, moved, rise};
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot, scaled};
 use super::viscous::{Rubbing, WallShare};
 use super::walls::push;
-
-/// Most lanes of any processor.
-const MAX_LANES: usize = 8;
 
 /// States and slopes of all cells.
 #[derive(Clone, Copy, Debug)]
@@ -65,6 +62,22 @@ pub struct Exchange<'a, G, const D: usize> {
     pub rubbing: Option<Rubbing<'a, D>>,
     /// What each wall of the block does to viscous gas.
     pub shares: &'a mut [WallShare<D>],
+}
+
+impl<'a, G, const D: usize> Exchange<'a, G, D> {
+    /// The same of another gas.
+    pub fn of<H>(self, gas: &'a H) -> Exchange<'a, H, D> {
+        Exchange {
+            gas,
+            net: self.net,
+            energy: self.energy,
+            block: self.block,
+            flow: self.flow,
+            pressures: self.pressures,
+            rubbing: self.rubbing,
+            shares: self.shares,
+        }
+    }
 }
 
 impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {

@@ -1,6 +1,7 @@
-//! What gas it is: all that the flow asks of it. The ideal gas is the one there is.
+//! What gas it is: all that the flow asks of it.
 
 use super::real::Real;
+use crate::gas::Air;
 
 /// An equation of state, between density, pressure and internal energy per volume, `rho e`.
 pub trait Gas: Copy + Send + Sync {
@@ -13,8 +14,8 @@ pub trait Gas: Copy + Send + Sync {
     /// Square of the speed of sound.
     fn sound_square<R: Real>(&self, density: R, pressure: R) -> R;
 
-    /// Change of the pressure with those of density and internal energy per volume, to first order.
-    fn pressure_change(&self, density: f64, internal_energy: f64) -> f64;
+    /// Change of the pressure, of gas of this density and pressure, with those of density and internal energy per volume, to first order.
+    fn pressure_change(&self, density: f64, pressure: f64, change: [f64; 2]) -> f64;
 
     /// Pressure on a wall at rest that gas of this density and pressure moves into at `speed`, or away from where it is
     /// negative: the Riemann problem between the gas and its mirror image.
@@ -29,16 +30,114 @@ pub struct IdealGas {
 }
 
 impl IdealGas {
-    /// The gas of a problem.
-    pub fn of(gas: &crate::gas::Gas) -> Self {
-        match gas {
-            crate::gas::Gas::Ideal(gas) => Self { gamma: gas.gamma },
-        }
-    }
-
     /// Ratio of the specific heats, less one: what makes pressure of energy.
     pub fn heat(self) -> f64 {
         self.gamma - 1.0
+    }
+}
+
+/// The gas of a problem.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub enum AnyGas {
+    /// An ideal one.
+    Ideal(IdealGas),
+    /// Air as it gets hot.
+    Air(Air),
+}
+
+impl AnyGas {
+    /// That of a problem.
+    pub fn of(gas: &crate::gas::Gas) -> Self {
+        match gas {
+            crate::gas::Gas::Ideal(gas) => Self::Ideal(IdealGas { gamma: gas.gamma }),
+            crate::gas::Gas::Air(air) => Self::Air(*air),
+        }
+    }
+
+    /// What tells the least energy per mass of many: that of gas with this `p / rho`, times [`Self::unit_energy`].
+    #[inline(always)]
+    pub fn energy_measure(&self, heat: f64, energy: impl Fn() -> f64) -> f64 {
+        match self {
+            Self::Ideal(_) => heat,
+            Self::Air(_) => energy(),
+        }
+    }
+
+    /// The measure of a specific internal energy of one.
+    pub fn unit_energy(&self) -> f64 {
+        match self {
+            Self::Ideal(gas) => gas.heat(),
+            Self::Air(_) => 1.0,
+        }
+    }
+}
+
+/// What of a gas each of the two answers.
+macro_rules! either {
+    ($self:ident, $gas:ident => $answer:expr) => {
+        match $self {
+            AnyGas::Ideal($gas) => $answer,
+            AnyGas::Air($gas) => $answer,
+        }
+    };
+}
+
+impl Gas for AnyGas {
+    #[inline(always)]
+    fn internal_energy<R: Real>(&self, density: R, pressure: R) -> R {
+        either!(self, gas => Gas::internal_energy(gas, density, pressure))
+    }
+
+    #[inline(always)]
+    fn pressure<R: Real>(&self, density: R, internal_energy: R) -> R {
+        either!(self, gas => Gas::pressure(gas, density, internal_energy))
+    }
+
+    #[inline(always)]
+    fn sound_square<R: Real>(&self, density: R, pressure: R) -> R {
+        either!(self, gas => Gas::sound_square(gas, density, pressure))
+    }
+
+    #[inline(always)]
+    fn pressure_change(&self, density: f64, pressure: f64, change: [f64; 2]) -> f64 {
+        either!(self, gas => Gas::pressure_change(gas, density, pressure, change))
+    }
+
+    #[inline(always)]
+    fn wall_pressure(&self, density: f64, pressure: f64, speed: f64) -> f64 {
+        either!(self, gas => Gas::wall_pressure(gas, density, pressure, speed))
+    }
+}
+
+/// Lane by lane: what air is made of is no formula.
+impl Gas for Air {
+    #[inline(always)]
+    fn internal_energy<R: Real>(&self, density: R, pressure: R) -> R {
+        density.each(pressure, |density, pressure| {
+            density * self.energy(density, pressure)
+        })
+    }
+
+    #[inline(always)]
+    fn pressure<R: Real>(&self, density: R, internal_energy: R) -> R {
+        density.each(internal_energy, |density, energy| {
+            Self::pressure(*self, density, energy / density)
+        })
+    }
+
+    #[inline(always)]
+    fn sound_square<R: Real>(&self, density: R, pressure: R) -> R {
+        density.each(pressure, |density, pressure| {
+            Self::sound_square(*self, density, pressure)
+        })
+    }
+
+    fn pressure_change(&self, density: f64, pressure: f64, change: [f64; 2]) -> f64 {
+        Self::pressure_change(*self, density, pressure, change)
+    }
+
+    fn wall_pressure(&self, density: f64, pressure: f64, speed: f64) -> f64 {
+        Self::wall_pressure(*self, density, pressure, speed)
     }
 }
 
@@ -59,7 +158,7 @@ impl Gas for IdealGas {
     }
 
     #[inline(always)]
-    fn pressure_change(&self, _: f64, internal_energy: f64) -> f64 {
+    fn pressure_change(&self, _: f64, _: f64, [_, internal_energy]: [f64; 2]) -> f64 {
         internal_energy * (self.gamma - 1.0)
     }
 

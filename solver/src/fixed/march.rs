@@ -8,7 +8,7 @@ use rayon::prelude::*;
 
 use super::FixedSimulation;
 use super::columns::Columns;
-use super::gas::IdealGas;
+use super::gas::AnyGas;
 use super::net::BLOCK;
 use super::state::{Conserved, Primitive};
 use crate::Failure;
@@ -193,11 +193,7 @@ impl<const D: usize> FixedSimulation<D> {
 }
 
 /// What is added to gas in `state`, per volume: `S`, `rho a + u S` and `rho (q + u.a) + (e + u^2 / 2) S`.
-fn per_volume<const D: usize>(
-    added: &Added<D>,
-    state: &Primitive<D>,
-    gas: IdealGas,
-) -> Conserved<D> {
+fn per_volume<const D: usize>(added: &Added<D>, state: &Primitive<D>, gas: AnyGas) -> Conserved<D> {
     let velocity = Vector::from(state.velocity);
     let energy = state.conserved(&gas).energy / state.density;
     let work = velocity.dot(&added.acceleration);

@@ -86,7 +86,7 @@ use crate::scheme::Precision;
 use crate::vectors::Arch;
 use crate::walls::wall_sides;
 use columns::Columns;
-use gas::IdealGas;
+use gas::AnyGas;
 use given::{GivenFace, beyond_faces, given_faces};
 use ground::Ground;
 use net::Net;
@@ -100,7 +100,7 @@ use viscous::Viscous;
 #[derive(Debug)]
 pub struct FixedSimulation<const D: usize> {
     problem: Problem<D>,
-    gas: IdealGas,
+    gas: AnyGas,
     /// Its viscosity, if it has one.
     viscous: Option<Viscous>,
     arch: pulp::Arch,
@@ -181,7 +181,7 @@ impl<const D: usize> FixedSimulation<D> {
         }
         let net = Self::net(&cells, &problem)?;
         let given = given_faces(&problem, &cells, &net);
-        let gas = IdealGas::of(&problem.gas);
+        let gas = AnyGas::of(&problem.gas);
         let held = states.iter().map(|state| state.conserved(&gas)).collect();
         let mut simulation = Self {
             arch: Arch::of_processor(Precision::Double)?.instructions,

@@ -6,11 +6,12 @@ use super::FixedSimulation;
 use super::columns::Columns;
 use super::energy::EnergyFlux;
 use super::fluxes::{Exchange, Flow, Gains};
+use super::gas::AnyGas;
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
 use super::slopes::Slopes;
-use super::state::{Conserved, Primitive};
+use super::state::{Conserved, Primitive, dot};
 use super::viscous::Rubbing;
 
 /// Cells of a block.
@@ -154,7 +155,7 @@ impl<const D: usize> FixedSimulation<D> {
                 if !quiet.is_awake {
                     return quiet.boundary;
                 }
-                let gains = arch.dispatch(Exchange {
+                let exchange = Exchange {
                     gas: &*gas,
                     net: &*net,
                     energy,
@@ -163,7 +164,11 @@ impl<const D: usize> FixedSimulation<D> {
                     pressures: pressures.as_mut_slice(),
                     rubbing,
                     shares,
-                });
+                };
+                let gains = match &*gas {
+                    AnyGas::Ideal(gas) => arch.dispatch(exchange.of(gas)),
+                    AnyGas::Air(gas) => arch.dispatch(exchange.of(gas)),
+                };
                 let boundary = gains.boundary;
                 let start = block.cells.start;
                 apply(
@@ -210,7 +215,9 @@ impl<const D: usize> FixedSimulation<D> {
                         found.bad.push((block * BLOCK + k) as u32);
                     }
                     found.min_density = found.min_density.min(state.density);
-                    let energy = state.pressure / state.density;
+                    let energy = gas.energy_measure(state.pressure / state.density, || {
+                        held.energy / held.mass - 0.5 * dot(&state.velocity, &state.velocity)
+                    });
                     found.min_energy = found.min_energy.min(energy);
                 }
                 quiet.is_quiet = stream.as_ref().is_some_and(|stream| stream.is_in(states));
@@ -223,7 +230,7 @@ impl<const D: usize> FixedSimulation<D> {
         }
         for found in found {
             self.tally.min_density = self.tally.min_density.min(found.min_density);
-            let energy = found.min_energy / self.gas.heat();
+            let energy = found.min_energy / self.gas.unit_energy();
             self.tally.min_energy = self.tally.min_energy.min(energy);
         }
         Ok(())

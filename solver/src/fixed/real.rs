@@ -7,6 +7,9 @@ use std::ops::{Add, Div, Mul, Neg, Sub};
 
 use pulp::Simd;
 
+/// Most lanes of any processor.
+pub const MAX_LANES: usize = 8;
+
 /// A real number, or one per lane.
 pub trait Real:
     Copy
@@ -29,6 +32,8 @@ pub trait Real:
     fn max(self, other: Self) -> Self;
     /// `positive` where this number is above zero, `other` elsewhere and where it is none.
     fn select(self, positive: Self, other: Self) -> Self;
+    /// What `value` makes of this number and another, lane by lane: of what is no formula.
+    fn each(self, other: Self, value: impl Fn(f64, f64) -> f64) -> Self;
 }
 
 impl Real for f64 {
@@ -55,6 +60,11 @@ impl Real for f64 {
     #[inline(always)]
     fn select(self, positive: Self, other: Self) -> Self {
         if self > 0.0 { positive } else { other }
+    }
+
+    #[inline(always)]
+    fn each(self, other: Self, value: impl Fn(f64, f64) -> f64) -> Self {
+        value(self, other)
     }
 }
 
@@ -134,5 +144,16 @@ impl<S: Simd> Real for Lane<S> {
         let zero = self.0.splat_f64s(0.0);
         let is_positive = self.0.greater_than_f64s(self.1, zero);
         Self(self.0, self.0.select_f64s(is_positive, positive.1, other.1))
+    }
+
+    #[inline(always)]
+    fn each(self, other: Self, value: impl Fn(f64, f64) -> f64) -> Self {
+        let (mut own, mut others) = ([0.0; MAX_LANES], [0.0; MAX_LANES]);
+        S::as_mut_simd_f64s(&mut own).0[0] = self.1;
+        S::as_mut_simd_f64s(&mut others).0[0] = other.1;
+        for (own, other) in own.iter_mut().zip(&others).take(S::F64_LANES) {
+            *own = value(*own, *other);
+        }
+        Self(self.0, S::as_simd_f64s(&own).0[0])
     }
 }

@@ -134,7 +134,11 @@ impl<const D: usize> Primitive<D> {
         let faster = (mass - speed * change.mass) / self.density;
         let kinetic = dot(&self.velocity, &change.momentum)
             - 0.5 * dot(&self.velocity, &self.velocity) * change.mass;
-        let pressure = gas.pressure_change(change.mass, change.energy - kinetic);
+        let pressure = gas.pressure_change(
+            self.density,
+            self.pressure,
+            [change.mass, change.energy - kinetic],
+        );
         let mut momentum = change.momentum;
         for k in 0..D {
             momentum[k] = change.momentum[k] * speed

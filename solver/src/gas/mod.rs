@@ -1,12 +1,11 @@
 //! The gas: its equation of state and its transport coefficients. Nothing else in the solver knows either.
 //!
-//! A state is a density `rho` and a specific internal energy `e`, in numbers or in one number per lane
-//! ([`aero_geometry::Real`]); pressure, temperature and speed of sound follow from both.
+//! A state is a density `rho` and a specific internal energy `e`; pressure, temperature and speed of sound follow from both.
 
+mod air;
 mod transport;
 
-use aero_geometry::Real;
-
+pub use air::Air;
 pub use transport::{Transport, TransportCoefficients, Viscosity};
 
 /// A gas.
@@ -14,6 +13,8 @@ pub use transport::{Transport, TransportCoefficients, Viscosity};
 pub enum Gas {
     /// An ideal gas of constant specific heats.
     Ideal(IdealGas),
+    /// Air as it gets hot, without viscosity.
+    Air(Air),
 }
 
 /// `p = (gamma - 1) rho e = rho R T`.
@@ -37,61 +38,129 @@ impl Gas {
         })
     }
 
+    /// The ideal gas that it is; none of another.
+    pub const fn ideal_gas(&self) -> Option<&IdealGas> {
+        match self {
+            Self::Ideal(gas) => Some(gas),
+            Self::Air(_) => None,
+        }
+    }
+
     /// Pressure `p(rho, e)`.
     #[inline(always)]
-    pub fn pressure<R: Real>(&self, density: R, energy: R) -> R {
+    pub fn pressure(&self, density: f64, energy: f64) -> f64 {
         match self {
-            Self::Ideal(gas) => density.constant(gas.heat()) * density * energy,
+            Self::Ideal(gas) => gas.heat() * density * energy,
+            Self::Air(air) => air.pressure(density, energy),
         }
     }
 
     /// `p / rho` at `rho` and `e`: the heat of compression per rate of relative change of volume.
     #[inline(always)]
-    pub fn pressure_over_density<R: Real>(&self, _density: R, energy: R) -> R {
+    pub fn pressure_over_density(&self, density: f64, energy: f64) -> f64 {
         match self {
-            Self::Ideal(gas) => energy.constant(gas.heat()) * energy,
+            Self::Ideal(gas) => gas.heat() * energy,
+            Self::Air(air) => air.pressure_over_density(density, energy),
         }
     }
 
     /// Temperature `T(rho, e)`.
     #[inline(always)]
-    pub fn temperature<R: Real>(&self, density: R, energy: R) -> R {
+    pub fn temperature(&self, density: f64, energy: f64) -> f64 {
         match self {
-            Self::Ideal(gas) => {
-                self.pressure_over_density(density, energy) / energy.constant(gas.constant)
-            }
+            Self::Ideal(gas) => self.pressure_over_density(density, energy) / gas.constant,
+            Self::Air(air) => air.temperature(density, air.pressure(density, energy)),
+        }
+    }
+
+    /// Temperature at a density and a pressure.
+    pub fn temperature_at(&self, density: f64, pressure: f64) -> f64 {
+        match self {
+            Self::Ideal(gas) => pressure / (density * gas.constant),
+            Self::Air(air) => air.temperature(density, pressure),
         }
     }
 
     /// Speed of sound `c(rho, e)`.
     #[inline(always)]
-    pub fn sound_speed<R: Real>(&self, _density: R, energy: R) -> R {
+    pub fn sound_speed(&self, density: f64, energy: f64) -> f64 {
         match self {
-            Self::Ideal(gas) => (energy.constant(gas.gamma * gas.heat()) * energy).root(),
+            Self::Ideal(gas) => (gas.gamma * gas.heat() * energy).sqrt(),
+            Self::Air(air) => air
+                .sound_square(density, air.pressure(density, energy))
+                .sqrt(),
         }
     }
 
     /// Speed of sound at a density and a pressure.
     #[inline(always)]
-    pub fn sound_speed_at<R: Real>(&self, density: R, pressure: R) -> R {
+    pub fn sound_speed_at(&self, density: f64, pressure: f64) -> f64 {
         match self {
-            Self::Ideal(gas) => (density.constant(gas.gamma) * pressure / density).root(),
+            Self::Ideal(gas) => (gas.gamma * pressure / density).sqrt(),
+            Self::Air(air) => air.sound_square(density, pressure).sqrt(),
+        }
+    }
+
+    /// Square of the speed of sound over that of [`Self::unit_sound`]: of an ideal gas, its energy.
+    #[inline(always)]
+    pub fn sound_measure(&self, density: f64, energy: f64) -> f64 {
+        match self {
+            Self::Ideal(_) => energy,
+            Self::Air(air) => air.sound_square(density, air.pressure(density, energy)),
+        }
+    }
+
+    /// Speed of sound where [`Self::sound_measure`] is one.
+    #[inline(always)]
+    pub fn unit_sound(&self) -> f64 {
+        match self {
+            Self::Ideal(_) => self.sound_speed(1.0, 1.0),
+            Self::Air(_) => 1.0,
+        }
+    }
+
+    /// `rho c^2 / p` in a state: of an ideal gas, the ratio of its specific heats.
+    pub fn ratio_at(&self, density: f64, pressure: f64) -> f64 {
+        match self {
+            Self::Ideal(gas) => gas.gamma,
+            Self::Air(air) => air.sound_square(density, pressure) * density / pressure,
+        }
+    }
+
+    /// Enthalpy `e + p / rho` at a density and a pressure.
+    pub fn enthalpy(&self, density: f64, pressure: f64) -> f64 {
+        match self {
+            Self::Ideal(gas) => gas.gamma / gas.heat() * pressure / density,
+            Self::Air(air) => air.energy(density, pressure) + pressure / density,
+        }
+    }
+
+    /// Entropy at a density and a pressure over that at others, in heat capacities at constant volume there.
+    pub fn entropy_rise(&self, [density, pressure]: [f64; 2], from: [f64; 2]) -> f64 {
+        match self {
+            Self::Ideal(gas) => (pressure / from[1]).ln() - gas.gamma * (density / from[0]).ln(),
+            Self::Air(air) => {
+                let capacity = air.heat_capacity_at_volume(from[0], air.energy(from[0], from[1]));
+                (air.entropy(density, pressure) - air.entropy(from[0], from[1])) / capacity
+            }
         }
     }
 
     /// Specific internal energy at a density and a pressure.
     #[inline(always)]
-    pub fn energy<R: Real>(&self, density: R, pressure: R) -> R {
+    pub fn energy(&self, density: f64, pressure: f64) -> f64 {
         match self {
-            Self::Ideal(gas) => pressure / (density.constant(gas.heat()) * density),
+            Self::Ideal(gas) => pressure / (gas.heat() * density),
+            Self::Air(air) => air.energy(density, pressure),
         }
     }
 
     /// Density at a pressure and a specific internal energy.
     #[inline(always)]
-    pub fn density<R: Real>(&self, pressure: R, energy: R) -> R {
+    pub fn density(&self, pressure: f64, energy: f64) -> f64 {
         match self {
-            Self::Ideal(gas) => pressure / (pressure.constant(gas.heat()) * energy),
+            Self::Ideal(gas) => pressure / (gas.heat() * energy),
+            Self::Air(air) => air.density(pressure, energy),
         }
     }
 
@@ -99,6 +168,10 @@ impl Gas {
     pub fn isentropic_energy(&self, energy: f64, before: f64, pressure: f64) -> f64 {
         match self {
             Self::Ideal(gas) => energy * (pressure / before).powf(gas.heat() / gas.gamma),
+            Self::Air(air) => {
+                let density = air.density(before, energy);
+                air.energy(air.isentropic_density(density, before, pressure), pressure)
+            }
         }
     }
 
@@ -107,6 +180,7 @@ impl Gas {
     pub const fn transport(&self) -> Option<&Transport> {
         match self {
             Self::Ideal(gas) => gas.transport.as_ref(),
+            Self::Air(_) => None,
         }
     }
 
@@ -116,30 +190,36 @@ impl Gas {
         self.transport().is_some()
     }
 
-    /// Heat capacity `c_p` at constant pressure, J/(kg K).
-    pub fn heat_capacity(&self) -> f64 {
+    /// Heat capacity `c_p` at constant pressure of gas in a state, J/(kg K).
+    pub fn heat_capacity(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.gamma * gas.constant / gas.heat(),
+            Self::Air(air) => air.heat_capacity(density, energy),
         }
     }
 
-    /// Heat capacity `c_v` at constant volume, J/(kg K).
-    pub fn heat_capacity_at_volume(&self) -> f64 {
+    /// Heat capacity `c_v` at constant volume of gas in a state, J/(kg K).
+    pub fn heat_capacity_at_volume(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.constant / gas.heat(),
+            Self::Air(air) => air.heat_capacity_at_volume(density, energy),
         }
     }
 
-    /// Specific internal energy at a temperature.
-    pub fn energy_at(&self, temperature: f64) -> f64 {
-        self.heat_capacity_at_volume() * temperature
+    /// Specific internal energy at a density and a temperature.
+    pub fn energy_at(&self, density: f64, temperature: f64) -> f64 {
+        match self {
+            Self::Ideal(gas) => gas.constant / gas.heat() * temperature,
+            Self::Air(air) => air.energy_at(density, temperature),
+        }
     }
 
     /// Viscosity and conductivity at `rho` and `e`; none where the equations are Euler's.
     pub fn coefficients(&self, density: f64, energy: f64) -> TransportCoefficients {
         self.transport()
             .map_or_else(TransportCoefficients::default, |transport| {
-                transport.at(self.temperature(density, energy), self.heat_capacity())
+                let heat_capacity = self.heat_capacity(density, energy);
+                transport.at(self.temperature(density, energy), heat_capacity)
             })
     }
 }

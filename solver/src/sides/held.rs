@@ -16,7 +16,6 @@ use super::particle::OpenParticle;
 use super::plenum::Plenum;
 use super::upstream::Upstream;
 use super::waves::{Along, Waves};
-use crate::gas::{Gas, IdealGas};
 use crate::particles::Particle;
 use crate::problem::{Given, Problem, State};
 
@@ -41,12 +40,12 @@ impl Held {
         pressure: f64,
         relaxation: f64,
     ) -> Self {
-        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        let stream = &problem.free_stream;
         Self {
             place,
             pressure,
             strength: relaxation / problem.domain.bounds.size()[place.axis],
-            gamma,
+            gamma: problem.gas.ratio_at(stream.density, stream.pressure),
             plenum: Plenum::of_stream(problem).at(pressure),
         }
     }

@@ -6,7 +6,6 @@ use aero_geometry::Vector;
 
 use super::model::{OpenModel, Place};
 use super::waves::{Along, Waves, inwards, outgoing};
-use crate::gas::{Gas, IdealGas};
 use crate::particles::Particle;
 use crate::problem::{Given, Problem, State};
 
@@ -68,10 +67,10 @@ pub struct SoftInlet<const D: usize> {
 impl<const D: usize> SoftInlet<D> {
     /// The one of `problem` at `place`.
     pub fn new(problem: &Problem<D>, place: Place, given: Option<&Given<D>>) -> Self {
-        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        let stream = &problem.free_stream;
         Self {
             place,
-            gamma,
+            gamma: problem.gas.ratio_at(stream.density, stream.pressure),
             middle: place.middle(&problem.domain),
             given: given.cloned(),
         }

@@ -2,7 +2,6 @@
 //! that state two come from the gas at rest and one, an acoustic wave on its way out, from the flow inside.
 
 use super::waves::Along;
-use crate::gas::{Gas, IdealGas};
 use crate::problem::Problem;
 
 /// Gas at rest.
@@ -19,7 +18,7 @@ impl Plenum {
     /// At the stagnation state of the free stream of `problem`.
     pub fn of_stream<const D: usize>(problem: &Problem<D>) -> Self {
         let gas = &problem.free_stream;
-        let Gas::Ideal(IdealGas { gamma, .. }) = problem.gas;
+        let gamma = problem.gas.ratio_at(gas.density, gas.pressure);
         let heat = gamma - 1.0;
         let sound_square = gamma * gas.pressure / gas.density;
         // NACA Report 1135 (1953), eqs 43 and 44.

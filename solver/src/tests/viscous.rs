@@ -153,7 +153,9 @@ fn heat_that_walls_give_is_booked() {
 fn steps_of_thick_gas_are_as_short_as_diffusion_asks() {
     let held = [WallHeat::Temperature(1.0); 2];
     let mut problem = couette(12, Extrapolation::Wom, held, |_| 1.0);
-    let Gas::Ideal(gas) = &mut problem.gas;
+    let Gas::Ideal(gas) = &mut problem.gas else {
+        unreachable!("it flows as an ideal gas")
+    };
     gas.transport = Some(Transport {
         viscosity: Viscosity::Constant(5.0),
         prandtl: PRANDTL,

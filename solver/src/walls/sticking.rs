@@ -42,7 +42,7 @@ pub fn energy<const D: usize>(
     match heat {
         WallHeat::Adiabatic => gas.energy,
         WallHeat::Temperature(temperature) => {
-            let wall = law.energy_at(temperature);
+            let wall = law.energy_at(law.density(gas.pressure, gas.energy), temperature);
             let beyond = wall - (gas.energy - wall) * stretch(ghost, arm);
             beyond.max(LEAST_ENERGY * wall.min(gas.energy))
         }
@@ -84,6 +84,7 @@ pub fn beyond<const D: usize>(
 
 /// Slope of the specific internal energy along the normal where this `flux` of heat goes from the wall into gas of a state.
 fn slope(pressure: f64, energy: f64, flux: f64, law: &Gas) -> f64 {
-    let coefficients = law.coefficients(law.density(pressure, energy), energy);
-    -flux * law.heat_capacity_at_volume() / coefficients.conductivity
+    let density = law.density(pressure, energy);
+    let coefficients = law.coefficients(density, energy);
+    -flux * law.heat_capacity_at_volume(density, energy) / coefficients.conductivity
 }

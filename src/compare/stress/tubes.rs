@@ -8,7 +8,6 @@ use aero_validation::exact::{ExactError, State};
 use aero_validation::reference;
 
 use aero::case::Case;
-use aero_solver::gas::Gas;
 use aero_solver::problem;
 use aero_solver::problem::{Initial, Side};
 
@@ -150,8 +149,8 @@ fn riemann(case: &Case<1>) -> Result<Profile, ExactError> {
 
 /// Ratio of specific heats of the scene's gas.
 pub(super) fn gamma(case: &Case<1>) -> f64 {
-    let Gas::Ideal(gas) = case.problem.gas;
-    gas.gamma
+    let stream = &case.problem.free_stream;
+    case.problem.gas.ratio_at(stream.density, stream.pressure)
 }
 
 /// The scene's gas on the left of 0.5, nothing on the right.

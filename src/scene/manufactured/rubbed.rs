@@ -1,7 +1,7 @@
 //! What viscosity and heat conduction do to a manufactured solution.
 
 use aero_geometry::Vector;
-use aero_solver::gas::{Gas, IdealGas};
+use aero_solver::gas::IdealGas;
 use nalgebra::{Matrix3, Vector3};
 use num_dual::hessian;
 
@@ -12,11 +12,11 @@ impl<const D: usize> Manufactured<D> {
     /// `mu (lap u + grad div u / 3) + (grad u + grad u^T - 2/3 div u) grad mu`, `tau : grad u` and `div (k grad T)` per mass there and then;
     /// nothing of gas without viscosity.
     pub(super) fn rubbed(&self, position: &Vector<D>, time: f64) -> Rubbed<D> {
-        let Gas::Ideal(IdealGas {
+        let IdealGas {
             gamma,
             constant,
             transport,
-        }) = self.gas;
+        } = self.gas;
         let Some(transport) = transport else {
             return Rubbed::none();
         };

@@ -10,6 +10,7 @@ pub mod billig;
 pub mod cone;
 pub mod couette;
 pub mod flat_plate;
+pub mod hot_air;
 pub mod isentropic;
 pub mod newtonian;
 pub mod noh;

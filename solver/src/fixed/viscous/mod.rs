@@ -11,7 +11,7 @@ use super::cells::RADIAL;
 use super::net::Net;
 use super::slopes::Slopes;
 use super::state::{Primitive, dot};
-use crate::gas::{Gas, IdealGas, Transport};
+use crate::gas::{Gas, Transport};
 use aero_geometry::Vector;
 
 pub use boundaries::WallShare;
@@ -29,15 +29,11 @@ pub struct Viscous {
 impl Viscous {
     /// Those of `gas`; none of one without.
     pub fn of(gas: &Gas) -> Option<Self> {
-        let Gas::Ideal(IdealGas {
-            gamma,
-            constant,
+        let gas = gas.ideal_gas()?;
+        gas.transport.map(|transport| Self {
             transport,
-        }) = *gas;
-        transport.map(|transport| Self {
-            transport,
-            gamma,
-            constant,
+            gamma: gas.gamma,
+            constant: gas.constant,
         })
     }
 

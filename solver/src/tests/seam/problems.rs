@@ -69,7 +69,9 @@ impl Setup {
         scheme.limit_conduction(self.limits_conduction);
         scheme.skip_undisturbed = false;
         if self.viscous {
-            let Gas::Ideal(gas) = &mut problem.gas;
+            let Gas::Ideal(gas) = &mut problem.gas else {
+                unreachable!("these problems are of an ideal gas")
+            };
             gas.transport = Some(gas::Transport {
                 viscosity: gas::Viscosity::Power {
                     viscosity: VISCOUS.viscosity,

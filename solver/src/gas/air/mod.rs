@@ -1,0 +1,337 @@
+//! Air beyond the ideal gas: molecules that vibrate, come apart and lose electrons as it gets hot.
+//!
+//! All of it is said by the ratio `b = e rho / p` as a function of `ln rho` and `ln(p / rho)`, which a gas of constant specific heats has
+//! at `1 / (gamma - 1)`. Where entropy is constant, `de = p / rho d ln rho`, so that `p / rho` grows as `rho^g` with
+//! `g = (1 - db/d ln rho) / (b + db/d ln(p / rho))`, and `c^2 = (1 + g) p / rho`.
+
+mod coefficients;
+mod equilibrium;
+mod mixture;
+mod species;
+mod spline;
+mod table;
+#[cfg(test)]
+mod tests;
+mod thermally_perfect;
+
+use std::fmt;
+
+/// Air that is not a gas of constant specific heats.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Air {
+    /// Molecules vibrate, and stay what they are.
+    ThermallyPerfect,
+    /// Chemical equilibrium at each moment.
+    Equilibrium,
+}
+
+/// A ratio of what the gas has to `p / rho`, and what it changes by with relative changes of the density and of `p / rho`.
+#[derive(Clone, Copy, Debug)]
+struct Ratio {
+    value: f64,
+    by_density: f64,
+    by_heat: f64,
+}
+
+impl Ratio {
+    /// How fast energy grows with `p / rho` at constant density.
+    fn capacity(&self) -> f64 {
+        self.value + self.by_heat
+    }
+
+    /// `d ln(p / rho) / d ln rho` at constant entropy.
+    fn growth(&self) -> f64 {
+        (1.0 - self.by_density) / self.capacity()
+    }
+}
+
+/// Steps of Newton's method.
+const STEPS: usize = 100;
+
+/// Enough digits.
+const EXACT: f64 = 1e-13;
+
+/// Pressure rises or falls by no more than this part of itself in a step along an isentrope.
+const SHORT: f64 = 0.1;
+
+/// Most steps along one.
+const LONGEST: f64 = 400.0;
+
+impl fmt::Display for Air {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        formatter.write_str(match self {
+            Self::ThermallyPerfect => "thermally perfect air",
+            Self::Equilibrium => "air in chemical equilibrium",
+        })
+    }
+}
+
+impl Air {
+    /// Temperatures, K, that it is meant for.
+    pub const fn range(self) -> [f64; 2] {
+        match self {
+            Self::ThermallyPerfect => thermally_perfect::RANGE,
+            Self::Equilibrium => species::RANGE,
+        }
+    }
+
+    /// Densities, kg/m^3, that it is meant for.
+    pub const fn densities(self) -> [f64; 2] {
+        match self {
+            Self::ThermallyPerfect => [0.0, f64::INFINITY],
+            Self::Equilibrium => table::DENSITIES,
+        }
+    }
+
+    /// Specific gas constant of the air when it is cold, J/(kg K).
+    pub fn gas_constant(self) -> f64 {
+        mixture::gas_constant()
+    }
+
+    /// `e rho / p` at a density and a `p / rho`.
+    fn ratio(self, density: f64, heat: f64) -> Ratio {
+        match self {
+            Self::ThermallyPerfect => thermally_perfect::GAS.ratio(heat),
+            Self::Equilibrium => table::TABLE.ratio(density, heat),
+        }
+    }
+
+    /// Temperature over `p / rho`, and its relative changes.
+    fn warmth(self, density: f64, heat: f64) -> Ratio {
+        match self {
+            Self::ThermallyPerfect => Ratio {
+                value: 1.0 / thermally_perfect::GAS.constant,
+                by_density: 0.0,
+                by_heat: 0.0,
+            },
+            Self::Equilibrium => table::TABLE.temperature(density, heat),
+        }
+    }
+
+    /// `p / rho` at a density and a specific internal energy. Of an energy that no gas has it is none either.
+    pub fn pressure_over_density(self, density: f64, energy: f64) -> f64 {
+        if !(energy > 0.0 && density > 0.0) {
+            // Of the energy's sign, as an ideal gas: who asks looks at it.
+            return 0.4 * energy;
+        }
+        match self {
+            Self::ThermallyPerfect => thermally_perfect::GAS.heat(energy),
+            Self::Equilibrium => table::TABLE.heat(density, energy),
+        }
+    }
+
+    /// Pressure at a density and a specific internal energy.
+    pub fn pressure(self, density: f64, energy: f64) -> f64 {
+        density * self.pressure_over_density(density, energy)
+    }
+
+    /// Specific internal energy at a density and a pressure.
+    pub fn energy(self, density: f64, pressure: f64) -> f64 {
+        let heat = pressure / density;
+        heat * self.ratio(density, heat).value
+    }
+
+    /// Square of the speed of sound.
+    pub fn sound_square(self, density: f64, pressure: f64) -> f64 {
+        let heat = pressure / density;
+        heat * (1.0 + self.ratio(density, heat).growth())
+    }
+
+    /// Temperature at a density and a pressure, K.
+    pub fn temperature(self, density: f64, pressure: f64) -> f64 {
+        let heat = pressure / density;
+        heat * self.warmth(density, heat).value
+    }
+
+    /// Specific entropy at a density and a pressure, J/(kg K), but for a constant.
+    pub fn entropy(self, density: f64, pressure: f64) -> f64 {
+        let heat = pressure / density;
+        match self {
+            Self::ThermallyPerfect => thermally_perfect::GAS.entropy(density, heat),
+            Self::Equilibrium => table::TABLE.entropy(density, heat),
+        }
+    }
+
+    /// Density at a pressure and a specific internal energy.
+    pub fn density(self, pressure: f64, energy: f64) -> f64 {
+        let wanted = energy.ln();
+        // About as much as when it is warm.
+        let mut heat = (energy / 3.0).ln();
+        for _ in 0..STEPS {
+            let ratio = self.ratio(pressure / heat.exp(), heat.exp());
+            let off = heat + ratio.value.ln() - wanted;
+            let slope = 1.0 + (ratio.by_heat - ratio.by_density) / ratio.value;
+            let step = (off / slope).clamp(-0.5, 0.5);
+            heat -= step;
+            if step.abs() < EXACT {
+                break;
+            }
+        }
+        pressure / heat.exp()
+    }
+
+    /// Density at a pressure and a temperature, K.
+    pub fn density_at(self, pressure: f64, temperature: f64) -> f64 {
+        let wanted = temperature.ln();
+        let mut heat = (temperature * self.gas_constant()).ln();
+        for _ in 0..STEPS {
+            let warmth = self.warmth(pressure / heat.exp(), heat.exp());
+            let off = heat + warmth.value.ln() - wanted;
+            let step = (off / (1.0 + warmth.by_heat - warmth.by_density)).clamp(-0.5, 0.5);
+            heat -= step;
+            if step.abs() < EXACT {
+                break;
+            }
+        }
+        pressure / heat.exp()
+    }
+
+    /// Specific internal energy at a density and a temperature, K.
+    pub fn energy_at(self, density: f64, temperature: f64) -> f64 {
+        let wanted = temperature.ln();
+        let mut heat = (temperature * self.gas_constant()).ln();
+        for _ in 0..STEPS {
+            let warmth = self.warmth(density, heat.exp());
+            let off = heat + warmth.value.ln() - wanted;
+            let step = (off / (1.0 + warmth.by_heat)).clamp(-0.5, 0.5);
+            heat -= step;
+            if step.abs() < EXACT {
+                break;
+            }
+        }
+        self.energy(density, density * heat.exp())
+    }
+
+    /// Heat capacity at constant volume, J/(kg K).
+    pub fn heat_capacity_at_volume(self, density: f64, energy: f64) -> f64 {
+        let heat = self.pressure_over_density(density, energy);
+        let warmth = self.warmth(density, heat);
+        self.ratio(density, heat).capacity() / (warmth.value * (1.0 + warmth.by_heat))
+    }
+
+    /// Heat capacity at constant pressure, J/(kg K): that at constant volume, times the square of the speed of sound over that of waves at
+    /// constant temperature.
+    pub fn heat_capacity(self, density: f64, energy: f64) -> f64 {
+        let heat = self.pressure_over_density(density, energy);
+        let warmth = self.warmth(density, heat);
+        let held = 1.0 - warmth.by_density / (1.0 + warmth.by_heat);
+        let sound = 1.0 + self.ratio(density, heat).growth();
+        self.heat_capacity_at_volume(density, energy) * sound / held
+    }
+
+    /// Change of the pressure with those of density and internal energy per volume.
+    pub fn pressure_change(self, density: f64, pressure: f64, change: [f64; 2]) -> f64 {
+        let heat = pressure / density;
+        let ratio = self.ratio(density, heat);
+        (change[1] - heat * (ratio.by_density - ratio.by_heat) * change[0]) / ratio.capacity()
+    }
+
+    /// Density at `pressure` of gas that had this density at the pressure `before`, at constant entropy [Runge & Kutta's fourth order].
+    pub fn isentropic_density(self, density: f64, before: f64, pressure: f64) -> f64 {
+        let way = (pressure / before).ln();
+        let steps = (way.abs() / SHORT).ceil().clamp(1.0, LONGEST);
+        let step = way / steps;
+        // By the logarithm of the pressure: `d ln rho / d ln p = 1 / (1 + g)`.
+        let slope = |log_density: f64, log_pressure: f64| {
+            let ratio = self.ratio(log_density.exp(), (log_pressure - log_density).exp());
+            1.0 / (1.0 + ratio.growth())
+        };
+        let (mut x, mut y) = (density.ln(), before.ln());
+        for _ in 0..steps as usize {
+            x += runge_kutta(slope, x, y, step);
+            y += step;
+        }
+        x.exp()
+    }
+
+    /// Pressure on a wall at rest that gas moves into at `speed`, or away from where it is negative: the Riemann problem between the gas and
+    /// its mirror image.
+    pub fn wall_pressure(self, density: f64, pressure: f64, speed: f64) -> f64 {
+        if speed > 0.0 {
+            self.stopped(density, pressure, speed)
+        } else if speed < 0.0 {
+            self.drawn(density, pressure, -speed)
+        } else {
+            pressure
+        }
+    }
+
+    /// Behind the shock that stops gas: with a rise of the pressure `d` the density grows as `1 / (1 - rho u^2 / d)` and the energy by
+    /// `(p + d / 2) u^2 / d` [Rankine & Hugoniot]. Weak ones are those of an ideal gas with the same speed of sound.
+    fn stopped(self, density: f64, pressure: f64, speed: f64) -> f64 {
+        /// Part of the speed of sound below which a shock is weak.
+        const WEAK: f64 = 1e-3;
+        let square = self.sound_square(density, pressure);
+        let gamma = square * density / pressure;
+        let flow = density * speed * speed;
+        let quarter = 0.25 * (gamma + 1.0) * flow;
+        let first = quarter + (quarter * quarter + flow * density * square).sqrt();
+        if speed * speed < WEAK * WEAK * square {
+            return pressure + first;
+        }
+        let energy = self.energy(density, pressure);
+        let off = |rise: f64| {
+            let part = flow / rise;
+            let behind = energy + (pressure + 0.5 * rise) * part / density;
+            self.energy(density / (1.0 - part), pressure + rise) - behind
+        };
+        // It is stiffer, never softer, than gas that could be squeezed without end.
+        secant(off, [first, first * 1.01], 1.000_001 * flow) + pressure
+    }
+
+    /// Behind the expansion of gas that leaves at `speed`: `dp = rho c du` along an isentrope.
+    fn drawn(self, density: f64, pressure: f64, speed: f64) -> f64 {
+        /// Part of the speed of sound in a step.
+        const STEP: f64 = 0.05;
+        let (mut x, mut y, mut left) = (density.ln(), pressure.ln(), speed);
+        let slopes = |x: f64, y: f64| {
+            let heat = (y - x).exp();
+            let square = heat * (1.0 + self.ratio(x.exp(), heat).growth());
+            let sound = square.sqrt();
+            [-1.0 / sound, -sound / heat]
+        };
+        while left > 0.0 {
+            let first = slopes(x, y);
+            let step = left.min(-STEP / first[0]);
+            // What is left comes to as good as nothing.
+            if y < pressure.ln() - LONGEST {
+                return 0.0;
+            }
+            let middle = slopes(x + 0.5 * step * first[0], y + 0.5 * step * first[1]);
+            let again = slopes(x + 0.5 * step * middle[0], y + 0.5 * step * middle[1]);
+            let last = slopes(x + step * again[0], y + step * again[1]);
+            let mean = |k: usize| (first[k] + 2.0 * (middle[k] + again[k]) + last[k]) / 6.0;
+            x += step * mean(0);
+            y += step * mean(1);
+            left -= step;
+        }
+        y.exp()
+    }
+}
+
+/// A step of the classical method of fourth order.
+fn runge_kutta(slope: impl Fn(f64, f64) -> f64, x: f64, y: f64, step: f64) -> f64 {
+    let first = slope(x, y);
+    let middle = slope(x + 0.5 * step * first, y + 0.5 * step);
+    let again = slope(x + 0.5 * step * middle, y + 0.5 * step);
+    let last = slope(x + step * again, y + step);
+    step * (first + 2.0 * (middle + again) + last) / 6.0
+}
+
+/// Where `off` is nothing, above `least`, by the secant method from two guesses.
+fn secant(off: impl Fn(f64) -> f64, guesses: [f64; 2], least: f64) -> f64 {
+    let [mut a, mut b] = guesses;
+    let mut at_a = off(a);
+    for _ in 0..STEPS {
+        let at_b = off(b);
+        if at_b == at_a {
+            break;
+        }
+        let next = (b - at_b * (b - a) / (at_b - at_a)).max(0.5 * (b + least));
+        (a, at_a, b) = (b, at_b, next);
+        if (b - a).abs() <= EXACT * b {
+            break;
+        }
+    }
+    b
+}
