@@ -26,9 +26,9 @@ impl Compare for Viscous {
         checks.extend(shock::compare(context)?);
         checks.extend(vortices::compare(context)?);
         checks.extend(particles::compare(context)?);
+        checks.extend(cylinder::compare(context)?);
         if context.level == Level::Full {
             checks.extend(plate::compare(context)?);
-            checks.extend(cylinder::compare(context)?);
         }
         Ok(checks)
     }
