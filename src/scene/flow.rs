@@ -12,15 +12,6 @@ use crate::case::Stop;
 use aero_solver::gas::Gas;
 use aero_solver::problem::{Domain, Initial, Opening, Side, State};
 
-/// A free stream whose temperature goes with the gas constant of the scene, where it says none itself.
-pub(super) fn with_constant(file: &SceneFile, entry: &FreeStreamEntry) -> FreeStreamEntry {
-    let mut entry = entry.clone();
-    if entry.temperature.is_some() {
-        entry.gas_constant = entry.gas_constant.or(file.gas.gas_constant);
-    }
-    entry
-}
-
 /// The undisturbed state: `[free_stream]`, or, in a domain that nothing enters, the left state of a
 /// Riemann problem or the state in the lowest corner of a field or of a manufactured solution.
 pub(super) fn free_stream<const D: usize>(
@@ -29,7 +20,10 @@ pub(super) fn free_stream<const D: usize>(
     solution: Option<&Manufactured<D>>,
 ) -> Result<State<D>, SceneError> {
     if let Some(entry) = &file.free_stream {
-        return stream::state(&with_constant(file, entry), &equation_of_state(file));
+        return stream::state(
+            &stream::with_constant(file, entry),
+            &equation_of_state(file),
+        );
     }
     if let Some(solution) = solution {
         return Ok(solution.state(&domain.bounds.min, 0.0));
@@ -154,8 +148,12 @@ fn of_frame<const D: usize>(
 ) -> Result<Initial<D>, SceneError> {
     let turned = |section: &str, path: &Path, stream: Option<&FreeStreamEntry>| {
         let place = format!("{section}.stream");
-        let stream = stream
-            .map(|entry| stream::state(&with_constant(file, entry), &equation_of_state(file)));
+        let stream = stream.map(|entry| {
+            stream::state(
+                &stream::with_constant(file, entry),
+                &equation_of_state(file),
+            )
+        });
         let stream = stream.transpose();
         let stream = stream.map_err(|error| error.moved("free_stream", &place))?;
         let streams = stream.as_ref().map(|before| [before, free_stream]);

@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 
 use super::atmosphere::{Air, GAS_CONSTANT};
 use super::error::SceneError;
-use super::file::FreeStreamEntry;
+use super::file::{FreeStreamEntry, SceneFile};
 use super::number::{Positive, StreamAngle};
 use super::vector::vector;
 use aero_solver::gas::Gas;
@@ -50,6 +50,15 @@ pub(super) fn state<const D: usize>(
         velocity,
         pressure,
     })
+}
+
+/// A free stream whose temperature goes with the gas constant of the scene, where it says none itself.
+pub(super) fn with_constant(file: &SceneFile, entry: &FreeStreamEntry) -> FreeStreamEntry {
+    let mut entry = entry.clone();
+    if entry.temperature.is_some() {
+        entry.gas_constant = entry.gas_constant.or(file.gas.gas_constant);
+    }
+    entry
 }
 
 /// Specific gas constant, where there is an altitude or a temperature.

@@ -3,10 +3,10 @@
 use super::error::SceneError;
 use super::file::SceneFile;
 use super::number::{Gamma, Positive};
+use super::stream;
 use super::vector::AXES;
 use super::viscosity::ViscosityEntry;
 use super::words::EquationOfStateWord;
-use super::{flow, stream};
 use aero_solver::gas::{Air, Gas, IdealGas, Transport, Viscosity};
 use aero_solver::problem::{Domain, Side, State};
 
@@ -22,7 +22,7 @@ pub(super) fn gas_constant(file: &SceneFile) -> Option<f64> {
         return Some(air.gas_constant());
     }
     let of_stream = file.free_stream.as_ref().and_then(|entry| {
-        let entry = flow::with_constant(file, entry);
+        let entry = stream::with_constant(file, entry);
         stream::gas_constant(&entry)
     });
     of_stream.or(file.gas.gas_constant.map(Positive::get))
