@@ -7,7 +7,7 @@ mod wedge;
 
 use aero_solver::gas::Air;
 use aero_validation::exact::hot_air::{Hot, HotAir};
-use aero_validation::table::Check;
+use aero_validation::table::{Check, Subject};
 
 use super::comparison::Compare;
 use super::context::{CompareError, Context};
@@ -33,16 +33,29 @@ fn at_60_km() -> Result<Hot, CompareError> {
     Ok(HotAir::Reacting.at(21.9587, 247.021)?)
 }
 
-/// Density, pressure and temperature of gas, in the order in which they are compared.
-fn values(air: Air, density: f64, pressure: f64) -> [(&'static str, f64); 3] {
-    [
-        ("density", density),
-        ("pressure", pressure),
-        ("temperature", air.temperature(density, pressure)),
-    ]
-}
-
-/// What they should be.
-fn exact(hot: &Hot) -> [f64; 3] {
-    [hot.density, hot.pressure, hot.temperature]
+/// Density, pressure and temperature that gas of `air` was `found` to have `place`, beside those `behind` a shock; `allowed` is in per cent.
+fn state(
+    label: &str,
+    place: &str,
+    air: Air,
+    found: Option<[f64; 2]>,
+    behind: &Hot,
+    allowed: f64,
+) -> [Check; 3] {
+    let found =
+        found.map(|[density, pressure]| [density, pressure, air.temperature(density, pressure)]);
+    let exact = [
+        ("density", behind.density),
+        ("pressure", behind.pressure),
+        ("temperature", behind.temperature),
+    ];
+    std::array::from_fn(|k| {
+        let (name, expected) = exact[k];
+        let what = format!("{label}: {name} {place}");
+        let subject = Subject::new(NAME, &what, THEORY);
+        match found {
+            Some(found) => subject.relative(found[k], expected, allowed),
+            None => subject.unmeasured(expected),
+        }
+    })
 }

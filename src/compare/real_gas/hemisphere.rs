@@ -5,7 +5,7 @@ use aero_solver::gas::Air;
 use aero_validation::exact::hot_air::HotAir;
 use aero_validation::table::{Check, Subject};
 
-use super::{NAME, THEORY, at_60_km, exact, values};
+use super::{NAME, at_60_km, state};
 use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::scenes::{Source, scene};
 
@@ -58,19 +58,14 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
         rest,
     ];
     let found = row.and_then(|row| Nose::new(&row, level, gains));
-    let names = ["density", "pressure", "temperature"];
-    let mut checks = Vec::new();
-    for (k, expected) in exact(&behind).into_iter().enumerate() {
-        let what = format!("{label}: {} behind the shock on the axis", names[k]);
-        let subject = Subject::new(NAME, &what, THEORY);
-        checks.push(match &found {
-            Some(nose) => {
-                let state = values(Air::Equilibrium, nose.density, nose.pressure);
-                subject.relative(state[k].1, expected, allowed)
-            }
-            None => subject.unmeasured(expected),
-        });
-    }
+    let mut checks = Vec::from(state(
+        &label,
+        "behind the shock on the axis",
+        Air::Equilibrium,
+        found.as_ref().map(|nose| [nose.density, nose.pressure]),
+        &behind,
+        allowed,
+    ));
     let what = format!("{label}: stand-off / R over rho_1 / rho_2");
     let subject = Subject::new(NAME, &what, "an ideal gas (validation/sphere)");
     checks.push(match found {

@@ -5,7 +5,7 @@ use aero_solver::gas::Air;
 use aero_validation::exact::hot_air::{Hot, HotAir};
 use aero_validation::table::{Check, Subject};
 
-use super::{NAME, THEORY, at_60_km, exact, values};
+use super::{NAME, THEORY, at_60_km, state};
 use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::profiles::median;
 use crate::compare::scenes::{Source, scene};
@@ -107,18 +107,15 @@ fn judged(
         })
     };
     let (density, pressure) = (mean(|gas| &gas.density), mean(|gas| &gas.pressure));
-    let state = density.zip(pressure);
-    let found = state.map(|(density, pressure)| values(stream.air, density, pressure));
-    let names = ["density", "pressure", "temperature"];
-    let mut checks = Vec::new();
-    for (k, expected) in exact(&behind).into_iter().enumerate() {
-        let what = format!("{label}: {} behind the shock", names[k]);
-        let subject = Subject::new(NAME, &what, THEORY);
-        checks.push(match found {
-            Some(found) => subject.relative(found[k].1, expected, ALLOWED),
-            None => subject.unmeasured(expected),
-        });
-    }
+    let found = density.zip(pressure).map(<[f64; 2]>::from);
+    let mut checks = Vec::from(state(
+        label,
+        "behind the shock",
+        stream.air,
+        found,
+        &behind,
+        ALLOWED,
+    ));
     let what = format!("{label}: distance of shock and wall, m");
     let subject = Subject::new(NAME, &what, THEORY);
     let level = 0.5 * (stream.ahead.density + behind.density);

@@ -6,7 +6,7 @@ use aero_validation::metrics::plateau::Ramp;
 use aero_validation::metrics::shock_line::{ShockSearch, fit_shock_line};
 use aero_validation::table::{Check, Subject};
 
-use super::{NAME, THEORY, exact, values};
+use super::{NAME, THEORY, state};
 use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::profiles::median;
 use crate::compare::scenes::{Source, scene};
@@ -51,18 +51,16 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
             })
             .collect();
         let middle = |column: &[f64]| median(read.iter().map(|&i| column[i]));
-        values(air, middle(&gas.density), middle(&gas.pressure))
+        [middle(&gas.density), middle(&gas.pressure)]
     });
-    let names = ["density", "pressure", "temperature"];
-    let mut checks = Vec::new();
-    for (k, expected) in exact(&behind).into_iter().enumerate() {
-        let what = format!("{label}: {} behind the shock", names[k]);
-        let subject = Subject::new(NAME, &what, THEORY);
-        checks.push(match found {
-            Some(found) => subject.relative(found[k].1, expected, ALLOWED),
-            None => subject.unmeasured(expected),
-        });
-    }
+    let mut checks = Vec::from(state(
+        &label,
+        "behind the shock",
+        air,
+        found,
+        &behind,
+        ALLOWED,
+    ));
     let what = format!("{label}: shock angle, degrees");
     let subject = Subject::new(NAME, &what, THEORY);
     checks.push(match gas {
