@@ -11,6 +11,7 @@ pub mod kernel;
 mod mending;
 mod mesh;
 pub mod outline;
+pub mod parallel;
 mod pencils;
 mod placement;
 mod real;

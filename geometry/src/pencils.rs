@@ -8,7 +8,9 @@ mod search;
 #[cfg(test)]
 mod tests;
 
-use rayon::prelude::*;
+use rayon::slice::ParallelSliceMut;
+
+use crate::parallel::prelude::*;
 
 use crate::Vector;
 
@@ -114,7 +116,7 @@ impl<const D: usize> Pencils<D> {
                 .then(a.point.cmp(&b.point))
         });
         let sorted = keys.par_iter();
-        let order = sorted.clone().map(|key| key.point);
+        let order = sorted.map(|key| key.point);
         order.collect_into_vec(&mut self.order);
         sorted
             .map(|key| key.along)

@@ -3,8 +3,8 @@
 
 use std::collections::{BTreeMap, HashMap};
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Shape, Vector};
-use rayon::prelude::*;
 
 use crate::grid::{Cell, Grid};
 use crate::level::{project, project_along};

@@ -1,7 +1,7 @@
 //! The layers' cells cut up where they are not smooth: small pieces measure thin parts and edges.
 
 use aero_geometry::Shape;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::grid::Cell;
 use crate::mirror::Mirrors;

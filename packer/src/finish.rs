@@ -1,7 +1,7 @@
 //! From the packed part of space to all particles: mirror images, normals, the region's clip.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::Ghosts;
 use crate::cloud::{Cloud, Lock};

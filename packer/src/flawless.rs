@@ -4,7 +4,7 @@
 use std::collections::{HashMap, HashSet};
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::Ghosts;
 use crate::cloud::{Cloud, Lock};

@@ -1,7 +1,7 @@
 //! The narrow band: square cells near the surface, found by descending from one big cell.
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Shape, Vector};
-use rayon::prelude::*;
 
 use crate::PackError;
 use crate::options::MAX_PARTICLES;

@@ -3,7 +3,7 @@
 use std::time::Instant;
 
 use aero_geometry::Shape;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
 use crate::cover::mend;

@@ -3,8 +3,8 @@
 use std::collections::HashSet;
 
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Shape, Vector};
-use rayon::prelude::*;
 
 use crate::cutting::cut_up;
 use crate::grid::{Cell, Grid, volume_in};

@@ -2,8 +2,8 @@
 //! steps, with a fixed number of them. No time step, hence the same result everywhere.
 
 use aero_geometry::kernel::SUPPORT;
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Shape, Vector};
-use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
 use crate::mirror::Mirrors;

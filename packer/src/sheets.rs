@@ -5,7 +5,7 @@ use std::collections::{HashMap, HashSet};
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::grid::Cell;
 use crate::lattice::around;

@@ -3,9 +3,9 @@
 use std::ops::Range;
 
 use aero_geometry::kernel::SUPPORT;
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Pencils, Vector};
 use pulp::Arch;
-use rayon::prelude::*;
 
 use crate::lanes::{CLUSTER, Factor, KernelSum, Lanes};
 use crate::mirror::Mirrors;
@@ -117,7 +117,8 @@ impl<const D: usize> Sources<D> {
         let mut all: Vec<(u32, T)> = order
             .order()
             .par_chunks(CLUSTER)
-            .map_init(Vec::new, |runs, numbers| {
+            .flat_map_iter(|numbers| {
+                let mut runs = Vec::new();
                 let last = numbers.len() - 1;
                 let cluster: [Vector<D>; CLUSTER] =
                     std::array::from_fn(|l| points[numbers[l.min(last)] as usize]);
@@ -125,16 +126,14 @@ impl<const D: usize> Sources<D> {
                 let high = cluster
                     .iter()
                     .fold(cluster[0], |high, point| high.sup(point));
-                runs.clear();
                 self.pencils.for_each_run(
                     &low.add_scalar(-reach),
                     &high.add_scalar(reach),
                     |slots| runs.push(slots),
                 );
-                let answers = answers(&cluster, runs);
-                numbers.iter().copied().zip(answers).collect::<Vec<_>>()
+                let answers = answers(&cluster, &runs);
+                numbers.iter().copied().zip(answers)
             })
-            .flatten_iter()
             .collect();
         all.sort_unstable_by_key(|&(n, _)| n);
         all.into_iter().map(|(_, answer)| answer).collect()

@@ -1,7 +1,7 @@
 //! Samples of the true surface, spread by area: what the packing is measured against.
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Shape, Vector};
-use rayon::prelude::*;
 
 /// Facets longer than this, in steps between samples, are halved until they are inside of the region or out of it.
 const LONG: f64 = 32.0;

@@ -8,7 +8,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::grid::Cell;
 use crate::level::project;

@@ -1,7 +1,7 @@
 //! How thick a body is where it is thin, before a spacing is chosen.
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Shape};
-use rayon::prelude::*;
 
 use crate::midway::chord;
 use crate::surface::samples;

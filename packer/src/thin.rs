@@ -7,8 +7,8 @@
 use std::collections::HashMap;
 
 use aero_geometry::kernel::{QuinticSpline, SUPPORT};
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Pencils, Vector};
-use rayon::prelude::*;
 
 use crate::cloud::{Cloud, Lock};
 use crate::grid::Cell;

@@ -1,6 +1,6 @@
 //! Where the passes over pairs are done: on the processor, in its vectors.
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::lanes::Lane;
 use crate::neighbours::{Lists, Run};

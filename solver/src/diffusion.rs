@@ -1,7 +1,7 @@
 //! Viscosity and heat conduction of the particles: from the gradients of an evaluation to what they add to its rates.
 
 use aero_geometry::kernel::{QuinticSpline, SUPPORT};
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::diffusive::Gradients;
 use super::gas::Gas;

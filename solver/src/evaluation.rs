@@ -2,7 +2,7 @@
 //! Moves none.
 
 use aero_geometry::kernel::SMOOTHING_RATIO;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::diffusion;
 use super::fill::{fill_gas, fill_ghosts, fill_near};

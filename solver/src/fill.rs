@@ -1,6 +1,6 @@
 //! Writes the records that the pair loops read, from particles, buffers and ghosts. Sums nothing.
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::gas::Gas;
 use super::neighbourhood::Neighbourhood;

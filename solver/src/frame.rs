@@ -21,8 +21,6 @@ pub enum Kind {
 pub struct Frame {
     /// Time.
     pub time: f64,
-    /// Step number.
-    pub step: u64,
     /// Positions.
     pub position: Vec<[f64; 3]>,
     /// Velocities.
@@ -56,7 +54,6 @@ impl Frame {
             .collect();
         Self {
             time: self.time,
-            step: self.step,
             position: pick(&self.position, &chosen),
             velocity: pick(&self.velocity, &chosen),
             density: pick(&self.density, &chosen),

@@ -3,8 +3,8 @@
 //! Lengths are measured in about a spacing, so that powers of them stay far from what `f32` cannot hold.
 
 use aero_geometry::Vector;
+use aero_geometry::parallel::prelude::*;
 use nalgebra::SVector;
-use rayon::prelude::*;
 
 use super::record::{Near, Number, Read, State};
 use crate::problem::Problem;

@@ -6,7 +6,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::neighbourhood::{Neighbourhood, open_side_distance};
 use super::pairs::renormalisation::Renormalisation;

@@ -1,7 +1,7 @@
 //! Where artificial viscosity and conduction may be spared and particles shifted: in flow that varies smoothly,
 //! not in shocks.
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::particles::{Particle, Rates};
 use super::rings::Rings;

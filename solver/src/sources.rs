@@ -1,6 +1,6 @@
 //! What a problem adds to the rates of particles.
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::particles::{Columns, Particles};
 use super::problem::Source;

@@ -1,6 +1,6 @@
 //! The stable time step.
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::gas::Gas;
 use super::particles::{Particle, Rates};

@@ -13,7 +13,7 @@ mod sites;
 mod spread;
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 pub(crate) use ball::chord;
 

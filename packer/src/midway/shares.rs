@@ -1,7 +1,7 @@
 //! Who gets the volume of the thin parts.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::cloud::Cloud;
 use crate::nearest::Nearest;

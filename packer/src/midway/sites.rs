@@ -1,7 +1,7 @@
 //! Where particles of thin parts may stand: below every sample of their surface one place.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::ball::{chord, climbed};
 use crate::nearest::Nearest;

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::seats::Seat;
 use super::sites::Site;

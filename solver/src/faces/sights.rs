@@ -1,7 +1,7 @@
 //! Who sees whom in one step: takes out of the neighbour lists what lies across a thin part.
 
 use aero_geometry::kernel::SUPPORT;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::{FaceSet, Faces, NOWHERE, Sight};
 use crate::neighbourhood::images::{Copies, Images};

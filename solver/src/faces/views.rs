@@ -1,7 +1,7 @@
 //! Finds the thin parts of the bodies before a run, and makes the views of their ghosts.
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Pencils, Shape, Vector};
-use rayon::prelude::*;
 
 use super::across::{Across, Foot, across, across_end, foot_on, is_edge};
 use super::numbers::Numbers;

@@ -1,7 +1,7 @@
 //! Faces, walls and sides of all cells put together, closed, and their volumes.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::build::{Beside, Builder, Findings};
 use super::cells::{Cells, Face, SideFace, WallFace, WallOwner, ordered, settled};

@@ -1,7 +1,7 @@
 //! Cells from points: those of an undisturbed lattice as they are, all others cut out one by one.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::cells::Cells;
 use super::cloud::{Cloud, NOBODY};

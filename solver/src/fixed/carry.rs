@@ -4,7 +4,7 @@
 use std::sync::OnceLock;
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::build::Builder;
 use super::cloud::{Cloud, NOBODY};

@@ -5,8 +5,9 @@
 use std::collections::{HashMap, HashSet};
 
 use aero_geometry::Vector;
+use aero_geometry::parallel::prelude::*;
 use foldhash::fast::FixedState;
-use rayon::prelude::*;
+use rayon::slice::ParallelSliceMut;
 
 use super::plot::{Plot, off_the_walls};
 use super::site::{Site, steps};

@@ -1,7 +1,7 @@
 //! The lattice filled with points, block by block along a Morton curve, and moved off the walls.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::cloud::{Cloud, Place};
 use super::levels::Levels;

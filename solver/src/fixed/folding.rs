@@ -1,6 +1,6 @@
 //! Faces in their order, those between the same two cells as one.
 
-use rayon::prelude::*;
+use rayon::slice::ParallelSliceMut;
 
 use super::cells::{Face, SideFace, WallFace, WallOwner};
 

@@ -4,7 +4,7 @@
 //! Euler preserves [Shu & Osher 1988, J. Comput. Phys. 77, 439-471].
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
 use super::columns::Columns;

@@ -1,7 +1,7 @@
 //! Points near a place, of any spacing: boxes around runs of consecutive points, and boxes around those.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 /// Points or boxes in a box.
 const RUN: usize = 8;

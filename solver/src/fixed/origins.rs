@@ -1,6 +1,6 @@
 //! From which cells new ones take a state, where only that matters and not how much there is of it.
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::carry::Share;
 use super::cloud::{Cloud, Place};

@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::{QuinticSpline, SUPPORT};
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
 use super::gas::Gas;

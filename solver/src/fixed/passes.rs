@@ -1,6 +1,6 @@
 //! From what cells hold to their states and slopes, and from these to what flows: the passes that marching and settling share.
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
 use super::columns::Columns;

@@ -1,7 +1,7 @@
 //! Cells of a cloud that differs from an earlier one in places: those that no change touches are taken over.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::build::{Builder, Built};
 use super::cloud::{Cloud, NOBODY, Place};

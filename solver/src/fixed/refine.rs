@@ -3,8 +3,8 @@
 use std::collections::HashMap;
 
 use aero_geometry::Vector;
+use aero_geometry::parallel::prelude::*;
 use foldhash::fast::FixedState;
-use rayon::prelude::*;
 
 use super::cloud::Cloud;
 use super::levels::{Levels, Sites, parent, parts};

@@ -27,7 +27,6 @@ impl<const D: usize> FixedSimulation<D> {
     fn frame_of(&self, is_shown: impl Fn(&Vector<D>) -> bool) -> Frame {
         let mut frame = Frame {
             time: self.tally.time,
-            step: self.tally.steps,
             ..Frame::default()
         };
         for (i, (point, state)) in self.points.iter().zip(&self.columns.states).enumerate() {

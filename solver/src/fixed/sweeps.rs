@@ -4,7 +4,7 @@
 //!
 //! [Yoon & Jameson 1988, AIAA J. 26, 1025-1026; for cells of any shape Sharov & Nakahashi 1998, AIAA J. 36, 484-486; the fluxes of changes linearised, as in the first]
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
 use super::columns::Columns;

@@ -1,7 +1,7 @@
 //! Images of particles beyond symmetry planes and periodic sides.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::levels::{Grid, Levels};
 use crate::neighbours::{Candidates, Rough};

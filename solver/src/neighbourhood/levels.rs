@@ -4,8 +4,8 @@
 use std::ops::Range;
 
 use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Pencils, Vector};
-use rayon::prelude::*;
 
 use crate::neighbours::{Candidates, Rough};
 use crate::problem::Problem;
@@ -67,7 +67,7 @@ impl<const D: usize> Levels<D> {
         rank: impl Fn(usize) -> u64 + Sync,
     ) {
         let level = |n: usize| grid.level(particle(n).1);
-        let highest = (0..count).into_par_iter().map(level).max().unwrap_or(0);
+        let highest = (0..count).into_par_iter().map(level).reduce(|| 0, u8::max);
         let levels = usize::from(highest) + 1;
         self.pencils.resize_with(levels, Pencils::default);
         self.order.clear();
@@ -80,8 +80,9 @@ impl<const D: usize> Levels<D> {
                 break;
             }
             let is_member = |n: &u32| usize::from(level(*n as usize)) == number;
-            let members: Vec<u32> = (0..count as u32)
+            let members: Vec<u32> = (0..count)
                 .into_par_iter()
+                .map(|n| n as u32)
                 .filter(is_member)
                 .collect();
             let place = |m: usize| particle(members[m] as usize).0;

@@ -2,7 +2,7 @@
 //! lists neighbours. What the pair sums read of a particle lies here too. Moves none.
 
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 pub mod calm;
 pub mod images;
@@ -198,14 +198,11 @@ impl<const D: usize> Neighbourhood<D> {
             return;
         }
         let (ghosts, open) = (&walls.ghosts, buffers.particles());
-        let gas = || {
-            fluid
-                .par_iter()
-                .chain(open.par_iter().map(|open| &open.particle))
-        };
-        let [h, fastest] = gas()
-            .map(|p| [p.smoothing_length, p.velocity.norm_squared()])
-            .reduce(|| [0.0; 2], |a, b| [a[0].max(b[0]), a[1].max(b[1])]);
+        let open = || open.iter().map(|open| &open.particle);
+        let widest = |p: &Particle<D>| [p.smoothing_length, p.velocity.norm_squared()];
+        let either = |a: [f64; 2], b: [f64; 2]| [a[0].max(b[0]), a[1].max(b[1])];
+        let of_fluid = fluid.par_iter().map(widest).reduce(|| [0.0; 2], either);
+        let [h, fastest] = open().map(widest).fold(of_fluid, either);
         let h = ghosts
             .iter()
             .map(|g| g.shown.smoothing_length)
@@ -213,7 +210,9 @@ impl<const D: usize> Neighbourhood<D> {
         // A copy is seen by nobody further off than the widest sees it, in the gas or beyond the wall.
         let reach =
             |own: f64| 0.5 * GROWTH * SUPPORT * (own + h) + 2.0 * half_step * fastest.sqrt();
-        let gas: Vec<_> = gas().map(|p| (p.position, p.smoothing_length)).collect();
+        let place = |p: &Particle<D>| (p.position, p.smoothing_length);
+        let mut gas: Vec<_> = fluid.par_iter().map(place).collect();
+        gas.extend(open().map(place));
         let ghosts: Vec<_> = ghosts
             .iter()
             .map(|g| (g.position, g.shown.smoothing_length))

@@ -3,7 +3,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::layers::GHOSTS;
 use crate::neighbours::{GROWTH, Lists};

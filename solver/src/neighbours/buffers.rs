@@ -1,6 +1,6 @@
 //! Lists laid out flat: all entries one after the other, and where in them the clusters' begin.
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::Cluster;
 

@@ -8,8 +8,8 @@ use std::ops::Range;
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
+use aero_geometry::parallel::prelude::*;
 use pulp::{Simd, WithSimd};
-use rayon::prelude::*;
 
 mod buffers;
 mod candidates;
@@ -83,7 +83,7 @@ impl Lists {
     }
 
     /// Runs of clusters in order; each serves [`Lists::run_targets`] particles, the last one fewer.
-    pub fn par_runs(&self) -> impl IndexedParallelIterator<Item = Run<'_>> {
+    pub fn par_runs(&self) -> impl Parallel<Item = Run<'_>> {
         self.runs.par_windows(2).map(|ends| self.run_of(ends))
     }
 

@@ -4,7 +4,7 @@
 use std::ops::Range;
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::REACH;
 use crate::records::Near;

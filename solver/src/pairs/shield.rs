@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::QuinticSpline;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::super::neighbours::Lists;
 use super::super::particles::{Particle, Rates};

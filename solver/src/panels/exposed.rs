@@ -1,7 +1,7 @@
 //! What of the panels gas may be in front of: not the foot of a post on a wall, nor the wall below it.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::Panel;
 use crate::problem::Problem;

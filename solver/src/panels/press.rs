@@ -13,8 +13,8 @@
 //! the gas in front, which is its own where it is at rest, whatever the angle and however well the gas fills it.
 
 use aero_geometry::kernel::{QuinticSpline, SUPPORT};
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Pencils, Vector};
-use rayon::prelude::*;
 
 use super::Panels;
 use crate::Simulation;

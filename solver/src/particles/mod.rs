@@ -4,7 +4,7 @@
 
 use std::ops::{Deref, DerefMut};
 
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 mod particle;
 mod start;

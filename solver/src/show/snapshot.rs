@@ -48,7 +48,6 @@ impl<const D: usize> Simulation<D> {
     fn frame_of(&self, is_shown: impl Fn(&Vector<D>) -> bool) -> Frame {
         let mut frame = Frame {
             time: self.clock.time,
-            step: self.clock.steps,
             ..Frame::default()
         };
         let gas = self.problem.gas;

@@ -7,7 +7,7 @@
 use std::ops::Range;
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use super::particle::OpenParticle;

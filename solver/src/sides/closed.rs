@@ -1,8 +1,8 @@
 //! Sides that map the flow onto itself: a symmetry plane and an axis mirror it, a periodic side shifts it. What lies beyond
 //! such a side is a copy of gas within ([`crate::neighbourhood::Images`]), and gas that crosses comes back as its own copy.
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Vector};
-use rayon::prelude::*;
 
 use crate::particles::Particle;
 use crate::problem::{Domain, Side};

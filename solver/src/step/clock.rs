@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 use serde::{Deserialize, Serialize};
 
 use crate::particles::Particle;
@@ -90,14 +90,15 @@ fn crossing_time<const D: usize>(
     walls: &Walls<D>,
 ) -> f64 {
     let nowhere = Vector::<D>::repeat(f64::INFINITY);
+    let either =
+        |(a, b): (Vector<D>, Vector<D>), (c, d): (Vector<D>, Vector<D>)| (a.inf(&c), b.sup(&d));
     let gas = fluid.par_iter().map(|particle| particle.velocity);
-    let ghosts = walls.ghosts.par_iter().map(|ghost| ghost.wall.velocity);
-    let (slowest, fastest) = gas
-        .chain(ghosts)
+    let ghosts = walls.ghosts.iter().map(|ghost| ghost.wall.velocity);
+    let of_gas = gas
         .map(|velocity| (velocity, velocity))
-        .reduce(
-            || (nowhere, -nowhere),
-            |(a, b), (c, d)| (a.inf(&c), b.sup(&d)),
-        );
+        .reduce(|| (nowhere, -nowhere), either);
+    let (slowest, fastest) = ghosts
+        .map(|velocity| (velocity, velocity))
+        .fold(of_gas, either);
     2.0 * SUPPORT * SMOOTHING_RATIO * problem.spacing / (fastest - slowest).norm()
 }

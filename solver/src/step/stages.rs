@@ -1,7 +1,7 @@
 //! Moves the fluid by its rates.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use crate::books::{Books, Extremes};
 use crate::neighbourhood::calm::Calm;

@@ -1,8 +1,8 @@
 //! Forces and moments on bodies and walls, and the fluid's balance with them.
 
 use aero_geometry::Vector;
+use aero_geometry::parallel::prelude::*;
 use nalgebra::Vector3;
-use rayon::prelude::*;
 
 use super::rigid::pad;
 use super::{Ghost, Walls};

@@ -1,7 +1,7 @@
 //! The state that ghosts show the gas: that of the gas nearby, mirrored at the wall.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::super::backend::Backend;
 use super::super::neighbours::GROWTH;

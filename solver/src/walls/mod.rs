@@ -1,7 +1,7 @@
 //! Ghosts of bodies and wall sides: where they are, and what the pair loops read of them.
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Pencils, Vector};
-use rayon::prelude::*;
 
 mod contact;
 pub mod curvature;

@@ -3,7 +3,7 @@
 //! in three dimensions some of it never.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::rigid::Pose;
 use super::{Walls, wall_sides};

@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::super::faces::{Faces, Sight, ThinParts, View, is_edge, thin_parts};
 use super::super::records::Matrix;
@@ -83,9 +83,10 @@ pub fn ghosts<const D: usize>(
                 ghost.sight.hidden = faces;
             }
             let views = views.par_iter().filter(|view| view.body == number);
-            let seen =
-                views.map(|view| seen_by_face(problem, &originals[first + view.ghost], view));
-            ghosts.par_extend(seen);
+            let seen: Vec<Ghost<D>> = views
+                .map(|view| seen_by_face(problem, &originals[first + view.ghost], view))
+                .collect();
+            ghosts.extend(seen);
             first += hidden.len();
         }
     }

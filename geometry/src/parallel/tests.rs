@@ -1,0 +1,97 @@
+use super::{IntoParallel, Parallel, Slices};
+
+/// What `work` gives on one thread and on seven.
+fn on_threads<R: Send>(work: impl Fn() -> R + Sync) -> [R; 2] {
+    [1, 7].map(|threads| {
+        let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+        pool.expect("threads can be started").install(&work)
+    })
+}
+
+#[test]
+fn results_come_in_order_whatever_the_threads() {
+    for count in [0, 1, 2, 6, 57, 1000] {
+        let expected: Vec<usize> = (0..count).map(|n| 3 * n).collect();
+        for found in on_threads(|| {
+            (0..count)
+                .into_par_iter()
+                .map(|n| 3 * n)
+                .collect::<Vec<_>>()
+        }) {
+            assert_eq!(found, expected);
+        }
+        let odd = |n: &usize| n % 2 == 1;
+        let expected: Vec<(usize, usize)> = (0..count).filter(odd).enumerate().collect();
+        for found in on_threads(|| {
+            let odd: Vec<usize> = expected.par_iter().map(|&(_, n)| n).filter(odd).collect();
+            odd.par_iter().copied().enumerate().collect::<Vec<_>>()
+        }) {
+            assert_eq!(found, expected);
+        }
+    }
+}
+
+#[test]
+fn every_item_is_worked_on_once() {
+    for count in [0, 1, 5, 16, 17, 999] {
+        for (chunk, least) in [(1, 1), (4, 3), (16, 1), (1000, 1)] {
+            let [one, seven] = on_threads(|| {
+                let numbers: Vec<usize> = (0..count).collect();
+                let mut seen = vec![0; count];
+                seen.par_chunks_mut(chunk)
+                    .zip(numbers.par_chunks(chunk))
+                    .enumerate()
+                    .with_min_len(least)
+                    .for_each(|(number, (seen, numbers))| {
+                        for (seen, n) in seen.iter_mut().zip(numbers) {
+                            *seen += n * 1000 + number;
+                        }
+                    });
+                seen
+            });
+            let expected: Vec<usize> = (0..count).map(|n| n * 1000 + n / chunk).collect();
+            assert_eq!(one, expected);
+            assert_eq!(seven, expected);
+        }
+    }
+}
+
+#[test]
+fn room_is_used_again_whatever_was_in_it() {
+    for before in [0, 10, 100, 1000] {
+        for found in on_threads(|| {
+            let mut room = vec![usize::MAX; before];
+            let squares = (0..100).into_par_iter().map(|n| n * n);
+            squares.collect_into_vec(&mut room);
+            room
+        }) {
+            assert_eq!(found, (0..100).map(|n| n * n).collect::<Vec<_>>());
+        }
+    }
+}
+
+#[test]
+fn windows_overlap_where_tasks_meet() {
+    let ends: Vec<usize> = (0..100).map(|n| n * n).collect();
+    let expected: Vec<usize> = ends.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    for found in on_threads(|| {
+        let steps = ends.par_windows(2).map(|pair| pair[1] - pair[0]);
+        steps.collect::<Vec<_>>()
+    }) {
+        assert_eq!(found, expected);
+    }
+}
+
+#[test]
+fn the_least_and_the_most_are_found() {
+    let places = |n: usize| [(n * 37 % 101) as f64; 2];
+    for found in on_threads(|| {
+        let all = (0..101).into_par_iter().map(places);
+        all.reduce(
+            || [f64::INFINITY, f64::NEG_INFINITY],
+            |[a, b], [c, d]| [a.min(c), b.max(d)],
+        )
+    }) {
+        assert_eq!(found, [0.0, 100.0]);
+    }
+}
