@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 33] = [
+const SMALL: [(&str, &[&str]); 34] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("becker", &["end_time=1.0"]),
@@ -19,6 +19,15 @@ const SMALL: [(&str, &[&str]); 33] = [
     ),
     ("blown-sphere", &["end_time=0.2", "spacing=0.2"]),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
+    (
+        "cone-incidence",
+        &[
+            "end_time=0.05",
+            "stop=end-time",
+            "scheme.refine=0",
+            "spacing=0.1",
+        ],
+    ),
     ("couette", &["end_time=1e-9", "stop=end-time"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     (

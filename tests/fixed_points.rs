@@ -111,6 +111,14 @@ fn minutes_are_turned_into_points_once() {
         "{}",
         again.err
     );
+    // The scene as it was run is one that can be run.
+    let taken = place.aero(&["run", "results/run.toml", "--out", "taken"]);
+    taken.succeeds();
+    let [history, same] = ["results", "taken"].map(|folder| {
+        let path = place.path(&format!("{folder}/history.csv"));
+        std::fs::read_to_string(path).unwrap()
+    });
+    assert_eq!(history, same);
     // A run in time is given halvings.
     let marched = [
         &settings[..],

@@ -13,6 +13,7 @@ mod double_mach;
 mod duct;
 mod expansion;
 mod free;
+mod inclined_cone;
 mod mms;
 mod mms_walls;
 mod nozzle;
@@ -44,7 +45,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 20] = [
+static CASES: [Case; 21] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -61,6 +62,7 @@ static CASES: [Case; 20] = [
     ("biconvex", &[&biconvex::BICONVEX]),
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
+    ("cone-incidence", &[&inclined_cone::INCLINED_CONE]),
     ("expansion", &[&expansion::EXPANSION]),
     ("free", &[&free::FreeBodies]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),

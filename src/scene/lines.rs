@@ -1,4 +1,4 @@
-//! A scene as sorted lines `section.key = value`: what a checkpoint remembers of it.
+//! A scene as sorted lines `section.key = value`: what a checkpoint remembers of it, and what can be run again.
 
 use toml::Value;
 
@@ -36,6 +36,37 @@ fn collect(path: &str, value: &Value, lines: &mut Vec<String>) {
     }
 }
 
+/// The text of a scene that was written as lines: its numbered tables as lists again; none of any other text.
+pub(super) fn read(text: &str) -> Option<String> {
+    let mut table = text.parse::<toml::Table>().ok()?;
+    let mut has_numbered = false;
+    for (_, value) in &mut table {
+        has_numbered |= number(value);
+    }
+    has_numbered.then(|| table.to_string())
+}
+
+/// Turns tables whose keys are 0, 1, 2, ... into lists; tells whether there was one.
+fn number(value: &mut Value) -> bool {
+    let Value::Table(table) = value else {
+        return false;
+    };
+    let mut has_numbered = false;
+    for (_, below) in table.iter_mut() {
+        has_numbered |= number(below);
+    }
+    let entries: Option<Vec<Value>> = (0..table.len())
+        .map(|n| table.get(&n.to_string()).cloned())
+        .collect();
+    match entries {
+        Some(entries) if !entries.is_empty() => {
+            *value = Value::Array(entries);
+            true
+        }
+        _ => has_numbered,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -50,5 +81,18 @@ mod tests {
             of(one),
             "body.0.name = \"b\"\ngas.gamma = 1.4\nspacing = 0.1\n"
         );
+    }
+
+    #[test]
+    fn lines_are_read_as_the_scene_that_they_were() {
+        let mut scene = String::from("spacing = 0.1\n");
+        for n in 0..12 {
+            scene += &format!("[[body]]\nname = \"b{n}\"\nshape.polygon = [[0, 1], [{n}, 2]]\n");
+        }
+        let lines = of(&scene);
+        let read = read(&lines).unwrap();
+        assert_eq!(of(&read), lines);
+        assert!(read.contains("[[body]]"), "{read}");
+        assert_eq!(super::read(&scene), None);
     }
 }

@@ -118,6 +118,7 @@ impl Scene {
     }
 
     fn read(origin: &str, text: String, name: &str, folder: &Path) -> Result<Self, SceneError> {
+        let text = lines::read(&text).unwrap_or(text);
         let file = toml::from_str(&text).map_err(|source| SceneError::Parse {
             origin: origin.to_owned(),
             source: Box::new(source),
