@@ -118,10 +118,6 @@ fn rows(flow: &Flow<'_, Cone>) -> Result<Vec<Row>, CompareError> {
 /// The pressure in the plane of symmetry.
 fn pictures(flow: &Flow<'_, Cone>) -> Result<(), CompareError> {
     let pressure = &flow.outcome.gas.pressure;
-    flow.view(
-        "Cone at an incidence of 2 degrees",
-        pressure,
-        "pressure / free stream",
-    )
-    .save()
+    let view = flow.view("Cone at an incidence of 2 degrees", pressure, "pressure");
+    view.beside_symmetry(flow.spacing).save()
 }
