@@ -13,9 +13,12 @@ mod double_mach;
 mod duct;
 mod expansion;
 mod free;
+mod intake;
 mod mms;
 mod mms_walls;
 mod nozzle;
+mod outlets;
+mod points;
 mod profiles;
 mod real_gas;
 mod report;
@@ -44,16 +47,18 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 20] = [
+static CASES: [Case; 22] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
     ("nozzle", &[&nozzle::NOZZLE]),
     ("nozzle-back-pressure", &[&nozzle::BACK_PRESSURE]),
     ("duct", &[&duct::DUCT]),
+    ("intake", &[&intake::INTAKE]),
     ("sound", &[&sound::SOUND]),
     ("mms", &[&mms::Manufactured]),
     ("mms-walls", &[&mms_walls::Walls]),
+    ("outlets", &[&outlets::Outlets]),
     ("viscous", &[&viscous::Viscous]),
     ("real-gas", &[&real_gas::RealGas]),
     ("step", &[&step::FORWARD_STEP]),
