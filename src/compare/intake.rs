@@ -173,7 +173,7 @@ fn unstarted(gas: &Frame, theory: Unstarted) -> [Row; 4] {
             captured,
             SPILT,
         ),
-        Row::absolute(PASSES, BOW, captured, theory.captured, [0.08, 0.06]),
+        Row::absolute(PASSES, BOW, captured, theory.captured, 0.08),
         Row::relative(TOTAL, BOW, recovery(gas, END), theory.recovery, 1.0),
     ]
 }
