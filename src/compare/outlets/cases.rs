@@ -93,14 +93,11 @@ pub type Record = Vec<[f64; 3]>;
 impl Suite {
     /// In words.
     pub fn name(&self) -> String {
-        let mut name = self.case.name().to_owned();
-        if self.damping != DAMPING {
-            name += &format!(", alpha {}", self.damping);
-        }
-        if self.viscosity > 0.0 {
-            name += &format!(", Re {}", STREAM / self.viscosity);
-        }
-        name
+        let damping = (self.damping != DAMPING).then(|| format!("alpha {}", self.damping));
+        let viscous = (self.viscosity > 0.0).then(|| format!("Re {}", STREAM / self.viscosity));
+        let case = Some(self.case.name().to_owned());
+        let words: Vec<String> = [case, damping, viscous].into_iter().flatten().collect();
+        words.join(", ")
     }
 
     pub fn duct(&self, length: f64) -> Duct {
