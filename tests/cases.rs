@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 34] = [
+const SMALL: [(&str, &[&str]); 35] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("becker", &["end_time=1.0"]),
@@ -50,6 +50,7 @@ const SMALL: [(&str, &[&str]); 34] = [
         ],
     ),
     ("hot-shock", &["end_time=1e-4", "spacing=0.02"]),
+    ("intake", &["end_time=0.2", "spacing=0.125"]),
     ("jet", &["end_time=0.2", "spacing=0.1"]),
     ("mms", &["end_time=0.05"]),
     ("mms-3d", &["spacing=0.1"]),

@@ -2,7 +2,6 @@
 //! Ramachandran 2022, doi:10.1063/5.0126234]. For verification alone: nothing of it is in the solver.
 
 mod arrangement;
-mod cloud;
 mod equations;
 mod flow;
 mod ghosts;

@@ -14,9 +14,12 @@ mod duct;
 mod expansion;
 mod free;
 mod inclined_cone;
+mod intake;
 mod mms;
 mod mms_walls;
 mod nozzle;
+mod outlets;
+mod points;
 mod profiles;
 mod real_gas;
 mod report;
@@ -45,16 +48,18 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 21] = [
+static CASES: [Case; 23] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
     ("nozzle", &[&nozzle::NOZZLE]),
     ("nozzle-back-pressure", &[&nozzle::BACK_PRESSURE]),
     ("duct", &[&duct::DUCT]),
+    ("intake", &[&intake::INTAKE]),
     ("sound", &[&sound::SOUND]),
     ("mms", &[&mms::Manufactured]),
     ("mms-walls", &[&mms_walls::Walls]),
+    ("outlets", &[&outlets::Outlets]),
     ("viscous", &[&viscous::Viscous]),
     ("real-gas", &[&real_gas::RealGas]),
     ("step", &[&step::FORWARD_STEP]),

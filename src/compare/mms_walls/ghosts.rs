@@ -4,10 +4,11 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::QuinticSpline;
 
 use super::arrangement::Ghost;
-use super::cloud::Cloud;
 use super::equations::{SOUND, stiffness};
 use super::solution::{Condition, Exact, Solution};
-use super::treatment::{Rule, Weights};
+use super::treatment::Rule;
+use crate::compare::points::cloud::Cloud;
+use crate::compare::points::weights::Weights;
 
 /// A ghost, how it follows from the gas, and the solution at the wall.
 pub struct Treated {

@@ -11,6 +11,7 @@ pub mod cone;
 pub mod couette;
 pub mod flat_plate;
 pub mod hot_air;
+pub mod intake;
 pub mod isentropic;
 pub mod newtonian;
 pub mod noh;
