@@ -239,6 +239,13 @@ impl Scheme {
         self
     }
 
+    /// The same for a liquid, which carries no heat.
+    #[must_use]
+    pub fn of_liquid(mut self) -> Self {
+        self.conduction = Conduction::None;
+        self
+    }
+
     /// With or without the limiter of the conduction, where it has one.
     pub fn limit_conduction(&mut self, limits: bool) {
         self.conduction = match self.conduction {

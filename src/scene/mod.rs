@@ -50,6 +50,7 @@ mod flow;
 pub mod formula;
 mod freedom;
 mod lines;
+pub mod liquid;
 pub mod manufactured;
 mod method;
 mod motion;
@@ -215,6 +216,10 @@ impl Scene {
     fn made<const D: usize>(&self) -> Result<Case<D>, SceneError> {
         let file = &self.file;
         let spacing = file.spacing.get();
+        let equation = transport::equation_of_state(file);
+        if equation.liquid().is_some() {
+            liquid::check(file)?;
+        }
         let mut domain = domain::domain(file)?;
         let solution = self.solution()?;
         let free_stream = flow::free_stream(file, &domain, solution.as_ref())?;
@@ -222,7 +227,6 @@ impl Scene {
         let method = method::method(&file.scheme, stop)?;
         openings::open(file, &mut domain, &free_stream, method)?;
         flow::check_inlets(&domain, &free_stream)?;
-        let equation = transport::equation_of_state(file);
         flow::check_reservoir(&domain, &free_stream, &equation)?;
         transport::check_sides(&equation, &domain)?;
         axis::check(&domain, &free_stream)?;
@@ -358,6 +362,9 @@ fn scheme(entry: SchemeEntry, gas: &Gas) -> Scheme {
         .map_or_else(Scheme::default, SchemeName::scheme);
     if gas.is_viscous() {
         scheme = scheme.of_viscous_gas();
+    }
+    if gas.liquid().is_some() {
+        scheme = scheme.of_liquid();
     }
     if let Some(word) = entry.extrapolation {
         scheme.wall.extrapolation = word.into();
