@@ -19,6 +19,7 @@ const SMALL: [(&str, &[&str]); 33] = [
     ),
     ("blown-sphere", &["end_time=0.2", "spacing=0.2"]),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
+    ("cavity", &["end_time=0.02"]),
     ("couette", &["end_time=1e-9", "stop=end-time"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     (
@@ -78,6 +79,8 @@ const SMALL: [(&str, &[&str]); 33] = [
     ("step", &["end_time=0.05", "spacing=0.05"]),
     ("store", &["end_time=0.0005", "spacing=0.06"]),
     ("taylor-green", &["end_time=0.02"]),
+    ("vortices-liquid", &["end_time=0.02"]),
+    ("water-hammer", &["end_time=1e-4"]),
     ("wedge", &["end_time=0.1", "spacing=0.125"]),
     (
         "wedge-fixed",

@@ -31,6 +31,7 @@ mod stress;
 mod variant;
 mod view;
 mod viscous;
+mod weakly_compressible;
 pub mod wedge;
 
 use crate::nearest::nearest;
@@ -44,7 +45,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 20] = [
+static CASES: [Case; 21] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -55,6 +56,10 @@ static CASES: [Case; 20] = [
     ("mms", &[&mms::Manufactured]),
     ("mms-walls", &[&mms_walls::Walls]),
     ("viscous", &[&viscous::Viscous]),
+    (
+        "weakly-compressible",
+        &[&weakly_compressible::WeaklyCompressible],
+    ),
     ("real-gas", &[&real_gas::RealGas]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),

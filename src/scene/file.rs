@@ -85,7 +85,7 @@ pub struct GasEntry {
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SchemeEntry {
-    /// Set of equations: the project's own, or the published one; `conservative` unless given.
+    /// Set of equations: the project's own, the published one, or one of liquids; `conservative` unless given.
     pub equations: Option<SchemeName>,
     /// How ghosts get their state: by a sum where they are, or by a first-order one at their mirror points; `wom` unless given.
     pub extrapolation: Option<ExtrapolationWord>,

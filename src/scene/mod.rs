@@ -64,6 +64,7 @@ mod probe;
 mod reference;
 mod refine;
 mod region;
+mod schemes;
 pub mod shapes;
 pub mod side;
 pub mod spin;
@@ -265,7 +266,9 @@ impl Scene {
         };
         surface::check(&problem, gas_constant.is_some())?;
         surface::refuse_viscous_rings(&problem)?;
-        if problem.scheme.viscosity == Viscosity::None && !problem.gas.is_viscous() {
+        schemes::check(&problem)?;
+        let has_none = problem.scheme.viscosity == Viscosity::None && !problem.gas.is_viscous();
+        if has_none && !problem.scheme.is_of_liquids() {
             return Err(SceneError::value(
                 "scheme.artificial_dissipation",
                 "is what shocks need of gas without viscosity of its own; give the gas one, or leave this on",

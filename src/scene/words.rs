@@ -183,7 +183,7 @@ impl TryFrom<String> for SchemeName {
             let names = Scheme::NAMED.map(|scheme| format!("`{}`", scheme.name));
             format!(
                 "`{name}` is no set of equations; there are {}",
-                names.join(" and ")
+                names.join(", ")
             )
         })
     }
