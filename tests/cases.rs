@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 33] = [
+const SMALL: [(&str, &[&str]); 36] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("becker", &["end_time=1.0"]),

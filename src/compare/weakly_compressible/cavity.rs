@@ -31,7 +31,7 @@ const ACROSS: [[f64; 2]; 15] = [
 const ALLOWED: f64 = 2.0;
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-    let what = "L-IPST-C, cavity, 50 cells: largest error of the velocity across its middle, per cent of the lid's";
+    let what = "PE-IPST-C, cavity, 50 cells: largest error of the velocity across its middle, per cent of the lid's";
     let subject = Subject::new(NAME, what, THEORY);
     let attempt = SCENE.attempt(&[], context)?;
     Ok(vec![match attempt.outcome() {
@@ -44,12 +44,14 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
     }])
 }
 
-/// Velocity along x at a place: a plane through the particles around it, the nearer the heavier.
+/// Velocity along x at a place of the gas with this spacing: a plane through the particles around it, the nearer the heavier.
 fn at(gas: &Frame, place: [f64; 2]) -> f64 {
+    /// Of the scene.
+    const SPACING: f64 = 0.02;
     let mut sums = nalgebra::Matrix3::zeros();
     let mut right = nalgebra::Vector3::zeros();
     for (position, velocity) in gas.position.iter().zip(&gas.velocity) {
-        let [x, y] = [0, 1].map(|k| (position[k] - place[k]) / 0.02);
+        let [x, y] = [0, 1].map(|k| (position[k] - place[k]) / SPACING);
         let weight = (-x * x - y * y).exp();
         let row = nalgebra::Vector3::new(1.0, x, y);
         sums += row * row.transpose() * weight;
