@@ -18,8 +18,8 @@ const SMALL: [(&str, &[&str]); 36] = [
         ],
     ),
     ("blown-sphere", &["end_time=0.2", "spacing=0.2"]),
-    ("cone", &["end_time=0.1", "spacing=0.05"]),
     ("cavity", &["end_time=0.02"]),
+    ("cone", &["end_time=0.1", "spacing=0.05"]),
     ("couette", &["end_time=1e-9", "stop=end-time"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     (

@@ -139,3 +139,23 @@ fn a_liquid_is_told_and_runs_by_each_scheme_that_goes_with_its_sides() {
         Workplace::new().run(SCENE, &["--set", &setting]).succeeds();
     }
 }
+
+#[test]
+fn pressure_that_nothing_damps_beside_a_wall_is_told() {
+    let scene = SCENE
+        .replace(
+            "x_max = \"wall\"",
+            "x_max = { wall = { kind = \"no-slip\" } }",
+        )
+        .replace("[gas]\n", "[gas]\nviscosity = 1e-3\n");
+    let place = Workplace::new();
+    place.write("scene.toml", scene);
+    let told = |scheme: &str| {
+        let setting = format!("scheme.equations={scheme}");
+        let answer = place.aero(&["check", "scene.toml", "--set", &setting]);
+        answer.succeeds();
+        answer.out + &answer.err
+    };
+    assert!(told("L-IPST-C").contains("does not damp pressure"));
+    assert!(!told("PE-IPST-C").contains("does not damp pressure"));
+}

@@ -5,6 +5,8 @@ use serde::Deserialize;
 use super::error::SceneError;
 use super::file::SceneFile;
 use super::number::{Finite, Positive};
+use super::side::SideEntry;
+use super::vector::AXES;
 use aero_solver::gas::{Liquid, Viscosity};
 use aero_solver::problem::{Domain, Side, WallHeat, WallKind};
 
@@ -166,7 +168,7 @@ pub(super) fn check(file: &SceneFile) -> Result<(), SceneError> {
     ];
     match refused.into_iter().find(|(_, is_given, _)| *is_given) {
         Some((key, _, message)) => Err(SceneError::value(key, message)),
-        None => Ok(()),
+        None => check_given(file),
     }
 }
 
@@ -182,18 +184,21 @@ pub(super) fn check_viscosity(viscosity: &Viscosity) -> Result<(), SceneError> {
 }
 
 /// Refuses gas beyond a side that is not the free stream: its formulas name density and pressure of a gas.
-pub(super) fn check_sides<const D: usize>(domain: &Domain<D>) -> Result<(), SceneError> {
-    let mut given = domain.openings.iter().filter(|one| one.given.is_some());
-    if let Some(opening) = given.next() {
-        return Err(SceneError::value(
-            format!(
-                "domain.sides.{}_{}",
-                super::vector::AXES[opening.axis],
-                ["min", "max"][opening.end]
-            ),
+fn check_given(file: &SceneFile) -> Result<(), SceneError> {
+    let gives = |(_, _, side): &(usize, usize, &SideEntry)| {
+        side.given.is_some() || side.parts.iter().any(|part| part.given.is_some())
+    };
+    match file.domain.sides.each().find(gives) {
+        None => Ok(()),
+        Some((axis, end, _)) => Err(SceneError::value(
+            format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end]),
             "gives the state of a gas beyond it, and gas.equation_of_state names a liquid; leave it to the free stream",
-        ));
+        )),
     }
+}
+
+/// Refuses an axis, about which nobody has tried a liquid.
+pub(super) fn check_sides<const D: usize>(domain: &Domain<D>) -> Result<(), SceneError> {
     if domain.has(|side| side == Side::Axis) {
         return Err(SceneError::value(
             "domain.sides",
