@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 35] = [
+const SMALL: [(&str, &[&str]); 38] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("becker", &["end_time=1.0"]),
@@ -18,6 +18,7 @@ const SMALL: [(&str, &[&str]); 35] = [
         ],
     ),
     ("blown-sphere", &["end_time=0.2", "spacing=0.2"]),
+    ("cavity", &["end_time=0.02"]),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
     (
         "cone-incidence",
@@ -88,6 +89,8 @@ const SMALL: [(&str, &[&str]); 35] = [
     ("step", &["end_time=0.05", "spacing=0.05"]),
     ("store", &["end_time=0.0005", "spacing=0.06"]),
     ("taylor-green", &["end_time=0.02"]),
+    ("vortices-liquid", &["end_time=0.02"]),
+    ("water-hammer", &["end_time=1e-4"]),
     ("wedge", &["end_time=0.1", "spacing=0.125"]),
     (
         "wedge-fixed",

@@ -7,11 +7,12 @@ use super::diffusive::Gradients;
 use super::gas::Gas;
 use super::neighbourhood::Neighbourhood;
 use super::neighbours::Lists;
-use super::pairs::diffusion::diffuse;
+use super::pairs::diffusion::{diffuse, diffuse_by_differences};
 use super::pairs::renormalisation::even_renormalisation;
 use super::particles::{Columns, Particle, Particles};
 use super::problem::Problem;
-use super::records::{Diffusive, GHOSTS, Near, Records};
+use super::records::{Diffusive, GHOSTS, Matrix, Near, Records};
+use super::scheme::Stress;
 use super::sides::Buffers;
 use super::walls::{Walls, beyond};
 
@@ -23,17 +24,28 @@ pub fn add<const D: usize>(
     walls: &Walls<D>,
     around: &mut Neighbourhood<D>,
 ) {
+    let stress = problem.scheme.operators.stress;
     fill(problem, fluid, buffers, &mut around.records);
     around.copies.gas.refresh_diffusive(&mut around.records);
     fill_ghosts(
-        &problem.gas,
+        (&problem.gas, stress),
         walls,
         &around.wall_lists.near,
         &mut around.records,
     );
     around.copies.ghosts.refresh_diffusive(&mut around.records);
-    let rates = fluid.columns().rates;
-    diffuse(&around.arch, &around.lists, &around.records, rates);
+    let Columns {
+        rates,
+        renormalisations,
+        ..
+    } = fluid.columns();
+    let (arch, lists, records) = (&around.arch, &around.lists, &around.records);
+    match stress {
+        Stress::Conservative => diffuse(arch, lists, records, rates),
+        Stress::Coupled | Stress::Pairwise => {
+            diffuse_by_differences(arch, lists, records, renormalisations, rates);
+        }
+    }
 }
 
 /// Writes what flows through the gas, and through what has left.
@@ -43,7 +55,7 @@ fn fill<const D: usize>(
     buffers: &Buffers<D>,
     records: &mut Records<D>,
 ) {
-    let gas = &problem.gas;
+    let (gas, law) = (&problem.gas, problem.scheme.operators.stress);
     let Columns {
         state,
         rates,
@@ -63,9 +75,10 @@ fn fill<const D: usize>(
                 velocity: rates.velocity_gradient,
                 energy: rates.energy_gradient,
             };
+            let (gradients, matrix) = read_by(law, &gradients, &r.matrix);
             let coefficients = gas.coefficients(particle.density, particle.energy);
             let heat_capacity = gas.heat_capacity_at_volume(particle.density, particle.energy);
-            let weight = (near.volume, &r.matrix);
+            let weight = (near.volume, &matrix);
             *diffusive = Diffusive::new(&gradients, weight, coefficients, heat_capacity);
         });
     for (slot, open) in (count..).zip(buffers.particles()) {
@@ -74,14 +87,28 @@ fn fill<const D: usize>(
         } = open.particle;
         let coefficients = gas.coefficients(density, energy);
         let heat_capacity = gas.heat_capacity_at_volume(density, energy);
-        let weight = (near[slot].volume, &open.renormalisation);
-        diffusive[slot] = Diffusive::new(&open.gradients, weight, coefficients, heat_capacity);
+        let (gradients, matrix) = read_by(law, &open.gradients, &open.renormalisation);
+        let weight = (near[slot].volume, &matrix);
+        diffusive[slot] = Diffusive::new(&gradients, weight, coefficients, heat_capacity);
+    }
+}
+
+/// Gradients and renormalisation as the records of a stress by this law have them.
+fn read_by<const D: usize>(
+    law: Stress,
+    gradients: &Gradients<D>,
+    matrix: &Matrix<D>,
+) -> (Gradients<D>, Matrix<D>) {
+    match law {
+        Stress::Conservative => (*gradients, *matrix),
+        Stress::Coupled => (*gradients, Matrix::identity()),
+        Stress::Pairwise => (Gradients::zeros(), Matrix::identity()),
     }
 }
 
 /// Writes what flows through ghosts: what flows through the gas nearby, as it goes on beyond the wall.
 fn fill_ghosts<const D: usize>(
-    gas: &Gas,
+    (gas, law): (&Gas, Stress),
     walls: &Walls<D>,
     lists: &Lists,
     records: &mut Records<D>,
@@ -106,7 +133,8 @@ fn fill_ghosts<const D: usize>(
                     let (density, energy) = (ghost.shown.density, ghost.shown.energy);
                     let coefficients = gas.coefficients(density, energy);
                     let heat_capacity = gas.heat_capacity_at_volume(density, energy);
-                    let weight = (ghost.volume, &even);
+                    let (gradients, matrix) = read_by(law, &gradients, &even);
+                    let weight = (ghost.volume, &matrix);
                     own[target - first_target] =
                         Diffusive::new(&gradients, weight, coefficients, heat_capacity);
                 }

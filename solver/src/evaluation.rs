@@ -16,7 +16,8 @@ use super::particles::{Columns, Particles};
 use super::problem::Problem;
 use super::records::{GHOSTS, Records};
 use super::rings::Rings;
-use super::shifting::shift;
+use super::scheme::Volume;
+use super::shifting::{shift, stand_still};
 use super::shock_sensor::find_shocks;
 use super::sides::Buffers;
 use super::sources;
@@ -88,8 +89,8 @@ fn move_walls<const D: usize>(walls: &mut Walls<D>, moment: Moment) {
     }
 }
 
-/// Rates of the fluid at `moment`.
-pub fn evaluate<const D: usize>(
+/// What stands where at `moment`, what ghosts show, how large all are, and their renormalisation.
+pub fn arrange<const D: usize>(
     problem: &Problem<D>,
     moment: Moment,
     fluid: &mut Particles<D>,
@@ -101,12 +102,48 @@ pub fn evaluate<const D: usize>(
     move_walls(walls, moment);
     walls.extrapolate(&around.arch, &around.wall_lists, &around.records);
     fill_ghosts(walls, around);
+    if problem.scheme.operators.volume == Volume::Summed {
+        sum_volumes(fluid, around);
+    }
     renormalise(problem, fluid, around);
-    if problem.scheme.transport_velocity.shield {
+}
+
+/// Gives each particle as much room as there is, `V = m / sum m W`, whatever its density is.
+fn sum_volumes<const D: usize>(fluid: &mut Particles<D>, around: &mut Neighbourhood<D>) {
+    round_near(around);
+    let sums = fluid.columns().densities;
+    densities(
+        &around.arch,
+        &around.lists,
+        &around.records,
+        around.lattice_sum,
+        sums,
+    );
+    let near = around.records.near.par_iter_mut();
+    near.zip(sums)
+        .for_each(|(near, sum)| near.volume = near.mass / *sum);
+    around.copies.gas.refresh_near(&mut around.records);
+}
+
+/// Rates of the fluid at `moment`.
+pub fn evaluate<const D: usize>(
+    problem: &Problem<D>,
+    moment: Moment,
+    fluid: &mut Particles<D>,
+    buffers: &Buffers<D>,
+    walls: &mut Walls<D>,
+    around: &mut Neighbourhood<D>,
+) {
+    arrange(problem, moment, fluid, buffers, walls, around);
+    let transport = problem.scheme.transport_velocity;
+    if transport.shield {
         shield_walls(fluid, walls, around);
     }
-    if problem.scheme.transport_velocity.shifting {
+    if transport.shifting {
         shift(problem, fluid, around);
+    }
+    if transport.at_rest {
+        stand_still(fluid);
     }
     sum_rates(problem, fluid, around);
     if problem.gas.is_viscous() {
@@ -154,6 +191,11 @@ pub fn renormalise<const D: usize>(
         &problem.scheme,
         renormalisations,
     );
+    if !problem.scheme.operators.renormalised {
+        for renormalisation in renormalisations.iter_mut() {
+            renormalisation.leave_out();
+        }
+    }
     let Records { near, state, .. } = &mut around.records;
     state
         .par_iter_mut()

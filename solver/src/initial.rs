@@ -24,7 +24,7 @@ impl<const D: usize> Problem<D> {
         if !(state.density > 0.0 && state.density.is_finite()) {
             return fail("density", state.density);
         }
-        if !(state.pressure > 0.0 && state.pressure.is_finite()) {
+        if !(state.pressure > self.gas.least_pressure() && state.pressure.is_finite()) {
             return fail("pressure", state.pressure);
         }
         match state.velocity.iter().find(|u| !u.is_finite()) {

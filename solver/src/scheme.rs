@@ -1,7 +1,6 @@
 //! A scheme as data: one part per question that a particle method has to answer, to be combined at will.
 //!
-//! [`Scheme::PAPER`] and [`Scheme::CONSERVATIVE`] are two such combinations; a third is a constant in
-//! [`Scheme::NAMED`].
+//! The combinations that have a name stand in [`crate::schemes`].
 
 /// Equations and boundary treatment of particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -15,6 +14,8 @@ pub struct Scheme {
     pub step: StepBound,
     /// Where densities come from.
     pub density: Density,
+    /// How sums over pairs stand for gradients.
+    pub operators: Operators,
     /// Artificial viscosity.
     pub viscosity: Viscosity,
     /// Artificial conduction.
@@ -25,12 +26,25 @@ pub struct Scheme {
     pub transport_velocity: TransportVelocity,
     /// What ghosts show the gas.
     pub wall: WallTreatment,
-    /// Gas on one side of a thin part feels neither gas nor ghosts of the other side.
-    pub surface_tags: bool,
     /// The undisturbed free stream is moved on without pair sums.
     pub skip_undisturbed: bool,
     /// In what numbers pairs are computed.
     pub precision: Precision,
+}
+
+/// How sums over pairs stand for gradients.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Operators {
+    /// What spreads a density that is evolved.
+    pub damping: Damping,
+    /// How large particles are.
+    pub volume: Volume,
+    /// How pressure accelerates.
+    pub pressure: PressureGradient,
+    /// How the gas's own viscosity does.
+    pub stress: Stress,
+    /// Gradients of the kernel are corrected by where the neighbours are.
+    pub renormalised: bool,
 }
 
 /// How state goes through time. Both are second order but for the dissipation.
@@ -64,10 +78,54 @@ pub enum StepRule {
 /// Where densities come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Density {
-    /// The equation of continuity, with the diffusion of delta-SPH [Villodi & Ramachandran 2024, eqs 10-11, 17].
+    /// The equation of continuity [Villodi & Ramachandran 2024, eqs 10 and 17].
     Continuity,
     /// The sum over the particles around.
     Summation,
+}
+
+/// What spreads a density that is evolved; in a liquid the pressure that it stands for.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Damping {
+    /// Nothing.
+    None,
+    /// The diffusion of delta-SPH [Villodi & Ramachandran 2024, eq. 11].
+    Delta,
+    /// That of an evolved pressure, by differences of gradients [Negi & Ramachandran 2021, eq. 13].
+    Coupled,
+    /// The same by pairs [Ramachandran & Puri 2019].
+    Pairwise,
+}
+
+/// How large particles are.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Volume {
+    /// Mass over density.
+    OfDensity,
+    /// As much room as there is, `1 / sum W`, whatever their density is, and all of the same mass [Negi & Ramachandran 2021, eq. 31].
+    Summed,
+}
+
+/// How pressure accelerates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum PressureGradient {
+    /// By sums of pressures: pairs exchange momentum alike [Villodi & Ramachandran 2024, eq. 12].
+    Pairwise,
+    /// By differences, exact where it is linear [Negi & Ramachandran 2021, eq. 8].
+    Difference,
+    /// By a mean of the two, without renormalisation [Adami, Hu & Adams 2013].
+    Averaged,
+}
+
+/// How the gas's own viscosity accelerates.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Stress {
+    /// By sums of stresses, and the departure from their gradients: pairs exchange momentum alike.
+    Conservative,
+    /// By differences of stresses, and the departure.
+    Coupled,
+    /// By pairs alone [Morris, Fox & Zhu 1997].
+    Pairwise,
 }
 
 /// What of the approach of a pair the artificial viscosity acts on.
@@ -116,6 +174,17 @@ pub struct TransportVelocity {
     pub shield: bool,
     /// How the flow is kept in place where particles are shifted.
     pub return_of_shift: ReturnOfShift,
+    /// After so many steps they are moved apart until they stand evenly, and take the state of where they come to.
+    pub evened_out: Option<u64>,
+    /// They stay where they are, and the flow passes them.
+    pub at_rest: bool,
+}
+
+impl TransportVelocity {
+    /// True where somebody asks where particles crowd.
+    pub fn asks_for_concentration(self) -> bool {
+        self.shifting || self.evened_out.is_some()
+    }
 }
 
 /// How the flow is kept in place where particles are shifted.
@@ -138,6 +207,8 @@ pub struct WallTreatment {
     pub keeps_entropy: bool,
     /// Ghost volumes stay constant; false only to show what happens otherwise.
     pub constant_volume: bool,
+    /// Gas on one side of a thin part feels neither gas nor ghosts of the other side.
+    pub surface_tags: bool,
 }
 
 /// How ghosts get the state of the gas.
@@ -159,64 +230,9 @@ pub enum Precision {
 }
 
 impl Scheme {
-    /// The scheme of the paper [Villodi & Ramachandran 2024, eqs 5-17 and 19-23], misprints corrected.
-    pub const PAPER: Self = Self {
-        name: "paper",
-        integrator: Integrator::PredictorCorrector,
-        step: StepBound {
-            rule: StepRule::Extremes,
-            ..Self::CONSERVATIVE.step
-        },
-        density: Density::Continuity,
-        viscosity: Viscosity::Bare,
-        conduction: Conduction::ByVolume,
-        energy: Energy::ByRate,
-        transport_velocity: TransportVelocity {
-            return_of_shift: ReturnOfShift::Advection,
-            ..Self::CONSERVATIVE.transport_velocity
-        },
-        wall: WallTreatment {
-            follows_the_bend: false,
-            keeps_entropy: false,
-            ..Self::CONSERVATIVE.wall
-        },
-        ..Self::CONSERVATIVE
-    };
-
-    /// Its conservative successor: what pairs exchange they exchange alike, and densities are read off the particles.
-    pub const CONSERVATIVE: Self = Self {
-        name: "conservative",
-        integrator: Integrator::Leapfrog,
-        step: StepBound {
-            rule: StepRule::EachParticle,
-            cfl: 0.5,
-        },
-        density: Density::Summation,
-        viscosity: Viscosity::Limited,
-        conduction: Conduction::Limited,
-        energy: Energy::Settled,
-        transport_velocity: TransportVelocity {
-            shifting: false,
-            shield: false,
-            return_of_shift: ReturnOfShift::Exchange,
-        },
-        wall: WallTreatment {
-            extrapolation: Extrapolation::Wom,
-            follows_the_bend: true,
-            keeps_entropy: true,
-            constant_volume: true,
-        },
-        surface_tags: true,
-        skip_undisturbed: true,
-        precision: Precision::Double,
-    };
-
-    /// The combinations that have a name.
-    pub const NAMED: [Self; 2] = [Self::CONSERVATIVE, Self::PAPER];
-
-    /// The combination called `name`.
-    pub fn named(name: &str) -> Option<Self> {
-        Self::NAMED.into_iter().find(|scheme| scheme.name == name)
+    /// True of those whose density is none of the particles' own, which liquids alone can do with.
+    pub fn is_of_liquids(&self) -> bool {
+        self.operators.volume == Volume::Summed
     }
 
     /// With or without the limiter of the viscosity, where it has one.
@@ -239,6 +255,13 @@ impl Scheme {
         self
     }
 
+    /// The same for a liquid, which carries no heat.
+    #[must_use]
+    pub fn of_liquid(mut self) -> Self {
+        self.conduction = Conduction::None;
+        self
+    }
+
     /// With or without the limiter of the conduction, where it has one.
     pub fn limit_conduction(&mut self, limits: bool) {
         self.conduction = match self.conduction {
@@ -248,25 +271,5 @@ impl Scheme {
             _ if limits => Conduction::Limited,
             _ => Conduction::Pairwise,
         };
-    }
-}
-
-impl Default for Scheme {
-    /// What a scene gets that names nothing.
-    fn default() -> Self {
-        Self::CONSERVATIVE
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn every_combination_is_found_by_its_own_name() {
-        for scheme in Scheme::NAMED {
-            assert_eq!(Scheme::named(scheme.name), Some(scheme));
-        }
-        assert_eq!(Scheme::named("none"), None);
     }
 }

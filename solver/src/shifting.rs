@@ -82,6 +82,31 @@ pub fn shift<const D: usize>(
     }
 }
 
+/// `factor` times the gradient of the concentration; next to a wall never towards it.
+pub fn spread<const D: usize>(
+    renormalisation: &Renormalisation<D>,
+    factor: f64,
+    h: f64,
+) -> Vector<D> {
+    let wall = renormalisation.wall_gradient;
+    let mut way = renormalisation.concentration_gradient * factor;
+    let steepness = wall.norm();
+    if steepness * h > ONE_SPACING_FROM_A_WALL {
+        let into = wall / steepness;
+        way -= into * way.dot(&into).max(0.0);
+    }
+    way
+}
+
+/// Lets particles stay where they are: their drift takes back what the flow moves them by.
+pub fn stand_still<const D: usize>(fluid: &mut Particles<D>) {
+    let Columns { state, rates, .. } = fluid.columns();
+    rates
+        .par_iter_mut()
+        .zip(state)
+        .for_each(|(rates, particle)| rates.shift = -particle.velocity);
+}
+
 /// `du = -Ma c (2h) grad C`, bounded by [`FASTEST`] and scaled down in shocks; next to a wall never towards it.
 fn drift<const D: usize>(
     particle: &Particle<D>,
@@ -89,13 +114,7 @@ fn drift<const D: usize>(
     sound: f64,
     h: f64,
 ) -> Vector<D> {
-    let wall = renormalisation.wall_gradient;
-    let mut drift = renormalisation.concentration_gradient * (-2.0 * STRENGTH * sound * h);
-    let steepness = wall.norm();
-    if steepness * h > ONE_SPACING_FROM_A_WALL {
-        let into = wall / steepness;
-        drift -= into * drift.dot(&into).max(0.0);
-    }
+    let mut drift = spread(renormalisation, -2.0 * STRENGTH * sound * h, h);
     let fastest = FASTEST * sound;
     let speed = drift.norm();
     if speed > fastest {

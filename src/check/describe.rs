@@ -71,6 +71,17 @@ fn gas<const D: usize>(problem: &Problem<D>) -> String {
     let stream = &problem.free_stream;
     match &problem.gas {
         Gas::Ideal(gas) => format!("gas: ideal, ratio of specific heats {}", gas.gamma),
+        Gas::Liquid(liquid) => {
+            let law = if liquid.is_linear() {
+                "pressure linear in the density".into()
+            } else {
+                format!("Tait's equation with an exponent of {}", liquid.exponent)
+            };
+            format!(
+                "gas: a liquid, {law}; speed of sound {} and pressure {} at a density of {}",
+                liquid.sound_speed, liquid.pressure, liquid.density
+            )
+        }
         Gas::Air(air) => {
             let [least, most] = air.range();
             format!(

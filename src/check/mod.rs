@@ -5,6 +5,7 @@ mod contact;
 mod describe;
 mod layer;
 mod pockets;
+mod ringing;
 mod shock;
 mod sides;
 mod sound;
@@ -66,6 +67,7 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
     };
     sides::look(problem, &panels, &mut found);
     sound::look(problem, &mut found);
+    ringing::look(problem, &mut found);
     warmth::look(problem, &mut found);
     layer::look(problem, &mut found);
     contact::look(problem, &mut found);

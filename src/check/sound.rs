@@ -24,6 +24,11 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
             Side::FreeStream if crosses => "keep it far from the bodies",
             _ => continue,
         };
+        let mend = if problem.gas.ideal_gas().is_some() {
+            mend
+        } else {
+            "keep it far from the bodies"
+        };
         let text = format!(
             "side `{}`: the free stream crosses it at Mach {:.2}, and it sends back sound that meets it; {mend}",
             side_name(axis, end),

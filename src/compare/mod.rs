@@ -35,6 +35,7 @@ mod stress;
 mod variant;
 mod view;
 mod viscous;
+mod weakly_compressible;
 pub mod wedge;
 
 use crate::nearest::nearest;
@@ -48,7 +49,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 23] = [
+static CASES: [Case; 24] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -61,6 +62,10 @@ static CASES: [Case; 23] = [
     ("mms-walls", &[&mms_walls::Walls]),
     ("outlets", &[&outlets::Outlets]),
     ("viscous", &[&viscous::Viscous]),
+    (
+        "weakly-compressible",
+        &[&weakly_compressible::WeaklyCompressible],
+    ),
     ("real-gas", &[&real_gas::RealGas]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),

@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use aero_geometry::Shape;
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::body_view::Skin;
 use super::flight::{Extent, Flight};

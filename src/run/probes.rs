@@ -4,8 +4,8 @@ use std::f64::consts::TAU;
 use std::fmt::Write as _;
 use std::path::Path;
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Vector};
-use rayon::prelude::*;
 
 use super::views::Job;
 use crate::case::{Probe, Reach};

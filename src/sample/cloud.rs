@@ -1,7 +1,7 @@
 //! Points with values, sorted by width and in space, to be asked for the values between them.
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Pencils, Vector};
-use rayon::prelude::*;
 
 use super::fit::{Fit, Found};
 use super::solids::{Contact, Solids};

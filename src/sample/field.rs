@@ -1,7 +1,7 @@
 //! The gas on a lattice.
 
 use aero_geometry::Vector;
-use rayon::prelude::*;
+use aero_geometry::parallel::prelude::*;
 
 use super::gas::{Gas, State};
 use super::lattice::Lattice;

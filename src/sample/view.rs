@@ -1,7 +1,7 @@
 //! A plane of pixels through the gas.
 
+use aero_geometry::parallel::prelude::*;
 use aero_validation::pictures::Colour;
-use rayon::prelude::*;
 
 const WHITE: Colour = [255, 255, 255];
 const BODY: Colour = [205, 208, 214];

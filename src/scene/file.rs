@@ -21,7 +21,7 @@ use super::views::LatticeEntry;
 use super::viscosity::ViscosityEntry;
 use super::wall::BodyWallEntry;
 use super::words::{
-    EquationOfStateWord, ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName,
+    EquationOfState, ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName,
     StopWord, TimeWord,
 };
 
@@ -70,7 +70,7 @@ pub struct SceneFile {
 #[serde(deny_unknown_fields)]
 pub struct GasEntry {
     /// How pressure and temperature follow from density and energy; `ideal` unless given.
-    pub equation_of_state: Option<EquationOfStateWord>,
+    pub equation_of_state: Option<EquationOfState>,
     /// Ratio of specific heats; 1.4 unless given, of an ideal gas alone.
     pub gamma: Option<Gamma>,
     /// Specific gas constant in J/(kg K), which makes temperatures of pressures and densities; that of the free stream unless given.
@@ -85,7 +85,7 @@ pub struct GasEntry {
 #[derive(Clone, Copy, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct SchemeEntry {
-    /// Set of equations: the project's own, or the published one; `conservative` unless given.
+    /// Set of equations: the project's own, the published one, or one of liquids; `conservative` unless given.
     pub equations: Option<SchemeName>,
     /// How ghosts get their state: by a sum where they are, or by a first-order one at their mirror points; `wom` unless given.
     pub extrapolation: Option<ExtrapolationWord>,
@@ -117,7 +117,7 @@ pub struct SchemeEntry {
     pub refine: Option<RefineEntry>,
 }
 
-/// `[free_stream]`: an altitude, or pressure and one of density and temperature; one of Mach number, speed and velocity.
+/// `[free_stream]`: an altitude, or pressure and one of density and temperature, or density or pressure of a liquid; one of Mach number, speed and velocity.
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FreeStreamEntry {
@@ -227,9 +227,9 @@ pub struct TrendEntry {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct FieldEntry {
-    /// Density.
+    /// Density; of a liquid in place of the pressure.
     pub density: Option<Formula>,
-    /// Pressure.
+    /// Pressure; of a liquid in place of the density.
     pub pressure: Option<Formula>,
     /// Velocity, one formula per axis.
     pub velocity: Option<Vec<Formula>>,
@@ -265,10 +265,10 @@ pub struct RiemannEntry {
 #[derive(Clone, Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct StateEntry {
-    /// Density.
-    pub density: Positive,
-    /// Pressure.
-    pub pressure: Positive,
+    /// Density; needed of gas, in place of the pressure of a liquid.
+    pub density: Option<Positive>,
+    /// Pressure; needed of gas, in place of the density of a liquid.
+    pub pressure: Option<Positive>,
     /// Velocity; zero unless given.
     pub velocity: Option<Vec<Finite>>,
 }

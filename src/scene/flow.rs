@@ -7,7 +7,7 @@ use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::manufactured::Manufactured;
 use super::transport::equation_of_state;
 use super::vector::{AXES, vector_or_zero};
-use super::{earlier, field, stream};
+use super::{earlier, field, liquid, stream};
 use crate::case::Stop;
 use aero_solver::gas::Gas;
 use aero_solver::problem::{Domain, Initial, Opening, Side, State};
@@ -29,9 +29,12 @@ pub(super) fn free_stream<const D: usize>(
         return Ok(solution.state(&domain.bounds.min, 0.0));
     }
     let needs_one = domain.has(Side::lets_in);
+    let gas = equation_of_state(file);
     match (&file.initial.riemann, &file.initial.field) {
-        (Some(riemann), _) if !needs_one => state("initial.riemann.left", &riemann.left),
-        (None, Some(entry)) if !needs_one => field::reference(entry, domain, file.spacing.get()),
+        (Some(riemann), _) if !needs_one => state("initial.riemann.left", &riemann.left, &gas),
+        (None, Some(entry)) if !needs_one => {
+            field::reference(entry, &gas, domain, file.spacing.get())
+        }
         (Some(_), _) | (_, Some(_)) => Err(SceneError::value(
             "free_stream",
             "missing, though a side of the domain is an inlet or a free stream; add the section with mach, density and pressure",
@@ -203,11 +206,17 @@ pub(super) fn initial<const D: usize>(
         return Err(SceneError::value(key, message));
     }
     if let Some(entry) = &file.initial.field {
-        return field::initial(entry, free_stream, file.spacing.get());
+        return field::initial(
+            entry,
+            &equation_of_state(file),
+            free_stream,
+            file.spacing.get(),
+        );
     }
     let Some(riemann) = &file.initial.riemann else {
         return Ok(Initial::FreeStream);
     };
+    let gas = equation_of_state(file);
     let position = riemann.position.get();
     let (low, high) = (domain.bounds.min[0], domain.bounds.max[0]);
     if position <= low || position >= high {
@@ -217,17 +226,36 @@ pub(super) fn initial<const D: usize>(
         ));
     }
     Ok(Initial::Riemann {
-        left: state("initial.riemann.left", &riemann.left)?,
-        right: state("initial.riemann.right", &riemann.right)?,
+        left: state("initial.riemann.left", &riemann.left, &gas)?,
+        right: state("initial.riemann.right", &riemann.right, &gas)?,
         position,
         smooth: riemann.smooth.unwrap_or(false),
     })
 }
 
-fn state<const D: usize>(place: &str, entry: &StateEntry) -> Result<State<D>, SceneError> {
+fn state<const D: usize>(
+    place: &str,
+    entry: &StateEntry,
+    gas: &Gas,
+) -> Result<State<D>, SceneError> {
+    let [density, pressure] = match (gas.liquid(), entry.density, entry.pressure) {
+        (Some(liquid), density, pressure) => liquid::state(liquid, place, [density, pressure])?,
+        (None, Some(density), Some(pressure)) => [density.get(), pressure.get()],
+        (None, density, _) => {
+            let missing = if density.is_none() {
+                "density"
+            } else {
+                "pressure"
+            };
+            return Err(SceneError::value(
+                format!("{place}.{missing}"),
+                "is missing; give density and pressure",
+            ));
+        }
+    };
     Ok(State {
-        density: entry.density.get(),
+        density,
         velocity: vector_or_zero(&format!("{place}.velocity"), entry.velocity.as_ref())?,
-        pressure: entry.pressure.get(),
+        pressure,
     })
 }

@@ -50,6 +50,7 @@ mod flow;
 pub mod formula;
 mod freedom;
 mod lines;
+pub mod liquid;
 pub mod manufactured;
 mod method;
 mod motion;
@@ -63,6 +64,7 @@ mod probe;
 mod reference;
 mod refine;
 mod region;
+mod schemes;
 pub mod shapes;
 pub mod side;
 pub mod spin;
@@ -82,14 +84,12 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
-use aero_solver::gas::Gas;
 use aero_solver::problem::Problem;
-use aero_solver::scheme::{Conduction, Scheme, Viscosity};
-use file::{SceneFile, SchemeEntry};
+use aero_solver::scheme::Viscosity;
+use file::SceneFile;
 use manufactured::Manufactured;
 use number::Disorder;
 use refine::RefineEntry;
-use words::SchemeName;
 
 /// A scene: read, with all single values in range, and open to overrides.
 #[derive(Clone, Debug)]
@@ -216,6 +216,10 @@ impl Scene {
     fn made<const D: usize>(&self) -> Result<Case<D>, SceneError> {
         let file = &self.file;
         let spacing = file.spacing.get();
+        let equation = transport::equation_of_state(file);
+        if equation.liquid().is_some() {
+            liquid::check(file)?;
+        }
         let mut domain = domain::domain(file)?;
         let solution = self.solution()?;
         let free_stream = flow::free_stream(file, &domain, solution.as_ref())?;
@@ -223,7 +227,6 @@ impl Scene {
         let method = method::method(&file.scheme, stop)?;
         openings::open(file, &mut domain, &free_stream, method)?;
         flow::check_inlets(&domain, &free_stream)?;
-        let equation = transport::equation_of_state(file);
         flow::check_reservoir(&domain, &free_stream, &equation)?;
         transport::check_sides(&equation, &domain)?;
         axis::check(&domain, &free_stream)?;
@@ -252,7 +255,7 @@ impl Scene {
             spacing,
             gas,
             method,
-            scheme: scheme(file.scheme, &gas),
+            scheme: schemes::scheme(file.scheme, &gas),
             domain,
             free_stream,
             initial,
@@ -262,7 +265,9 @@ impl Scene {
         };
         surface::check(&problem, gas_constant.is_some())?;
         surface::refuse_viscous_rings(&problem)?;
-        if problem.scheme.viscosity == Viscosity::None && !problem.gas.is_viscous() {
+        schemes::check(&problem)?;
+        let has_none = problem.scheme.viscosity == Viscosity::None && !problem.gas.is_viscous();
+        if has_none && !problem.scheme.is_of_liquids() {
             return Err(SceneError::value(
                 "scheme.artificial_dissipation",
                 "is what shocks need of gas without viscosity of its own; give the gas one, or leave this on",
@@ -351,46 +356,4 @@ impl Scene {
 fn incidence(file: &SceneFile) -> Option<f64> {
     let stream = file.free_stream.as_ref()?;
     stream.incidence.map(number::StreamAngle::get)
-}
-
-fn scheme(entry: SchemeEntry, gas: &Gas) -> Scheme {
-    let mut scheme = entry
-        .equations
-        .map_or_else(Scheme::default, SchemeName::scheme);
-    if gas.is_viscous() {
-        scheme = scheme.of_viscous_gas();
-    }
-    if let Some(word) = entry.extrapolation {
-        scheme.wall.extrapolation = word.into();
-    }
-    if let Some(word) = entry.precision {
-        scheme.precision = word.into();
-    }
-    if let Some(limits) = entry.limited_viscosity {
-        scheme.limit_viscosity(limits);
-    }
-    if let Some(limits) = entry.limited_conduction {
-        scheme.limit_conduction(limits);
-    }
-    if entry.artificial_dissipation == Some(false) {
-        scheme.viscosity = Viscosity::None;
-        scheme.conduction = Conduction::None;
-    }
-    if let Some(cfl) = entry.cfl {
-        scheme.step.cfl = cfl.get();
-    }
-    let switches = [
-        (&mut scheme.transport_velocity.shield, entry.shield),
-        (&mut scheme.transport_velocity.shifting, entry.shifting),
-        (
-            &mut scheme.wall.constant_volume,
-            entry.constant_ghost_volume,
-        ),
-        (&mut scheme.surface_tags, entry.surface_tags),
-        (&mut scheme.skip_undisturbed, entry.skip_undisturbed),
-    ];
-    for (switch, wanted) in switches {
-        *switch = wanted.unwrap_or(*switch);
-    }
-    scheme
 }

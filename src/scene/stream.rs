@@ -5,6 +5,7 @@ use aero_geometry::Vector;
 use super::atmosphere::{Air, GAS_CONSTANT};
 use super::error::SceneError;
 use super::file::{FreeStreamEntry, SceneFile};
+use super::liquid;
 use super::number::{Positive, StreamAngle};
 use super::vector::vector;
 use aero_solver::gas::Gas;
@@ -70,6 +71,11 @@ pub(super) fn gas_constant(entry: &FreeStreamEntry) -> Option<f64> {
 
 /// Pressure and density: of the atmosphere, or `p` and `rho` or, of an ideal gas, `p / (R T)`.
 fn at_rest(entry: &FreeStreamEntry, gas: &Gas) -> Result<(f64, f64), SceneError> {
+    if let Some(liquid) = gas.liquid() {
+        let given = [entry.density, entry.pressure];
+        let [density, pressure] = liquid::state(liquid, "free_stream", given)?;
+        return Ok((pressure, density));
+    }
     if let Some(altitude) = entry.altitude {
         let others = [
             ("pressure", entry.pressure),

@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 
 use super::error::SceneError;
+use super::liquid;
 use super::motion::rotation;
 use super::number::Finite;
 use super::vector::{AXES, vector};
@@ -99,6 +100,9 @@ pub(super) fn check<const D: usize>(
         _ => None,
     });
     for (place, kind) in bodies.chain(sides) {
+        if problem.gas.liquid().is_some() {
+            liquid::check_wall(&place, kind)?;
+        }
         let WallKind::NoSlip(wall) = kind else {
             continue;
         };

@@ -2,12 +2,13 @@
 
 use super::error::SceneError;
 use super::file::SceneFile;
+use super::liquid;
 use super::number::{Gamma, Positive};
 use super::stream;
 use super::vector::AXES;
 use super::viscosity::ViscosityEntry;
-use super::words::EquationOfStateWord;
-use aero_solver::gas::{Air, Gas, IdealGas, Transport, Viscosity};
+use super::words::EquationOfState;
+use aero_solver::gas::{Gas, IdealGas, Liquid, Transport, Viscosity};
 use aero_solver::problem::{Domain, Side, State};
 
 /// Ratio of specific heats of a diatomic gas.
@@ -18,7 +19,7 @@ const PRANDTL: f64 = 0.72;
 
 /// Specific gas constant, where the scene says one: its own, or the free stream's; air that is named has one.
 pub(super) fn gas_constant(file: &SceneFile) -> Option<f64> {
-    if let Some(air) = air(file) {
+    if let Some(Gas::Air(air)) = named(file) {
         return Some(air.gas_constant());
     }
     let of_stream = file.free_stream.as_ref().and_then(|entry| {
@@ -28,25 +29,20 @@ pub(super) fn gas_constant(file: &SceneFile) -> Option<f64> {
     of_stream.or(file.gas.gas_constant.map(Positive::get))
 }
 
-/// The air that the scene names.
-fn air(file: &SceneFile) -> Option<Air> {
-    file.gas
-        .equation_of_state
-        .and_then(EquationOfStateWord::air)
+/// The gas that the scene names, if that is not an ideal one.
+fn named(file: &SceneFile) -> Option<Gas> {
+    file.gas.equation_of_state.and_then(EquationOfState::gas)
 }
 
 /// How pressure and temperature follow from density and energy: the gas, whether or not it is viscous.
 pub(super) fn equation_of_state(file: &SceneFile) -> Gas {
-    air(file).map_or_else(
-        || {
-            Gas::Ideal(IdealGas {
-                gamma: file.gas.gamma.map_or(DIATOMIC, Gamma::get),
-                constant: gas_constant(file).unwrap_or(1.0),
-                transport: None,
-            })
-        },
-        Gas::Air,
-    )
+    named(file).unwrap_or_else(|| {
+        Gas::Ideal(IdealGas {
+            gamma: file.gas.gamma.map_or(DIATOMIC, Gamma::get),
+            constant: gas_constant(file).unwrap_or(1.0),
+            transport: None,
+        })
+    })
 }
 
 /// The gas of the scene.
@@ -63,6 +59,13 @@ pub(super) fn gas<const D: usize>(
         air @ Gas::Air(_) => {
             check_air(file)?;
             Ok(air)
+        }
+        Gas::Liquid(liquid) => {
+            let transport = transport(file, free_stream, None)?;
+            Ok(Gas::Liquid(Liquid {
+                transport,
+                ..liquid
+            }))
         }
     }
 }
@@ -100,6 +103,9 @@ fn check_air(file: &SceneFile) -> Result<(), SceneError> {
 pub(super) fn check_sides<const D: usize>(gas: &Gas, domain: &Domain<D>) -> Result<(), SceneError> {
     if gas.ideal_gas().is_some() {
         return Ok(());
+    }
+    if gas.liquid().is_some() {
+        liquid::check_sides(domain)?;
     }
     let refused = domain
         .each_side()
@@ -172,6 +178,9 @@ fn transport<const D: usize>(
             Viscosity::Constant(flux * length / number)
         }
     };
+    if named(file).is_some_and(|gas| gas.liquid().is_some()) {
+        liquid::check_viscosity(&viscosity)?;
+    }
     if viscosity.asks_for_temperature() && constant.is_none() {
         return Err(SceneError::value(
             "gas.viscosity",

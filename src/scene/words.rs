@@ -2,9 +2,10 @@
 
 use serde::Deserialize;
 
+use super::liquid::{LinearEntry, TaitEntry};
 use crate::case::{Pressure, Stop};
 use crate::sample::Quantity;
-use aero_solver::gas::Air;
+use aero_solver::gas::{Air, Gas};
 use aero_solver::method::Time;
 use aero_solver::scheme::{Extrapolation, Precision, Scheme};
 
@@ -56,10 +57,10 @@ impl From<StopWord> for Stop {
     }
 }
 
-/// How pressure and temperature follow from density and energy, as a scene spells it.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
+/// A word, or `{ linear = { .. } }` or `{ tait = { .. } }` of a liquid: how pressure and temperature follow from density and energy.
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
 #[serde(rename_all = "kebab-case")]
-pub enum EquationOfStateWord {
+pub enum EquationOfState {
     /// Constant specific heats.
     #[default]
     Ideal,
@@ -67,15 +68,21 @@ pub enum EquationOfStateWord {
     ThermallyPerfectAir,
     /// Air whose molecules come apart too, in chemical equilibrium.
     EquilibriumAir,
+    /// A liquid whose pressure is linear in its density.
+    Linear(LinearEntry),
+    /// A liquid by Tait's equation.
+    Tait(TaitEntry),
 }
 
-impl EquationOfStateWord {
-    /// The air that it is, if it is one.
-    pub(super) fn air(self) -> Option<Air> {
+impl EquationOfState {
+    /// The gas that it is, if that is not an ideal one: without viscosity.
+    pub(super) fn gas(self) -> Option<Gas> {
         match self {
             Self::Ideal => None,
-            Self::ThermallyPerfectAir => Some(Air::ThermallyPerfect),
-            Self::EquilibriumAir => Some(Air::Equilibrium),
+            Self::ThermallyPerfectAir => Some(Gas::Air(Air::ThermallyPerfect)),
+            Self::EquilibriumAir => Some(Gas::Air(Air::Equilibrium)),
+            Self::Linear(entry) => Some(Gas::Liquid(entry.into())),
+            Self::Tait(entry) => Some(Gas::Liquid(entry.into())),
         }
     }
 }
@@ -176,7 +183,7 @@ impl TryFrom<String> for SchemeName {
             let names = Scheme::NAMED.map(|scheme| format!("`{}`", scheme.name));
             format!(
                 "`{name}` is no set of equations; there are {}",
-                names.join(" and ")
+                names.join(", ")
             )
         })
     }

@@ -82,7 +82,7 @@ impl<const D: usize> FixedSimulation<D> {
                 memory.points.len()
             ));
         }
-        let gas = super::AnyGas::of(&problem.gas);
+        let gas = super::AnyGas::of(&problem.gas)?;
         let held: Vec<Conserved<D>> = memory.held.chunks_exact(D + 2).map(conserved).collect();
         let received = conserved(&memory.received);
         let states = held.iter().map(|held| held.primitive(&gas)).collect();

@@ -47,10 +47,16 @@ pub enum AnyGas {
 
 impl AnyGas {
     /// That of a problem.
-    pub fn of(gas: &crate::gas::Gas) -> Self {
+    ///
+    /// # Errors
+    /// A liquid.
+    pub fn of(gas: &crate::gas::Gas) -> Result<Self, String> {
         match gas {
-            crate::gas::Gas::Ideal(gas) => Self::Ideal(IdealGas { gamma: gas.gamma }),
-            crate::gas::Gas::Air(air) => Self::Air(*air),
+            crate::gas::Gas::Ideal(gas) => Ok(Self::Ideal(IdealGas { gamma: gas.gamma })),
+            crate::gas::Gas::Air(air) => Ok(Self::Air(*air)),
+            crate::gas::Gas::Liquid(_) => {
+                Err("a liquid goes with particles; use `scheme.motion = \"with-the-gas\"`".into())
+            }
         }
     }
 

@@ -181,7 +181,7 @@ impl<const D: usize> FixedSimulation<D> {
         }
         let net = Self::net(&cells, &problem)?;
         let given = given_faces(&problem, &cells, &net);
-        let gas = AnyGas::of(&problem.gas);
+        let gas = AnyGas::of(&problem.gas)?;
         let held = states.iter().map(|state| state.conserved(&gas)).collect();
         let mut simulation = Self {
             arch: Arch::of_processor(Precision::Double)?.instructions,

@@ -1,11 +1,14 @@
 //! The gas: its equation of state and its transport coefficients. Nothing else in the solver knows either.
 //!
-//! A state is a density `rho` and a specific internal energy `e`; pressure, temperature and speed of sound follow from both.
+//! A state is a density `rho` and a specific internal energy `e`; pressure, temperature and speed of sound follow from both, those of a
+//! liquid from the density alone.
 
 mod air;
+mod liquid;
 mod transport;
 
 pub use air::Air;
+pub use liquid::Liquid;
 pub use transport::{Transport, TransportCoefficients, Viscosity};
 
 /// A gas.
@@ -15,6 +18,8 @@ pub enum Gas {
     Ideal(IdealGas),
     /// Air as it gets hot, without viscosity.
     Air(Air),
+    /// A liquid, without heat.
+    Liquid(Liquid),
 }
 
 /// `p = (gamma - 1) rho e = rho R T`.
@@ -42,7 +47,23 @@ impl Gas {
     pub const fn ideal_gas(&self) -> Option<&IdealGas> {
         match self {
             Self::Ideal(gas) => Some(gas),
-            Self::Air(_) => None,
+            Self::Air(_) | Self::Liquid(_) => None,
+        }
+    }
+
+    /// The liquid that it is; none of another.
+    pub const fn liquid(&self) -> Option<&Liquid> {
+        match self {
+            Self::Liquid(liquid) => Some(liquid),
+            Self::Ideal(_) | Self::Air(_) => None,
+        }
+    }
+
+    /// Pressure at no density.
+    pub fn least_pressure(&self) -> f64 {
+        match self {
+            Self::Ideal(_) | Self::Air(_) => 0.0,
+            Self::Liquid(liquid) => liquid.least_pressure(),
         }
     }
 
@@ -52,6 +73,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => gas.heat() * density * energy,
             Self::Air(air) => air.pressure(density, energy),
+            Self::Liquid(liquid) => liquid.pressure(density),
         }
     }
 
@@ -61,15 +83,17 @@ impl Gas {
         match self {
             Self::Ideal(gas) => gas.heat() * energy,
             Self::Air(air) => air.pressure_over_density(density, energy),
+            Self::Liquid(liquid) => liquid.pressure(density) / density,
         }
     }
 
-    /// Temperature `T(rho, e)`.
+    /// Temperature `T(rho, e)`; a liquid has none, and is told zero.
     #[inline(always)]
     pub fn temperature(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => self.pressure_over_density(density, energy) / gas.constant,
             Self::Air(air) => air.temperature(density, air.pressure(density, energy)),
+            Self::Liquid(_) => 0.0,
         }
     }
 
@@ -78,6 +102,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => pressure / (density * gas.constant),
             Self::Air(air) => air.temperature(density, pressure),
+            Self::Liquid(_) => 0.0,
         }
     }
 
@@ -89,6 +114,7 @@ impl Gas {
             Self::Air(air) => air
                 .sound_square(density, air.pressure(density, energy))
                 .sqrt(),
+            Self::Liquid(liquid) => liquid.sound_speed(density),
         }
     }
 
@@ -98,6 +124,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => (gas.gamma * pressure / density).sqrt(),
             Self::Air(air) => air.sound_square(density, pressure).sqrt(),
+            Self::Liquid(liquid) => liquid.sound_speed(density),
         }
     }
 
@@ -107,6 +134,7 @@ impl Gas {
         match self {
             Self::Ideal(_) => energy,
             Self::Air(air) => air.sound_square(density, air.pressure(density, energy)),
+            Self::Liquid(liquid) => liquid.relative_sound_square(density),
         }
     }
 
@@ -116,6 +144,7 @@ impl Gas {
         match self {
             Self::Ideal(_) => self.sound_speed(1.0, 1.0),
             Self::Air(_) => 1.0,
+            Self::Liquid(liquid) => liquid.sound_speed,
         }
     }
 
@@ -124,6 +153,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => gas.gamma,
             Self::Air(air) => air.sound_square(density, pressure) * density / pressure,
+            Self::Liquid(liquid) => liquid.sound_speed(density).powi(2) * density / pressure,
         }
     }
 
@@ -132,6 +162,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => gas.gamma / gas.heat() * pressure / density,
             Self::Air(air) => air.energy(density, pressure) + pressure / density,
+            Self::Liquid(liquid) => liquid.energy(density) + pressure / density,
         }
     }
 
@@ -143,6 +174,7 @@ impl Gas {
                 let capacity = air.heat_capacity_at_volume(from[0], air.energy(from[0], from[1]));
                 (air.entropy(density, pressure) - air.entropy(from[0], from[1])) / capacity
             }
+            Self::Liquid(_) => 0.0,
         }
     }
 
@@ -152,6 +184,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => pressure / (gas.heat() * density),
             Self::Air(air) => air.energy(density, pressure),
+            Self::Liquid(liquid) => liquid.energy(density),
         }
     }
 
@@ -161,6 +194,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => pressure / (gas.heat() * energy),
             Self::Air(air) => air.density(pressure, energy),
+            Self::Liquid(liquid) => liquid.density(pressure),
         }
     }
 
@@ -172,6 +206,10 @@ impl Gas {
                 let density = air.density(before, energy);
                 air.energy(air.isentropic_density(density, before, pressure), pressure)
             }
+            Self::Liquid(liquid) => {
+                let at = |pressure| liquid.energy(liquid.density(pressure));
+                energy + at(pressure) - at(before)
+            }
         }
     }
 
@@ -181,6 +219,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => gas.transport.as_ref(),
             Self::Air(_) => None,
+            Self::Liquid(liquid) => liquid.transport.as_ref(),
         }
     }
 
@@ -190,19 +229,21 @@ impl Gas {
         self.transport().is_some()
     }
 
-    /// Heat capacity `c_p` at constant pressure of gas in a state, J/(kg K).
+    /// Heat capacity `c_p` at constant pressure of gas in a state, J/(kg K); none of a liquid, which conducts no heat.
     pub fn heat_capacity(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.gamma * gas.constant / gas.heat(),
             Self::Air(air) => air.heat_capacity(density, energy),
+            Self::Liquid(_) => 0.0,
         }
     }
 
-    /// Heat capacity `c_v` at constant volume of gas in a state, J/(kg K).
+    /// Heat capacity `c_v` at constant volume of gas in a state, J/(kg K); one of a liquid.
     pub fn heat_capacity_at_volume(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.constant / gas.heat(),
             Self::Air(air) => air.heat_capacity_at_volume(density, energy),
+            Self::Liquid(_) => 1.0,
         }
     }
 
@@ -211,6 +252,7 @@ impl Gas {
         match self {
             Self::Ideal(gas) => gas.constant / gas.heat() * temperature,
             Self::Air(air) => air.energy_at(density, temperature),
+            Self::Liquid(liquid) => liquid.energy(density),
         }
     }
 

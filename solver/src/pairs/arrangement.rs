@@ -24,7 +24,7 @@ pub fn renormalise<const D: usize>(
                 is_sought: scheme.density == Density::Continuity,
             },
             Concentration {
-                is_sought: scheme.transport_velocity.shifting,
+                is_sought: scheme.transport_velocity.asks_for_concentration(),
             },
         ),
     );

@@ -12,11 +12,14 @@ pub mod rates;
 pub mod advection;
 pub mod artificial_conduction;
 pub mod artificial_viscosity;
+pub mod averaged_pressure;
 pub mod density_diffusion;
 pub mod diffusion;
 pub mod energy_gradient;
 pub mod exchange;
+pub mod pressure_damping;
 pub mod pressure_force;
+pub mod pressure_slope;
 pub mod velocity_gradient;
 
 pub mod arrangement;

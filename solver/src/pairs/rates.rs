@@ -3,18 +3,21 @@
 use super::advection::Advection;
 use super::artificial_conduction::ArtificialConduction;
 use super::artificial_viscosity::ArtificialViscosity;
+use super::averaged_pressure::AveragedPressure;
 use super::density_diffusion::DensityDiffusion;
 use super::encounter::Encounters;
 use super::energy_gradient::EnergyGradient;
 use super::exchange::Exchange;
+use super::pressure_damping::PressureDamping;
 use super::pressure_force::PressureForce;
+use super::pressure_slope::PressureSlope;
 use super::renormalisation::Renormalisation;
 use super::velocity_gradient::VelocityGradient;
 use crate::backend::Backend;
 use crate::neighbours::Lists;
 use crate::particles::Rates;
 use crate::records::Records;
-use crate::scheme::{Conduction, Density, ReturnOfShift, Scheme};
+use crate::scheme::{Conduction, Density, PressureGradient, ReturnOfShift, Scheme};
 
 /// Rates of every listed particle of the fluid [Villodi & Ramachandran 2024, eqs 10, 12, 14; signs as
 /// derived from the continuum equations].
@@ -28,6 +31,9 @@ pub fn rates<const D: usize>(
     scheme: &Scheme,
     rates: &mut [Rates<D>],
 ) {
+    if scheme.is_of_liquids() {
+        return rates_of_liquids(backend, lists, records, renormalisations, scheme, rates);
+    }
     let is_exchanged = scheme.transport_velocity.shifting
         && scheme.transport_velocity.return_of_shift == ReturnOfShift::Exchange;
     let is_advected =
@@ -65,6 +71,35 @@ pub fn rates<const D: usize>(
             backend.sweep(lists, records, &met, &(flow, Exchange), rates);
         }
     }
+}
+
+/// The same where volumes are summed, and density or pressure of a liquid is evolved without heat.
+fn rates_of_liquids<const D: usize>(
+    backend: &impl Backend,
+    lists: &Lists,
+    records: &Records<D>,
+    renormalisations: &[Renormalisation<D>],
+    scheme: &Scheme,
+    rates: &mut [Rates<D>],
+) {
+    let transport = scheme.transport_velocity;
+    let pressure = (
+        PressureSlope {
+            acts: scheme.operators.pressure == PressureGradient::Difference,
+        },
+        AveragedPressure {
+            acts: scheme.operators.pressure == PressureGradient::Averaged,
+        },
+    );
+    let carried = Advection {
+        acts: transport.shifting || transport.shield || transport.at_rest,
+    };
+    let laws = (
+        (VelocityGradient, pressure),
+        (PressureDamping(scheme.operators.damping), carried),
+    );
+    let met = Encounters::of_fluid(records, renormalisations);
+    backend.sweep(lists, records, &met, &laws, rates);
 }
 
 /// Accelerations that the gas would give ghosts of mass `rho V`: by the pair laws' symmetry the

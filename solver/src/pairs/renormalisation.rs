@@ -34,6 +34,16 @@ pub struct Renormalisation<const D: usize> {
     pub wall_gradient: Vector<D>,
 }
 
+impl<const D: usize> Renormalisation<D> {
+    /// What it is to those who do without: the density gradient is then [`Self::density_gradient`] as the kernel alone has it.
+    pub fn leave_out(&mut self) {
+        if let Some(inverse) = self.matrix.try_inverse() {
+            self.density_gradient = inverse * self.density_gradient;
+        }
+        self.matrix = Matrix::identity();
+    }
+}
+
 impl<const D: usize> Default for Renormalisation<D> {
     fn default() -> Self {
         Self {

@@ -8,6 +8,7 @@ use super::{ByPressure, Particle, Particles, Spared};
 use crate::lattice;
 use crate::problem::{Body, Domain, Initial, Problem, State};
 use crate::rings::Rings;
+use crate::scheme::Volume;
 use crate::sides::{Buffers, OpenParticle, Rows, Zone};
 
 impl<const D: usize> Problem<D> {
@@ -45,7 +46,11 @@ impl<const D: usize> Problem<D> {
     /// A particle of the starting lattice in `state`.
     pub fn particle(&self, position: Vector<D>, state: &State<D>, id: u64) -> Particle<D> {
         let spacing = self.spacing_at(&position);
-        let plane_mass = state.density * spacing.powi(D as i32);
+        let density = match self.scheme.operators.volume {
+            Volume::OfDensity => state.density,
+            Volume::Summed => self.free_stream.density,
+        };
+        let plane_mass = density * spacing.powi(D as i32);
         Particle {
             position,
             velocity: state.velocity,

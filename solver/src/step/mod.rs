@@ -7,36 +7,18 @@ mod stages;
 
 use super::Simulation;
 use super::evaluation::{Moment, evaluate, read_densities, sum_densities};
-use super::fill::{fill_ghosts, fill_near};
-use super::neighbourhood::Neighbourhood;
-use super::particles::Particles;
-use super::problem::Problem;
+use super::iterative_shifting::even_out;
 use super::scheme::{Density, Integrator};
-use super::sides::{Buffers, closed};
-use super::walls::{Walls, loads, rebound};
+use super::sides::closed;
+use super::walls::{loads, rebound};
 use stages::Senseless;
 
+pub use super::preparation::prepare;
 pub use clock::Clock;
 pub use failure::Failure;
 
 /// How often a step is halved before the run stops.
 const HALVINGS: u32 = 5;
-
-/// Sorts all particles in space, writes the records and lists neighbours for a step whose half is `half_step` long; `time` is
-/// now.
-pub fn prepare<const D: usize>(
-    problem: &Problem<D>,
-    (time, half_step): (f64, f64),
-    fluid: &mut Particles<D>,
-    buffers: &mut Buffers<D>,
-    walls: &mut Walls<D>,
-    around: &mut Neighbourhood<D>,
-) {
-    around.sort(problem, (time, half_step), fluid, buffers, walls);
-    fill_near(problem, 0.0, fluid, buffers, around);
-    fill_ghosts(walls, around);
-    around.list((time, half_step), fluid, buffers, walls);
-}
 
 impl<const D: usize> Simulation<D> {
     /// Advances by one time step, no further than `limit`; returns the step taken.
@@ -48,6 +30,7 @@ impl<const D: usize> Simulation<D> {
     /// its last good state.
     pub fn step(&mut self, limit: f64) -> Result<f64, Failure> {
         let is_leapfrog = self.problem.scheme.integrator == Integrator::Leapfrog;
+        self.even_out();
         let bound = self.prepare();
         if self.clock.steps == 0 || !is_leapfrog {
             self.evaluate_start();
@@ -83,6 +66,23 @@ impl<const D: usize> Simulation<D> {
         match walls.contact(problem, times[1]) {
             Some(contact) => Err(self.touched(&contact)),
             None => Ok(step),
+        }
+    }
+
+    /// Moves the particles apart, after as many steps as the scheme says.
+    fn even_out(&mut self) {
+        let Self {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = self;
+        let every = problem.scheme.transport_velocity.evened_out;
+        if every.is_some_and(|every| clock.steps > 0 && clock.steps.is_multiple_of(every)) {
+            even_out(problem, clock.time, fluid, buffers, walls, around);
         }
     }
 

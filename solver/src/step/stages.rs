@@ -8,7 +8,7 @@ use crate::neighbourhood::calm::Calm;
 use crate::neighbours::GROWTH;
 use crate::particles::{Columns, Particle, Particles, Rates};
 use crate::problem::Problem;
-use crate::scheme::{Density, Energy, Integrator, Scheme};
+use crate::scheme::{Density, Energy, Integrator, Operators, Scheme, Volume};
 use crate::time_step::Bounds;
 
 /// Particles that a task moves at once.
@@ -36,6 +36,7 @@ pub fn predict<const D: usize>(
     let Scheme {
         integrator,
         density,
+        operators: Operators { volume, .. },
         ..
     } = *scheme;
     advance(fluid, books, |particle, saved, rates| {
@@ -54,7 +55,7 @@ pub fn predict<const D: usize>(
             Integrator::PredictorCorrector => {
                 move_on(particle, saved, rates, ahead);
                 particle.energy = saved.energy + rates.energy * ahead;
-                continue_density(particle, saved, rates, ahead);
+                continue_density((particle, saved), rates, ahead, volume);
             }
         }
         Bounds::default()
@@ -76,6 +77,7 @@ pub fn correct<const D: usize>(
         integrator,
         step: bound,
         density,
+        operators: Operators { volume, .. },
         energy,
         ..
     } = *scheme;
@@ -91,7 +93,7 @@ pub fn correct<const D: usize>(
         };
         particle.energy = saved.energy + heating * step;
         match density {
-            Density::Continuity => continue_density(particle, saved, rates, step),
+            Density::Continuity => continue_density((particle, saved), rates, step, volume),
             // That of the middle was read off the particles there.
             Density::Summation => particle.density += rates.density * (0.5 * step),
         }
@@ -199,15 +201,18 @@ fn settled<const D: usize>(
 }
 
 /// Density and smoothing length by the equation of continuity [Villodi & Ramachandran 2024, eqs 10 and 17], at the stage whose
-/// density gave the rate.
+/// density gave the rate. Where volumes are none of the density's, lengths stay.
 fn continue_density<const D: usize>(
-    particle: &mut Particle<D>,
-    saved: &Particle<D>,
+    (particle, saved): (&mut Particle<D>, &Particle<D>),
     rates: &Rates<D>,
     ahead: f64,
+    volume: Volume,
 ) {
-    let growth = -rates.density / (D as f64 * particle.density);
-    particle.smoothing_length = saved.smoothing_length
-        + (particle.smoothing_length * growth * ahead).min((GROWTH - 1.0) * saved.smoothing_length);
+    if volume == Volume::OfDensity {
+        let growth = -rates.density / (D as f64 * particle.density);
+        particle.smoothing_length = saved.smoothing_length
+            + (particle.smoothing_length * growth * ahead)
+                .min((GROWTH - 1.0) * saved.smoothing_length);
+    }
     particle.density = saved.density + rates.density * ahead;
 }

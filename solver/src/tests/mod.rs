@@ -12,6 +12,7 @@ mod joints;
 mod lanes;
 mod leapfrog;
 mod life;
+mod liquids;
 mod mixed;
 mod panels;
 mod rarefied;

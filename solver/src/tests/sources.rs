@@ -56,7 +56,7 @@ fn errors(scheme: Scheme, cfl: f64) -> [f64; 2] {
 
 #[test]
 fn both_schemes_of_particles_take_up_a_growing_source_to_second_order() {
-    for scheme in Scheme::NAMED {
+    for scheme in [Scheme::CONSERVATIVE, Scheme::PAPER] {
         let [coarse, fine] = [0.4, 0.05].map(|cfl| errors(scheme, cfl));
         // The middle of a step is exact for what grows evenly; what the settled energy is off by falls with the square of the step.
         assert!(coarse[0] < 1e-13 && fine[0] < 1e-13, "{coarse:?} {fine:?}");

@@ -149,7 +149,7 @@ fn gas_at_rest_around_the_ends_of_a_thin_plate_has_its_density() {
 #[test]
 fn without_tags_a_thin_plate_lets_the_pressure_through() {
     let mut problem = plate_2d(2);
-    problem.scheme.surface_tags = false;
+    problem.scheme.wall.surface_tags = false;
     let mut simulation = start(problem);
     advance(&mut simulation, 10);
     assert!(greatest_speed(&simulation) > 0.01);

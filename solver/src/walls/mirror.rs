@@ -122,8 +122,10 @@ fn show<const D: usize>(
     let slope = density
         * (ghost.wall.acceleration.dot(&ghost.normal) + ghost.wall.coriolis.dot(&slide)
             - slide.dot(&(ghost.wall.curvature * slide)));
-    ghost.shown.pressure = continued(gas.pressure, arm * slope);
-    ghost.shown.wall_pressure = continued(gas.pressure, (arm - ghost.depth) * slope);
+    let least = law.least_pressure();
+    let risen = |arm: f64| continued(gas.pressure - least, arm * slope) + least;
+    ghost.shown.pressure = risen(arm);
+    ghost.shown.wall_pressure = risen(arm - ghost.depth);
     ghost.shown.energy = match kind {
         WallKind::Slip => gas.energy,
         WallKind::NoSlip(wall) => sticking::energy(ghost, gas, arm, wall.heat, law),
@@ -135,7 +137,7 @@ fn show<const D: usize>(
     ghost.shown.density = law.density(ghost.shown.pressure, ghost.shown.energy);
 }
 
-/// A pressure that rises by `rise` to first order, and stays positive where it falls.
+/// A pressure over the least that rises by `rise` to first order, and stays positive where it falls.
 fn continued(pressure: f64, rise: f64) -> f64 {
     if rise < 0.0 {
         pressure * pressure / (pressure - rise)

@@ -72,6 +72,7 @@ pub fn ghosts<const D: usize>(
     join(problem, &mut ghosts);
     let thin = problem
         .scheme
+        .wall
         .surface_tags
         .then(|| thin_parts(problem))
         .flatten();

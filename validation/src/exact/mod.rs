@@ -1,4 +1,4 @@
-//! Exact and near-exact solutions of the Euler and Navier-Stokes equations for a calorically perfect gas.
+//! Exact and near-exact solutions of the Euler and Navier-Stokes equations for a calorically perfect gas, for hot air and for liquids.
 //!
 //! One file per solution. Angles are radians unless a name ends in `_deg`; pressures, densities and
 //! speeds carry whatever consistent units the caller uses, ratios none. Nothing here knows about
@@ -13,6 +13,7 @@ pub mod flat_plate;
 pub mod hot_air;
 pub mod intake;
 pub mod isentropic;
+pub mod liquid;
 pub mod newtonian;
 pub mod noh;
 pub mod normal;

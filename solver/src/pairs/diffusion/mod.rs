@@ -5,18 +5,21 @@
 //! carries. That sum of a sum is blind to the shortest wave; what neighbours differ by beyond their gradients is exchanged as well,
 //! by the Laplacian of pairs [Morris, Fox & Zhu 1997, eq. 22; Cleary & Monaghan 1999], and vanishes where the flow is smooth.
 
+mod coupled_stress;
 mod heat_flux;
 mod viscous_stress;
 mod volume_gradient;
 
 use aero_geometry::Vector;
 
+pub use coupled_stress::CoupledStress;
 pub use heat_flux::HeatFlux;
 pub use viscous_stress::ViscousStress;
 pub use volume_gradient::VolumeGradient;
 
 use super::law::Basis;
 use super::pair::{LaneVector, Pair, Target};
+use super::renormalisation::Renormalisation;
 use crate::backend::Backend;
 use crate::lanes::Lane;
 use crate::neighbours::Lists;
@@ -41,6 +44,23 @@ pub fn diffuse<const D: usize>(
         friction_heats: true,
     };
     backend.sweep_in_double(lists, records, &met, &LAWS, rates);
+}
+
+/// Adds what viscosity alone does, by differences of stresses, to the fluid with these `renormalisations`.
+pub fn diffuse_by_differences<const D: usize>(
+    backend: &impl Backend,
+    lists: &Lists,
+    records: &Records<D>,
+    renormalisations: &[Renormalisation<D>],
+    rates: &mut [Rates<D>],
+) {
+    let met = Neighbours {
+        records,
+        first: 0,
+        friction_heats: false,
+    };
+    let law = CoupledStress(renormalisations);
+    backend.sweep_in_double(lists, records, &met, &law, rates);
 }
 
 /// What the gas would do to ghosts of mass `rho V`: accelerate them by its friction, and heat them through the wall. Ghosts have no heat of

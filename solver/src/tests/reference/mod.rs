@@ -6,6 +6,7 @@ pub mod gas;
 mod images;
 pub mod kernel;
 pub mod laws;
+pub mod liquids;
 pub mod step;
 pub mod wall;
 
