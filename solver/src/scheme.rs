@@ -4,7 +4,6 @@
 
 /// Equations and boundary treatment of particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
-#[allow(clippy::struct_excessive_bools)] // switches that do not depend on each other
 pub struct Scheme {
     /// Name in scenes and summaries of the combination that it came from.
     pub name: &'static str,
@@ -198,6 +197,7 @@ pub enum ReturnOfShift {
 
 /// What ghosts show the gas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[allow(clippy::struct_excessive_bools)] // switches that do not depend on each other
 pub struct WallTreatment {
     /// How ghosts get their state.
     pub extrapolation: Extrapolation,

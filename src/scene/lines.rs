@@ -85,10 +85,9 @@ mod tests {
 
     #[test]
     fn lines_are_read_as_the_scene_that_they_were() {
-        let mut scene = String::from("spacing = 0.1\n");
-        for n in 0..12 {
-            scene += &format!("[[body]]\nname = \"b{n}\"\nshape.polygon = [[0, 1], [{n}, 2]]\n");
-        }
+        let body = |n| format!("[[body]]\nname = \"b{n}\"\nshape.polygon = [[0, 1], [{n}, 2]]\n");
+        let bodies: Vec<String> = (0..12).map(body).collect();
+        let scene = format!("spacing = 0.1\n{}", bodies.concat());
         let lines = of(&scene);
         let read = read(&lines).unwrap();
         assert_eq!(of(&read), lines);
