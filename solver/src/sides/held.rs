@@ -16,8 +16,10 @@ use super::particle::OpenParticle;
 use super::plenum::Plenum;
 use super::upstream::Upstream;
 use super::waves::{Along, Waves};
+use crate::diffusive::Gradients;
 use crate::particles::Particle;
 use crate::problem::{Given, Problem, State};
+use crate::rings::Rings;
 
 /// An outlet that holds a pressure.
 #[derive(Clone, Copy, Debug)]
@@ -68,14 +70,15 @@ impl Held {
     }
 
     /// The wave that comes in after a `time` in which it rode along with such gas, at a place before which it rises by `slope` out
-    /// of the domain. As seen from the side it has come against the gas, and changes by `u` times its slope more: that which it
-    /// would have if it changed there as it should, `rate / (c - u)`, and by `1 - M` the one that it has, which tells what else
-    /// there is. All of that near the speed of sound would send back what it hears.
-    fn ridden(&self, gas: &Along, time: f64, slope: f64) -> Option<f64> {
-        let mach = (gas.speed / gas.sound(self.gamma)).max(0.0);
+    /// of the domain. As seen from the side it has come against the gas, and changes by `u` times its slope more: by `M` that which
+    /// it would have if it changed there as it should, `(rate + aside) / (c - u)`, and by `1 - M` the one that it has, which tells
+    /// what else there is. All of that near the speed of sound would send back what it hears.
+    fn ridden(&self, gas: &Along, time: f64, slope: f64, aside: f64) -> Option<f64> {
+        let sound = gas.sound(self.gamma);
+        let mach = (gas.speed / sound).max(0.0);
         let rate = self.rate(gas)?;
-        let told = (1.0 - mach) * gas.speed * slope;
-        let change = rate * (1.0 / (1.0 - mach) - mach) + told;
+        let meant = (rate + aside) / (sound - gas.speed);
+        let change = rate + gas.speed.max(0.0) * (mach * meant + (1.0 - mach) * slope);
         Some(gas.waves(self.gamma).back + time * change)
     }
 
@@ -178,6 +181,7 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             let Waves { ahead, back, .. } = along(particle).waves(gamma);
             [ahead, back]
         };
+        let rings = Rings::new(problem);
         let mut upstream = Upstream::new(place, problem.spacing);
         let reach = upstream.reach();
         let near = fluid
@@ -194,15 +198,20 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             let held = self.at(&particle.position, now);
             let waves = gas.waves(gamma);
             let slopes = upstream.slopes(&particle.position, [waves.ahead, waves.back]);
-            let next = held.ridden(&gas, step, slopes[1]).and_then(|back| {
-                let ahead = waves.ahead - step * gas.sound(gamma) * slopes[0];
-                let next = Waves {
-                    ahead,
-                    back,
-                    ..waves
-                };
-                next.state(gamma)
-            });
+            // Rings grow, whichever way they leave.
+            let parting = parting(axis, &open.gradients) + rings.growth(particle);
+            let parting = gas.sound(gamma) * parting;
+            let next = held
+                .ridden(&gas, step, slopes[1], -parting)
+                .and_then(|back| {
+                    let ahead = waves.ahead - step * (gas.sound(gamma) * slopes[0] + parting);
+                    let next = Waves {
+                        ahead,
+                        back,
+                        ..waves
+                    };
+                    next.state(gamma)
+                });
             let Some(next) = next else {
                 continue;
             };
@@ -213,6 +222,11 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             particle.velocity[axis] = outward * next.speed;
         }
     }
+}
+
+/// How fast gas parts across `axis` by its gradients.
+fn parting<const D: usize>(axis: usize, gradients: &Gradients<D>) -> f64 {
+    gradients.velocity.trace() - gradients.velocity[(axis, axis)]
 }
 
 #[cfg(test)]
@@ -279,6 +293,31 @@ mod tests {
         for (a, b) in through(&inside).into_iter().zip(through(&beyond)) {
             assert_relative_eq!(a, b, epsilon = 1e-12);
         }
+    }
+
+    /// A steady stream that widens: the wave that comes in rises by `aside / (c - u)` out of the domain, and the gas goes through that.
+    #[test]
+    fn gas_that_parts_at_the_pressure_is_left_alone() {
+        let inside = gas(0.5);
+        let held = outlet(inside.pressure);
+        let (aside, step) = (-0.3, 0.01);
+        let slope = aside / (inside.sound(GAMMA) - inside.speed);
+        let back = held.ridden(&inside, step, slope, aside).unwrap();
+        let change = (back - inside.waves(GAMMA).back) / step;
+        assert_relative_eq!(change, inside.speed * slope, epsilon = 1e-12);
+    }
+
+    #[test]
+    fn gas_parts_across_the_side_alone() {
+        let mut gradients = Gradients::<3>::zeros();
+        gradients.velocity[(0, 0)] = -3.0;
+        gradients.velocity[(1, 1)] = 2.0;
+        gradients.velocity[(2, 2)] = 0.5;
+        gradients.velocity[(0, 1)] = 7.0;
+        assert_eq!(
+            [0, 1, 2].map(|axis| parting(axis, &gradients)),
+            [2.5, -2.5, -1.0]
+        );
     }
 
     #[test]
