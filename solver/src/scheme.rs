@@ -1,6 +1,6 @@
 //! A scheme as data: one part per question that a particle method has to answer, to be combined at will.
 //!
-//! The combinations that have a name stand in [`crate::schemes`].
+//! The combinations that have a name stand in `schemes.rs`.
 
 /// Equations and boundary treatment of particles.
 #[derive(Clone, Copy, Debug, PartialEq)]

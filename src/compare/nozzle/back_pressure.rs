@@ -85,8 +85,8 @@ fn rows(flow: &Flow<'_, f64>) -> Result<Vec<Row>, CompareError> {
     ])
 }
 
-/// Inches from the throat to where the Mach number falls through one, mean over bands of the height; not a number where a band has
-/// no such place.
+/// Inches from the throat to where the Mach number falls through one for good, mean over bands of the height; not a number where a
+/// band has no such place.
 fn shock_place(frame: &Frame) -> f64 {
     /// Strips from throat to end.
     const STRIPS: usize = (END / STRIP) as usize;
@@ -103,12 +103,17 @@ fn shock_place(frame: &Frame) -> f64 {
         }
     }
     let places = sums.iter().map(|band| {
-        let means = band.iter().map(|(sum, volume)| sum / volume);
-        let means: Vec<f64> = means.collect();
-        let shock = means.windows(2).position(|m| m[0] > 1.0 && m[1] <= 1.0);
-        shock.map_or(f64::NAN, |n| {
-            let part = (means[n] - 1.0) / (means[n] - means[n + 1]);
-            (n as f64 + 0.5 + part) * STRIP
+        // Rows of thin gas may stand further apart than a strip is wide.
+        let filled = band.iter().enumerate();
+        let filled = filled.filter(|(_, (_, volume))| *volume > 0.0);
+        let means: Vec<[f64; 2]> = filled
+            .map(|(n, (sum, volume))| [(n as f64 + 0.5) * STRIP, sum / volume])
+            .collect();
+        let falls = |m: &&[[f64; 2]]| m[0][1] > 1.0 && m[1][1] <= 1.0;
+        let shock = means.windows(2).rfind(falls);
+        shock.map_or(f64::NAN, |m| {
+            let part = (m[0][1] - 1.0) / (m[0][1] - m[1][1]);
+            m[0][0] + part * (m[1][0] - m[0][0])
         })
     });
     places.sum::<f64>() / BANDS as f64
