@@ -1,5 +1,10 @@
 //! The `aero` command: the command line, the comparisons with theory, and the charts.
 
+#![warn(clippy::print_stdout, clippy::print_stderr)]
+
+#[macro_use]
+mod say;
+
 mod chart;
 mod cli;
 mod compare;
@@ -13,7 +18,7 @@ fn main() -> ExitCode {
     match cli::Cli::parse().run() {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            eprintln!("error: {error}");
+            note!("error: {error}");
             error.exit_code()
         }
     }

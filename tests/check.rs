@@ -147,3 +147,22 @@ fn warnings_are_the_same_in_the_check_the_run_and_the_summary() {
     });
     assert!(said, "{warnings:?}");
 }
+
+/// As `aero check SCENE | head -1`.
+#[test]
+fn who_reads_no_further_breaks_nothing() {
+    let place = Workplace::new();
+    place.write("scene.toml", scene(ON_A_WALL, ""));
+    let program = assert_cmd::cargo::cargo_bin("aero");
+    let mut child = std::process::Command::new(program)
+        .current_dir(place.path(""))
+        .args(["check", "scene.toml"])
+        .stdout(std::process::Stdio::piped())
+        .stderr(std::process::Stdio::piped())
+        .spawn()
+        .unwrap();
+    drop(child.stdout.take());
+    let output = child.wait_with_output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(output.status.success() && said.is_empty(), "{said}");
+}

@@ -33,14 +33,14 @@ pub fn chart(args: &ChartArgs) -> Result<(), CommandError> {
         full: args.full,
         spacings: args.spacings.map(usize::from),
         out: &args.out,
-        announce: &|line| eprintln!("{line}"),
+        announce: &|line| note!("{line}"),
     };
     let files = chart::chart(&args.cases, wishes).map_err(|error| match error {
         CompareError::Unknown { .. } => CommandError::wrong(error),
         _ => CommandError::failed(error),
     })?;
     for path in files {
-        println!("wrote `{}`", path.display());
+        say!("wrote `{}`", path.display());
     }
     Ok(())
 }

@@ -32,29 +32,29 @@ pub fn check(args: &CheckArgs) -> Result<(), CommandError> {
     on_threads(args.scene.threads, || {
         let scene = turned_into_points(scene, None)?;
         let case = scene.build_any().map_err(CommandError::wrong)?;
-        println!(
+        say!(
             "{name}: {} dimensions, spacing {}",
             scene.dimension(),
             scene.file().spacing.get()
         );
         for line in case.description() {
-            println!("  {line}");
+            say!("  {line}");
         }
         let found = case.check();
         for line in &found.warnings {
-            println!("warning: {line}");
+            say!("warning: {line}");
         }
         if !found.refusals.is_empty() {
             return Err(CommandError::wrong(found.refusals.join("\n")));
         }
         let (dimension, spacing) = (scene.dimension(), scene.file().spacing.get());
         let shown = burst(case, args.seconds).map_err(CommandError::wrong)?;
-        print!("{}", cost(&shown));
+        say_all!("{}", cost(&shown));
         output::make_folder(&folder).map_err(CommandError::wrong)?;
         let path = folder.join("check.png");
         output::draw_scene(&path, &name, dimension, spacing, &shown.frame)
             .map_err(CommandError::failed)?;
-        println!("wrote `{}`", path.display());
+        say!("wrote `{}`", path.display());
         Ok(())
     })
 }

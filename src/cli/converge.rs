@@ -76,7 +76,7 @@ pub fn converge(args: &ConvergeArgs) -> Result<(), CommandError> {
         for (number, scene) in scenes.iter().enumerate() {
             let folder = out.join(format!("spacing-{}", number + 1));
             let spacing = scene.file().spacing.get();
-            eprintln!(
+            note!(
                 "run {} of {}, spacing {spacing:.4e}",
                 number + 1,
                 scenes.len()
@@ -91,18 +91,19 @@ pub fn converge(args: &ConvergeArgs) -> Result<(), CommandError> {
                 "the scene has no body in a stream, so no coefficients: nothing here is known to converge",
             ));
         }
-        print!("{}", text(&rows));
+        say_all!("{}", text(&rows));
         for summary in summaries.iter().filter(|summary| !came_to_rest(summary)) {
-            println!(
+            say!(
                 "warning: spacing {:.4e}: {}",
-                summary.spacing, summary.stop_reason
+                summary.spacing,
+                summary.stop_reason
             );
         }
         write_json(&out.join("converge.json"), &rows).map_err(CommandError::failed)?;
         picture(&rows, scene.name())
             .save(&out.join("converge.svg"))
             .map_err(CommandError::failed)?;
-        println!("results in `{}`", out.display());
+        say!("results in `{}`", out.display());
         Ok(())
     })
 }

@@ -79,7 +79,7 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
     let (flight, look) = prepared(wishes)?;
     let words = words(&flight);
     for line in &words {
-        println!("{line}");
+        say!("{line}");
     }
     let out = folder(args.out.as_ref(), &format!("{}-fly", flight.name));
     if args.scene.is_none() && out.join("fly.json").exists() && !args.overwrite {
@@ -91,13 +91,13 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
     on_threads(args.threads, || {
         let trip = Trip::new(&flight, begun, args.how.minutes, args.how.spacing);
         let (family, told) = trip.family(look)?;
-        println!("{told}");
+        say!("{told}");
         if let Some(path) = &args.scene {
             let text = flight
                 .scene(family.finest(), None)
                 .map_err(CommandError::wrong)?;
             std::fs::write(path, text).map_err(CommandError::failed)?;
-            println!("wrote `{}`: aero run {0}", path.display());
+            say!("wrote `{}`: aero run {0}", path.display());
             return Ok(());
         }
         make_folder(&out).map_err(CommandError::wrong)?;
@@ -106,8 +106,8 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
         warnings.extend(failures);
         let report = Report::new(&flight, words, levels, warnings).map_err(CommandError::failed)?;
         fly::write_report(&flight, &report, &out).map_err(CommandError::failed)?;
-        print!("{}", report.text());
-        println!(
+        say_all!("{}", report.text());
+        say!(
             "{} in all; report in `{}`",
             minutes(begun.elapsed().as_secs_f64()),
             out.join("report.html").display()

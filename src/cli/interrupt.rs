@@ -31,13 +31,13 @@ impl Interrupt {
         let flags = Arc::clone(&own);
         ctrlc::set_handler(move || {
             if !flags.holds.load(Ordering::Relaxed) {
-                eprintln!("error: interrupted while setting up, before the first step");
+                note!("error: interrupted while setting up, before the first step");
                 std::process::exit(INTERRUPTED);
             }
             if flags.came.swap(true, Ordering::Relaxed) {
                 std::process::exit(ENDED_BY_SIGINT);
             }
-            eprintln!("interrupted: ends after this step; once more to end at once");
+            note!("interrupted: ends after this step; once more to end at once");
         })
         .map_err(|error| CommandError::failed(format!("cannot listen for Ctrl-C: {error}")))?;
         Ok(Self(own))

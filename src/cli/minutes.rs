@@ -23,7 +23,7 @@ pub fn turned_into_points(mut scene: Scene, earlier: Option<&Path>) -> Result<Sc
         return Ok(scene);
     };
     if let Some(same) = earlier.and_then(|folder| as_before(&scene, folder)) {
-        eprintln!(
+        note!(
             "refine: as the run in the folder before; `--overwrite` looks anew what fits into {minutes} minutes"
         );
         return Ok(same);
@@ -35,7 +35,7 @@ pub fn turned_into_points(mut scene: Scene, earlier: Option<&Path>) -> Result<Sc
     let words = match shown.refine_within(seconds, scene.dimension()) {
         None => {
             let alone = shown.seconds_per_step * shown.steps_to_go / 60.0;
-            eprintln!(
+            note!(
                 "warning: no points are added: without any the run takes about {alone:.1} minutes of the {minutes} that \
                  `scheme.refine` allows; a larger `spacing` leaves time for them"
             );
@@ -43,7 +43,7 @@ pub fn turned_into_points(mut scene: Scene, earlier: Option<&Path>) -> Result<Sc
         }
         Some(refine) => words(refine),
     };
-    eprintln!(
+    note!(
         "refine = {words}: about what {minutes} minutes allow on {} threads of this machine",
         rayon::current_num_threads()
     );

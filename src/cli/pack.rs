@@ -76,7 +76,7 @@ impl From<UnitWord> for Unit {
 /// Packs the body or the bodies and says how good the packing is.
 pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
     let (report, files) = watched(|watch| make(args, watch))?;
-    print!("{}", lines(&report, &files));
+    say_all!("{}", lines(&report, &files));
     Ok(())
 }
 

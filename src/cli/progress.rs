@@ -94,7 +94,7 @@ impl Display {
             Self::Lines(lines) => {
                 if lines.last.elapsed() >= BETWEEN_LINES {
                     lines.last = Instant::now();
-                    eprintln!("  {text}");
+                    note!("  {text}");
                 }
             }
         }
@@ -156,7 +156,7 @@ impl Display {
 impl Lines {
     fn print(&mut self, part: f64, text: &str) {
         self.last = Instant::now();
-        eprintln!("{:5.1} %  {text}", 100.0 * part);
+        note!("{:5.1} %  {text}", 100.0 * part);
     }
 }
 

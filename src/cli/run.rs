@@ -56,11 +56,11 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
 fn has_ended(out: &Path, scene: &str) -> Result<bool, CommandError> {
     let folder = out.display();
     if !out.join("summary.json").exists() {
-        eprintln!("no checkpoint in `{folder}` yet: starting from the beginning");
+        note!("no checkpoint in `{folder}` yet: starting from the beginning");
         return Ok(false);
     }
     if is_of(out, scene) {
-        println!(
+        say!(
             "the run in `{folder}` came to its end; go on with it by a later one, `--set end_time=..`, or leave out `--resume` to run \
              it anew"
         );
@@ -91,14 +91,14 @@ fn run_case(
     };
     match result {
         Ok(summary) => {
-            print!("{}", lines(&summary, destination.folder));
+            say_all!("{}", lines(&summary, destination.folder));
             if summary.stop_reason != "end time reached" {
-                println!("{}", summary.stop_reason);
+                say!("{}", summary.stop_reason);
             }
             Ok(())
         }
         Err(RunError::Stopped { reason, summary }) => {
-            print!("{}", lines(&summary, destination.folder));
+            say_all!("{}", lines(&summary, destination.folder));
             let go_on = if interrupt.came() { go_on } else { "" };
             Err(CommandError::failed(format!(
                 "the run stopped: {reason}; its last frame and summary are in `{folder}`{go_on}"

@@ -58,7 +58,7 @@ pub fn checked(scene: &Scene) -> Result<AnyCase, CommandError> {
 /// Tells what was mended in the bodies, and what the user should know.
 pub fn tell(case: &AnyCase) {
     for line in case.remarks() {
-        eprintln!("{line}");
+        note!("{line}");
     }
 }
 

@@ -42,13 +42,13 @@ pub fn validate(args: &ValidateArgs) -> Result<(), CommandError> {
         level,
         settings: &args.set,
         out: &out,
-        announce: &|run| eprintln!("running {run}"),
+        announce: &|run| note!("running {run}"),
     };
     let checks = compare(&args.cases, &context).map_err(|error| match error {
         CompareError::Unknown { .. } | CompareError::Scene(_) => CommandError::wrong(error),
         _ => CommandError::failed(error),
     })?;
-    print!("{}", table::to_text(&checks));
+    say_all!("{}", table::to_text(&checks));
     table::write_json(&checks, &out).map_err(CommandError::failed)?;
     let failed = checks.iter().filter(|check| !check.pass).count();
     if failed > 0 {

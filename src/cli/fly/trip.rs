@@ -195,7 +195,7 @@ impl<'a> Trip<'a> {
             let level = loop {
                 // Those that are through go into the report.
                 interrupt.hold(!levels.is_empty());
-                eprintln!("run {number}, spacing {spacing:.3e} m");
+                note!("run {number}, spacing {spacing:.3e} m");
                 match self.run(spacing, frame.as_deref(), &folder, may_take, interrupt)? {
                     Came::Through(level) => break *level,
                     Came::Late => return Ok((levels, failures)),
@@ -203,7 +203,7 @@ impl<'a> Trip<'a> {
                         failures.push(format!(
                             "the run at spacing {spacing:.3e} failed and is left out: {reason}"
                         ));
-                        eprintln!("it failed: {reason}");
+                        note!("it failed: {reason}");
                     }
                 }
                 tries += 1;
@@ -217,7 +217,7 @@ impl<'a> Trip<'a> {
                 spacing *= ANOTHER;
                 frame = None;
             };
-            println!(
+            say!(
                 "spacing {spacing:.3e}: cd {:.5}, cl {:.5}, cm {:.5}, {} points, {}, {}",
                 level.coefficients.cd,
                 level.coefficients.cl,

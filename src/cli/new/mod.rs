@@ -86,7 +86,7 @@ const KINDS: [Kind; 11] = [
 pub fn new(args: &NewArgs) -> Result<(), CommandError> {
     let Some(kind) = &args.kind else {
         for (name, what, _) in KINDS {
-            println!("{name:12} {what}");
+            say!("{name:12} {what}");
         }
         return Ok(());
     };
@@ -111,7 +111,7 @@ pub fn new(args: &NewArgs) -> Result<(), CommandError> {
         )),
         _ => CommandError::wrong(format!("cannot write `{shown}`: {error}")),
     })?;
-    println!("wrote `{shown}`; run it with: aero run {shown}");
+    say!("wrote `{shown}`; run it with: aero run {shown}");
     Ok(())
 }
 

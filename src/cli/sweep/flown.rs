@@ -57,14 +57,14 @@ fn scene_of_body(args: &SweepArgs, points: usize) -> Result<Scene, CommandError>
     let stream = [slowest, largest(&args.incidence), largest(&args.sideslip)];
     let (flight, look) = prepared(args.how.wishes(&args.scene.scene, stream))?;
     for line in words(&flight) {
-        println!("{line}");
+        say!("{line}");
     }
     let each = match (args.how.minutes, args.how.spacing) {
         (None, Some(_)) => None,
         (minutes, _) => Some(minutes.unwrap_or(MINUTES) / points as f64),
     };
     let (family, _) = Trip::new(&flight, begun, each, args.how.spacing).family(look)?;
-    println!(
+    say!(
         "{points} points at a spacing of {:.3e} m, finer near body and shocks; this will take about {}",
         family.finest(),
         minutes(points as f64 * family.seconds_of_finest())

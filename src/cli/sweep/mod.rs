@@ -79,10 +79,10 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
             let summary = if let Some(summary) = earlier(&folder, &scene)? {
                 summary
             } else {
-                eprintln!("point {} of {}: {}", number + 1, points.len(), name(point));
+                note!("point {} of {}: {}", number + 1, points.len(), name(point));
                 let start = start(point, &done);
                 if start.is_none() && !done.is_empty() {
-                    eprintln!(
+                    note!(
                         "it starts in the free stream: points that are done are too far off to help"
                     );
                 }
@@ -93,11 +93,11 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
             polar::write(&rows, &out)?;
             done.push((*point, Neighbour { scene, folder }));
         }
-        print!("{}", polar::text(&rows));
-        println!("polar in `{}`", out.display());
+        say_all!("{}", polar::text(&rows));
+        say!("polar in `{}`", out.display());
         let open = rows.iter().filter(|row| !row.settled).count();
         if open > 0 {
-            println!(
+            say!(
                 "{open} of {} rows are not settled: they end at the scene's `end_time`; give it more, or `stop = \"steady\"`",
                 rows.len()
             );
@@ -232,7 +232,7 @@ fn fly(
     let started = started(scene, nearest, start.and_then(|start| start.trend))?;
     let (mut summary, mut came_to_its_end) = run(&started, folder, interrupt)?;
     if !came_to_its_end && !interrupt.came() && started.lines() != scene.lines() {
-        eprintln!("it is run again from the free stream");
+        note!("it is run again from the free stream");
         (summary, came_to_its_end) = run(scene, folder, interrupt)?;
     }
     if came_to_its_end {
@@ -263,7 +263,7 @@ fn run(
             "interrupted; the same command goes on with the points that are left",
         )),
         Err(RunError::Stopped { reason, summary }) => {
-            eprintln!("the run in `{}` stopped: {reason}", folder.display());
+            note!("the run in `{}` stopped: {reason}", folder.display());
             Ok((*summary, false))
         }
         Err(RunError::Output(error)) => Err(CommandError::failed(error)),

@@ -40,7 +40,7 @@ pub const BACK_PRESSURE: Comparison<f64> = Comparison {
             } else {
                 variant
             };
-            variants.extend([variant.shown(), variant.marched()]);
+            variants.extend([variant, variant.marched()]);
         }
         variants
     },
