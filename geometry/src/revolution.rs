@@ -131,8 +131,8 @@ impl Shape<3> for Revolution {
             .collect()
     }
 
-    fn facets(&self, size: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
-        crate::tessellate::cover(self, size)
+    fn facets(&self, size: f64, region: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
+        crate::tessellate::cover(self, size, region)
     }
 
     fn measure(&self) -> Option<f64> {

@@ -53,13 +53,17 @@ impl Revolution {
 /// Fewest facets around the axis.
 const LEAST_AROUND: usize = 32;
 
-/// Facets about `size` long, for whoever wants to look at the surface all over.
-pub(crate) fn cover(body: &Revolution, size: f64) -> Vec<Facet> {
-    let everywhere = Bounds::new(
-        Vector::repeat(f64::NEG_INFINITY),
-        Vector::repeat(f64::INFINITY),
+/// Facets about `size` long where the surface meets `region`, or comes to it by a move no longer than that is wide.
+pub(crate) fn cover(body: &Revolution, size: f64, region: &Bounds<3>) -> Vec<Facet> {
+    let region = region.grown(region.size().norm());
+    // Along the axis, and off it.
+    let nearest = |k: usize| region.min[k].max(-region.max[k]).max(0.0);
+    let farthest = |k: usize| region.min[k].abs().max(region.max[k].abs());
+    let meridian = Bounds::new(
+        Vector::from([region.min.x, nearest(1).hypot(nearest(2))]),
+        Vector::from([region.max.x, farthest(1).hypot(farthest(2))]),
     );
-    let chords = body.meridian().facets(size, &everywhere);
+    let chords = body.meridian().facets(size, &meridian);
     chords
         .iter()
         .flat_map(|chord| {

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use aero_geometry::bodies::{Capsule, cone, cuboid, round_rod, sphere};
 use aero_geometry::outline::Piece;
-use aero_geometry::{Placed, Placement, Revolution, Shape, Vector};
+use aero_geometry::{Bounds, Placed, Placement, Revolution, Shape, Vector};
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 
@@ -253,4 +253,20 @@ fn a_wrong_dimension_is_refused() {
         Vector::<2>::new(0.0, -1.0),
     )];
     assert!(Revolution::new(below).is_err());
+}
+
+#[test]
+fn a_body_far_larger_than_the_region_has_facets_near_that_alone() {
+    let region = Bounds::new(at(-0.1, -0.8, 0.0), at(1.0, 0.8, 0.8));
+    let near = cone(10.0, 2.0).unwrap().facets(0.5, &region);
+    let far = cone(10.0, 1e6).unwrap().facets(0.5, &region);
+    assert!(!near.is_empty() && far.len() < 1000, "{}", far.len());
+    // The same where both are, the base apart.
+    let widest = far
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |x, point| x.max(point.x));
+    assert!(widest > 1.0, "{widest}");
+    let everywhere = region.grown(f64::INFINITY);
+    assert_eq!(near, cone(10.0, 2.0).unwrap().facets(0.5, &everywhere));
 }

@@ -14,6 +14,7 @@ mod tests;
 mod treatment;
 mod treatments;
 mod verdict;
+mod wave;
 
 use aero_validation::table::Check;
 use rayon::prelude::*;
@@ -22,9 +23,9 @@ use super::comparison::Compare;
 use super::context::{CompareError, Context, Level};
 use cases::{Case, DAMPING, Record, Suite, errors};
 use published::{DAMPINGS, VISCOSITIES};
-use sound::Sound;
 use treatments::ALL;
 use verdict::{NAME, echo_row, suite_rows};
+use wave::Sound;
 
 /// Mach numbers of streams that carry a sound, and how strong it is over the speed of sound.
 const MACH: [f64; 3] = [0.1, 0.3, 0.6];

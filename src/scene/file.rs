@@ -17,12 +17,12 @@ use super::region::RegionEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::SideEntry;
 use super::spin::{Inertia, Spin};
+use super::state::EquationOfState;
 use super::views::LatticeEntry;
 use super::viscosity::ViscosityEntry;
 use super::wall::BodyWallEntry;
 use super::words::{
-    EquationOfState, ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName,
-    StopWord, TimeWord,
+    ExtrapolationWord, MotionWord, PrecisionWord, PressureWord, SchemeName, StopWord, TimeWord,
 };
 
 /// A whole scene.

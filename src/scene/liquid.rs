@@ -1,88 +1,12 @@
 //! A liquid, from `gas.equation_of_state`, and what of a scene has no meaning with one.
 
-use serde::Deserialize;
-
 use super::error::SceneError;
 use super::file::SceneFile;
-use super::number::{Finite, Positive};
+use super::number::Positive;
 use super::side::SideEntry;
 use super::vector::AXES;
 use aero_solver::gas::{Liquid, Viscosity};
 use aero_solver::problem::{Domain, Side, WallHeat, WallKind};
-
-/// Exponent of water [Cole 1948; Monaghan 1994].
-const WATER: f64 = 7.0;
-
-/// `linear = { .. }`: pressure `pressure + sound_speed^2 (rho - density)`.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields)]
-pub struct LinearEntry {
-    /// Speed of sound; that of the liquid, or ten times the fastest flow to show one that can hardly be compressed.
-    pub sound_speed: Positive,
-    /// Density of the liquid at rest.
-    pub density: Positive,
-    /// Pressure at that density; zero unless given.
-    pub pressure: Option<Finite>,
-}
-
-/// `tait = { .. }`: pressure `pressure + density sound_speed^2 / exponent ((rho / density)^exponent - 1)`.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields)]
-pub struct TaitEntry {
-    /// Speed of sound at the density.
-    pub sound_speed: Positive,
-    /// Density of the liquid at rest.
-    pub density: Positive,
-    /// Pressure at that density; zero unless given.
-    pub pressure: Option<Finite>,
-    /// Exponent, one or more; 7 (water) unless given.
-    pub exponent: Option<Exponent>,
-}
-
-/// An exponent of Tait's equation, one or more.
-#[derive(Clone, Copy, Debug, Deserialize, PartialEq)]
-#[serde(try_from = "f64")]
-pub struct Exponent(f64);
-
-impl TryFrom<f64> for Exponent {
-    type Error = String;
-
-    fn try_from(value: f64) -> Result<Self, String> {
-        if value.is_finite() && value >= 1.0 {
-            Ok(Self(value))
-        } else {
-            Err(format!(
-                "{value} is not an exponent of a liquid, which is one or more (7 of water)"
-            ))
-        }
-    }
-}
-
-impl From<LinearEntry> for Liquid {
-    fn from(entry: LinearEntry) -> Self {
-        Self {
-            sound_speed: entry.sound_speed.get(),
-            density: entry.density.get(),
-            pressure: entry.pressure.map_or(0.0, Finite::get),
-            exponent: 1.0,
-            transport: None,
-        }
-    }
-}
-
-impl From<TaitEntry> for Liquid {
-    fn from(entry: TaitEntry) -> Self {
-        Self {
-            exponent: entry.exponent.map_or(WATER, |exponent| exponent.0),
-            ..LinearEntry {
-                sound_speed: entry.sound_speed,
-                density: entry.density,
-                pressure: entry.pressure,
-            }
-            .into()
-        }
-    }
-}
 
 /// Density and pressure of a liquid of which a scene gives one of the two at `place`.
 pub(super) fn state(

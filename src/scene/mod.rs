@@ -68,6 +68,7 @@ mod schemes;
 pub mod shapes;
 pub mod side;
 pub mod spin;
+mod state;
 mod stream;
 mod surface;
 mod transport;

@@ -4,10 +4,10 @@ use super::error::SceneError;
 use super::file::SceneFile;
 use super::liquid;
 use super::number::{Gamma, Positive};
+use super::state::EquationOfState;
 use super::stream;
 use super::vector::AXES;
 use super::viscosity::ViscosityEntry;
-use super::words::EquationOfState;
 use aero_solver::gas::{Gas, IdealGas, Liquid, Transport, Viscosity};
 use aero_solver::problem::{Domain, Side, State};
 

@@ -2,10 +2,8 @@
 
 use serde::Deserialize;
 
-use super::liquid::{LinearEntry, TaitEntry};
 use crate::case::{Pressure, Stop};
 use crate::sample::Quantity;
-use aero_solver::gas::{Air, Gas};
 use aero_solver::method::Time;
 use aero_solver::scheme::{Extrapolation, Precision, Scheme};
 
@@ -53,36 +51,6 @@ impl From<StopWord> for Stop {
         match word {
             StopWord::EndTime => Self::EndTime,
             StopWord::Steady => Self::Steady,
-        }
-    }
-}
-
-/// A word, or `{ linear = { .. } }` or `{ tait = { .. } }` of a liquid: how pressure and temperature follow from density and energy.
-#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq)]
-#[serde(rename_all = "kebab-case")]
-pub enum EquationOfState {
-    /// Constant specific heats.
-    #[default]
-    Ideal,
-    /// Air whose molecules vibrate as it gets hot.
-    ThermallyPerfectAir,
-    /// Air whose molecules come apart too, in chemical equilibrium.
-    EquilibriumAir,
-    /// A liquid whose pressure is linear in its density.
-    Linear(LinearEntry),
-    /// A liquid by Tait's equation.
-    Tait(TaitEntry),
-}
-
-impl EquationOfState {
-    /// The gas that it is, if that is not an ideal one: without viscosity.
-    pub(super) fn gas(self) -> Option<Gas> {
-        match self {
-            Self::Ideal => None,
-            Self::ThermallyPerfectAir => Some(Gas::Air(Air::ThermallyPerfect)),
-            Self::EquilibriumAir => Some(Gas::Air(Air::Equilibrium)),
-            Self::Linear(entry) => Some(Gas::Liquid(entry.into())),
-            Self::Tait(entry) => Some(Gas::Liquid(entry.into())),
         }
     }
 }

@@ -9,17 +9,7 @@ use super::duct::{DENSITY, Duct};
 use super::flow::Flow;
 use super::treatment::{Mistake, Treatment};
 use super::treatments::DoNothing;
-
-/// A sound in a stream, through a duct of unit length.
-#[derive(Clone, Copy, Debug)]
-pub struct Sound {
-    /// Of the stream.
-    pub mach: f64,
-    /// Highest speed of the gas in it over that of sound.
-    pub strength: f64,
-    /// Spacings to the duct.
-    pub cells: u32,
-}
+use super::wave::Sound;
 
 /// Half of the largest rise of the wave along the stream over its strength, `max sin(4 pi x) exp(-(x / 0.2)^2)`.
 const PEAK: f64 = 0.742;

@@ -4,10 +4,10 @@ use aero_geometry::Vector;
 
 use super::cases::{Case, DAMPING, Suite};
 use super::duct::Crowd;
-use super::sound::Sound;
 use super::treatment::Mistake;
 use super::treatments::ALL;
 use super::verdict::echo_row;
+use super::wave::Sound;
 
 const SOUND: Sound = Sound {
     mach: 0.3,

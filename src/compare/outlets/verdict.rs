@@ -4,8 +4,8 @@ use aero_validation::table::{Check, Subject};
 
 use super::cases::{Case, Suite};
 use super::published::printed;
-use super::sound::Sound;
 use super::treatment::Treatment;
+use super::wave::Sound;
 
 pub const NAME: &str = "outlets";
 const LONG: &str = "a duct so long that nothing comes back";

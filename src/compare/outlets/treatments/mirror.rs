@@ -3,8 +3,8 @@
 use aero_geometry::Vector;
 
 use crate::compare::outlets::particle::Particle;
-use crate::compare::outlets::sound::Sound;
 use crate::compare::outlets::treatment::{ECHO, Next, SLOW, Sight, Treatment};
+use crate::compare::outlets::wave::Sound;
 use crate::compare::points::weights::linear;
 
 /// Tafuni et al. 2018, doi:10.1016/j.cma.2018.08.004, as Negi et al. 2020 mean it: the state of the gas at the mirror point, by a linear fit
