@@ -1,51 +1,17 @@
 //! What a run spends its time on: passes of a step, whole steps, packing and frames, per particle.
 //!
-//! `cargo bench --bench solver`, or `cargo bench --bench solver -- 2D` for a part of it. Times are wall times: on a busy
+//! `cargo bench -p aero-benches`, or `cargo bench -p aero-benches -- 2D` for a part of it. Times are wall times: on a busy
 //! machine they mean little.
 //! `AERO_VECTORS=avx2` or `plain` measures the narrower instruction sets.
 
-use std::sync::Arc;
 use std::time::Duration;
 
 use aero::output::write_frame;
+use aero_benches::stirred;
 use aero_geometry::bodies::{circle, sphere};
-use aero_geometry::{Bounds, Vector};
 use aero_packer::{PackOptions, pack};
-use aero_solver::gas::Gas;
-use aero_solver::method::Method;
-use aero_solver::problem::{Domain, Field, Initial, Problem, Side, State};
-use aero_solver::scheme::Scheme;
 use aero_solver::{Pass, Simulation};
 use criterion::{BenchmarkId, Criterion, Throughput};
-
-/// A periodic box of disordered gas in gentle motion.
-fn stirred<const D: usize>(cells: usize) -> Problem<D> {
-    let wave = std::f64::consts::TAU;
-    Problem {
-        spacing: 1.0 / cells as f64,
-        gas: Gas::ideal(1.4),
-        method: Method::default(),
-        scheme: Scheme::default(),
-        domain: Domain {
-            bounds: Bounds::new(Vector::zeros(), Vector::repeat(1.0)),
-            sides: [[Side::Periodic; 2]; D],
-            openings: Vec::new(),
-        },
-        free_stream: State {
-            density: 1.4,
-            velocity: Vector::zeros(),
-            pressure: 1.0,
-        },
-        initial: Initial::Field(Field(Arc::new(move |position: &Vector<D>| State {
-            density: 1.4 + 0.1 * (wave * position[0]).sin(),
-            velocity: Vector::from_fn(|k, _| 0.3 * (wave * position[D - 1 - k] + k as f64).cos()),
-            pressure: 1.0 + 0.1 * (wave * position[D - 1]).cos(),
-        }))),
-        disorder: 0.2,
-        bodies: Vec::new(),
-        source: None,
-    }
-}
 
 /// Passes and steps on one thread and on two.
 fn steps<const D: usize>(criterion: &mut Criterion, cells: usize) {
@@ -89,15 +55,14 @@ fn packing(criterion: &mut Criterion) {
 
 fn frames(criterion: &mut Criterion) {
     let simulation = Simulation::new(stirred::<2>(200)).expect("the case is sound");
-    let path = std::env::temp_dir().join(format!("aero-bench-{}.vtp", std::process::id()));
+    let folder = tempfile::tempdir().expect("a folder for what is measured");
+    let path = folder.path().join("frame.vtp");
     let mut group = criterion.benchmark_group("frame, per particle");
     group.throughput(Throughput::Elements(40_000));
     group.bench_function("write", |bencher| {
         bencher.iter(|| write_frame(&path, &simulation.frame(), None, false));
     });
     group.finish();
-    // Left behind it would only take room.
-    let _ = std::fs::remove_file(&path);
 }
 
 fn main() {
