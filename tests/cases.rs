@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 38] = [
+const SMALL: [(&str, &[&str]); 39] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("becker", &["end_time=1.0"]),
@@ -64,6 +64,7 @@ const SMALL: [(&str, &[&str]); 38] = [
         &["end_time=0.0002", "spacing=0.002701713333333333"],
     ),
     ("pitching", &["end_time=0.1", "spacing=0.05"]),
+    ("poiseuille", &["end_time=0.01"]),
     ("sod", &["end_time=0.005"]),
     ("sod-1d", &["end_time=0.01"]),
     ("sound", &["end_time=0.02"]),

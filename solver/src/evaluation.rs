@@ -1,6 +1,7 @@
 //! From where the particles are to their rates: reads the density off them, lets ghosts take the state of the gas, sums.
 //! Moves none.
 
+use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_geometry::parallel::prelude::*;
 
@@ -41,19 +42,12 @@ pub fn read_densities<const D: usize>(
     fluid: &mut Particles<D>,
     around: &mut Neighbourhood<D>,
 ) {
-    round_near(around);
+    sum_masses(fluid, around);
     let Columns {
         state,
         densities: sums,
         ..
     } = fluid.columns();
-    densities(
-        &around.arch,
-        &around.lists,
-        &around.records,
-        around.lattice_sum,
-        sums,
-    );
     let rings = Rings::new(problem);
     state
         .par_iter_mut()
@@ -100,7 +94,14 @@ pub fn arrange<const D: usize>(
 ) {
     fill_gas(problem, moment.ahead, fluid, buffers, around);
     move_walls(walls, moment);
-    walls.extrapolate(&around.arch, &around.wall_lists, &around.records);
+    let time = moment.start + moment.ahead;
+    let source = problem.source.as_ref();
+    let added = source.map(|source| move |foot: &Vector<D>| source.at(foot, time).acceleration);
+    let (lists, records) = (&around.wall_lists, &around.records);
+    let added = added
+        .as_ref()
+        .map(|added| added as &(dyn Fn(&_) -> _ + Sync));
+    walls.extrapolate(&around.arch, lists, records, added);
     fill_ghosts(walls, around);
     if problem.scheme.operators.volume == Volume::Summed {
         sum_volumes(fluid, around);
@@ -108,19 +109,23 @@ pub fn arrange<const D: usize>(
     renormalise(problem, fluid, around);
 }
 
-/// Gives each particle as much room as there is, `V = m / sum m W`, whatever its density is.
-fn sum_volumes<const D: usize>(fluid: &mut Particles<D>, around: &mut Neighbourhood<D>) {
+/// Sums the masses about each particle, `sum m W`.
+fn sum_masses<const D: usize>(fluid: &mut Particles<D>, around: &mut Neighbourhood<D>) {
     round_near(around);
-    let sums = fluid.columns().densities;
     densities(
         &around.arch,
         &around.lists,
         &around.records,
         around.lattice_sum,
-        sums,
+        fluid.columns().densities,
     );
+}
+
+/// Gives each particle as much room as there is, `V = m / sum m W`, whatever its density is.
+fn sum_volumes<const D: usize>(fluid: &mut Particles<D>, around: &mut Neighbourhood<D>) {
+    sum_masses(fluid, around);
     let near = around.records.near.par_iter_mut();
-    near.zip(sums)
+    near.zip(fluid.columns().densities)
         .for_each(|(near, sum)| near.volume = near.mass / *sum);
     around.copies.gas.refresh_near(&mut around.records);
 }

@@ -56,9 +56,7 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
         let own = openings.filter(|opening| (opening.axis, opening.end) == (axis, end));
         lines.extend(own.map(|opening| self::opening(problem, opening)));
     }
-    if problem.source.is_some() {
-        lines.push("sources keep the gas to a manufactured solution".into());
-    }
+    lines.extend(problem.source.as_ref().map(|source| source.description()));
     let panels = Panels::new(problem);
     for number in 0..problem.bodies.len() {
         lines.extend(body(problem, &panels, number));

@@ -1,5 +1,6 @@
-//! Viscous flows with exact solutions: heated shear, the inside of a shock, vortices that decay, the boundary layer of a plate, and a wake.
+//! Viscous flows with exact solutions: heated shear, a channel, the inside of a shock, vortices that decay, the boundary layer of a plate, and a wake.
 
+mod channel;
 mod cylinder;
 mod particles;
 mod plate;
@@ -26,6 +27,7 @@ impl Compare for Viscous {
         checks.extend(shock::compare(context)?);
         checks.extend(vortices::compare(context)?);
         checks.extend(particles::compare(context)?);
+        checks.extend(channel::compare(context)?);
         checks.extend(cylinder::compare(context)?);
         if context.level == Level::Full {
             checks.extend(plate::compare(context)?);

@@ -52,6 +52,8 @@ pub struct SceneFile {
     /// State at the start.
     #[serde(default)]
     pub initial: InitialEntry,
+    /// Acceleration of all gas by a force at a distance, m/s^2: gravity, or what drives a periodic channel; none unless given.
+    pub body_force: Option<Vec<Finite>>,
     /// A solution made up beforehand, in place of a start: sources keep the gas to it.
     pub manufactured: Option<ManufacturedEntry>,
     /// Bodies.

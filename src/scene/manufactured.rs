@@ -144,6 +144,10 @@ impl<const D: usize> Source<D> for Manufactured<D> {
     fn at(&self, position: &Vector<D>, time: f64) -> Added<D> {
         self.terms(position, time).added()
     }
+
+    fn description(&self) -> String {
+        "sources keep the gas to a manufactured solution".into()
+    }
 }
 
 /// Coordinate `k`, zero where there is none.

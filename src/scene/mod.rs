@@ -39,6 +39,7 @@
 mod atmosphere;
 mod axis;
 mod bodies;
+mod body_force;
 mod budget;
 mod cover;
 mod domain;
@@ -85,7 +86,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
-use aero_solver::problem::Problem;
+use aero_solver::problem::{Problem, Source};
 use aero_solver::scheme::Viscosity;
 use file::SceneFile;
 use manufactured::Manufactured;
@@ -274,16 +275,15 @@ impl Scene {
                 "is what shocks need of gas without viscosity of its own; give the gas one, or leave this on",
             ));
         }
-        let problem = match solution {
-            None => problem,
+        let force = body_force::source(file, &problem)?;
+        let source = match solution {
+            None => force,
             Some(solution) => {
                 manufactured::check(&solution, &problem, end_time)?;
-                Problem {
-                    source: Some(Arc::new(solution)),
-                    ..problem
-                }
+                Some(Arc::new(solution) as Arc<dyn Source<D>>)
             }
         };
+        let problem = Problem { source, ..problem };
         Ok(Case {
             problem,
             plan: RunPlan {

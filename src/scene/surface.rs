@@ -6,7 +6,7 @@ use super::error::SceneError;
 use super::liquid;
 use super::motion::rotation;
 use super::number::Finite;
-use super::vector::{AXES, vector};
+use super::vector::{side_name, vector};
 use super::wall::{BodyWallEntry, kind};
 use aero_solver::problem::{Problem, Side, Slide, WallHeat, WallKind};
 
@@ -122,10 +122,6 @@ pub(super) fn check<const D: usize>(
         }
     }
     Ok(())
-}
-
-fn side_name(axis: usize, end: usize) -> String {
-    format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end])
 }
 
 /// Refuses viscosity of particles about an axis, where they have no law for it.

@@ -30,3 +30,8 @@ pub(super) fn vector_or_zero<const D: usize>(
 ) -> Result<Vector<D>, SceneError> {
     numbers.map_or(Ok(Vector::zeros()), |numbers| vector(place, numbers))
 }
+
+/// The key of a side.
+pub(super) fn side_name(axis: usize, end: usize) -> String {
+    format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end])
+}

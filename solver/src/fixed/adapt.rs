@@ -112,7 +112,7 @@ impl<const D: usize> FixedSimulation<D> {
         let held = match carry {
             Carry::Afresh => {
                 let states = Self::initial_states(&self.problem, &cells)?;
-                let held = states.iter().map(|state| state.conserved(&self.gas));
+                let held = states.iter().map(|state| state.conserved(&self.fluid.gas));
                 held.collect()
             }
             Carry::Roughly => {
@@ -149,12 +149,15 @@ impl<const D: usize> FixedSimulation<D> {
         let net = Self::net(&cells, &self.problem)?;
         self.quiet = Quiet::of(&net, &self.problem);
         self.given = given_faces(&self.problem, &cells, &net);
-        let states = held.iter().map(|held| held.primitive(&self.gas)).collect();
+        let states = held
+            .iter()
+            .map(|held| held.primitive(&self.fluid.gas))
+            .collect();
         let pressure = self.problem.free_stream.pressure;
-        self.columns = Columns::new(held, states, &net, pressure, self.viscous.is_some());
+        self.columns = Columns::new(held, states, &net, pressure, self.fluid.viscous.is_some());
         self.points = cells.points;
         self.net = net;
-        self.sweeps = None;
+        self.settling.sweeps = None;
         self.shown.outlines = OnceLock::new();
         self.start();
         Ok(())

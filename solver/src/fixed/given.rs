@@ -83,8 +83,9 @@ pub fn given_faces<const D: usize>(
 }
 
 impl<const D: usize> FixedSimulation<D> {
-    /// Shows the faces what is beyond them at `time`.
+    /// Shows the faces what is beyond them at `time`, and walls what drives the gas into them.
     pub(super) fn give(&mut self, time: f64) {
+        self.push_walls(time);
         for face in &self.given {
             let side = &mut self.net.blocks[face.block].sides[face.side];
             side.beyond = side.beyond.at(&face.given.at(&face.centre, time));

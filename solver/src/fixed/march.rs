@@ -3,16 +3,13 @@
 //! `U* = U + dt R(U)`, `U' = (U + U* + dt R(U*)) / 2`, also the second-order method that preserves what a single stage of
 //! Euler preserves [Shu & Osher 1988, J. Comput. Phys. 77, 439-471].
 
-use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
 use super::columns::Columns;
-use super::gas::AnyGas;
 use super::net::BLOCK;
 use super::state::{Conserved, Primitive};
 use crate::Failure;
-use crate::problem::Added;
 use crate::walls::rigid::pad;
 
 /// How often a step is halved before the run stops.
@@ -103,7 +100,7 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     fn stage(&mut self, stage: Stage) -> Conserved<D> {
-        let Stage { new, step, .. } = stage;
+        let Stage { new, step, time } = stage;
         let boundary = self.exchange(|net, part, gains| {
             let cells = part.held.iter_mut().zip(&*part.before).zip(&gains.cells);
             for (k, ((held, before), gain)) in cells.enumerate() {
@@ -115,24 +112,8 @@ impl<const D: usize> FixedSimulation<D> {
                 };
             }
         });
-        self.add_source(stage);
+        self.add_source(new * step, time);
         boundary
-    }
-
-    /// Adds what the problem does, by the states that the stage began with.
-    fn add_source(&mut self, stage: Stage) {
-        let Stage { new, step, time } = stage;
-        let Some(source) = &self.problem.source else {
-            return;
-        };
-        let Columns { held, states, .. } = &mut self.columns;
-        held.par_iter_mut()
-            .zip(&*states)
-            .zip(&self.points)
-            .for_each(|((held, state), point)| {
-                let gain = per_volume(&source.at(point, time), state, self.gas);
-                *held = held.plus(new * step, &gain);
-            });
     }
 
     /// Keeps the state for a step that fails, and for the second stage.
@@ -152,7 +133,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     fn restore(&mut self) {
         let Self {
-            gas,
+            fluid,
             quiet,
             columns,
             ..
@@ -168,7 +149,7 @@ impl<const D: usize> FixedSimulation<D> {
                 let cells = block * BLOCK..((block + 1) * BLOCK).min(held.len());
                 for i in cells {
                     held[i] = before[i];
-                    states[i] = held[i].primitive(gas);
+                    states[i] = held[i].primitive(&fluid.gas);
                 }
             }
         }
@@ -189,17 +170,5 @@ impl<const D: usize> FixedSimulation<D> {
             step: self.tally.steps,
             time: self.tally.time,
         }
-    }
-}
-
-/// What is added to gas in `state`, per volume: `S`, `rho a + u S` and `rho (q + u.a) + (e + u^2 / 2) S`.
-fn per_volume<const D: usize>(added: &Added<D>, state: &Primitive<D>, gas: AnyGas) -> Conserved<D> {
-    let velocity = Vector::from(state.velocity);
-    let energy = state.conserved(&gas).energy / state.density;
-    let work = velocity.dot(&added.acceleration);
-    Conserved {
-        mass: added.density,
-        momentum: (added.acceleration * state.density + velocity * added.density).into(),
-        energy: state.density * (added.heating + work) + energy * added.density,
     }
 }

@@ -57,9 +57,11 @@ mod site;
 mod slopes;
 mod snapshot;
 pub mod solids;
+mod sources;
 mod stages;
 mod state;
 mod stick;
+mod stillness;
 mod sweeps;
 mod tally;
 #[cfg(test)]
@@ -92,7 +94,6 @@ use ground::Ground;
 use net::Net;
 use quiet::Quiet;
 use state::Primitive;
-use sweeps::Sweeps;
 use tally::Tally;
 use viscous::Viscous;
 
@@ -100,9 +101,7 @@ use viscous::Viscous;
 #[derive(Debug)]
 pub struct FixedSimulation<const D: usize> {
     problem: Problem<D>,
-    gas: AnyGas,
-    /// Its viscosity, if it has one.
-    viscous: Option<Viscous>,
+    fluid: Fluid,
     arch: pulp::Arch,
     points: Vec<Vector<D>>,
     /// What the points came from, where more may come.
@@ -114,9 +113,15 @@ pub struct FixedSimulation<const D: usize> {
     columns: Columns<D>,
     tally: Tally<D>,
     settling: Settling,
-    /// Links of the cells in the order of the flow, once it is to settle.
-    sweeps: Option<Sweeps>,
     shown: Shown<D>,
+}
+
+/// The gas that flows.
+#[derive(Debug)]
+struct Fluid {
+    gas: AnyGas,
+    /// Its viscosity, if it has one.
+    viscous: Option<Viscous>,
 }
 
 /// What is made when somebody asks to see it.
@@ -193,15 +198,16 @@ impl<const D: usize> FixedSimulation<D> {
                 problem.free_stream.pressure,
                 problem.gas.is_viscous(),
             ),
-            gas,
-            viscous: Viscous::of(&problem.gas),
+            fluid: Fluid {
+                gas,
+                viscous: Viscous::of(&problem.gas),
+            },
             points: cells.points,
             ground: None,
             net,
             given,
             tally: Tally::default(),
             settling: Settling::default(),
-            sweeps: None,
             shown: Shown::default(),
             problem,
         };

@@ -148,7 +148,9 @@ impl<const D: usize> Net<D> {
         }
         for (face, &beyond) in cells.sides.iter().zip(beyond) {
             let mut side = Side::new(face, &cells.points[face.i as usize], beyond);
-            side.image = side.image.at_radius(radius(face.centre[RADIAL.min(D - 1)]));
+            if is_axisymmetric {
+                side = side.at_radius(face.centre[RADIAL]);
+            }
             net.blocks[side.i as usize / BLOCK].sides.push(side);
         }
         if is_axisymmetric {
@@ -196,6 +198,7 @@ impl<const D: usize> Net<D> {
                 self.blocks[i / BLOCK].sides.push(Side {
                     i: i as u32,
                     image: Image::behind_axis(length, distance),
+                    bend: 0.0,
                     beyond: Beyond::Mirror,
                 });
             }

@@ -13,6 +13,9 @@ const RAMP: f64 = 0.4;
 /// Up to this much.
 const FASTEST: f64 = 20.0;
 
+/// After so many iterations.
+pub const RAMP_LENGTH: u64 = 48;
+
 /// It is never bounded by less.
 const SLOWEST: f64 = 2.0;
 
@@ -99,5 +102,7 @@ mod tests {
         }
         assert_eq!(pace.courant(300), FASTEST);
         assert_eq!(pace.courant(5), 3.0);
+        assert_eq!(pace.courant(RAMP_LENGTH), FASTEST);
+        assert!(pace.courant(RAMP_LENGTH - 1) < FASTEST);
     }
 }

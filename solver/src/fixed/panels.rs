@@ -52,7 +52,7 @@ impl<const D: usize> FixedSimulation<D> {
             .map(|pieces| self.pressed(pieces, &walls, &patches))
             .collect();
         let mut heated = Vec::new();
-        if let Some(viscous) = &self.viscous {
+        if let Some(viscous) = &self.fluid.viscous {
             let shares: Vec<&WallShare<D>> = self.wall_shares().collect();
             for (pieces, pressed) in pieces.iter().zip(&mut pressed) {
                 let (friction, heat) = rubbed(viscous, pieces, &shares, &patches);
@@ -101,7 +101,11 @@ impl<const D: usize> FixedSimulation<D> {
 
     fn mach(&self, cell: usize) -> f64 {
         let state = &self.columns.states[cell];
-        let sound = self.gas.sound_square(state.density, state.pressure).sqrt();
+        let sound = self
+            .fluid
+            .gas
+            .sound_square(state.density, state.pressure)
+            .sqrt();
         dot(&state.velocity, &state.velocity).sqrt() / sound
     }
 }

@@ -2,7 +2,6 @@
 
 use aero_geometry::parallel::prelude::*;
 
-use super::FixedSimulation;
 use super::columns::Columns;
 use super::energy::EnergyFlux;
 use super::fluxes::{Exchange, Flow, Gains};
@@ -13,6 +12,7 @@ use super::quiet::Quiet;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
 use super::viscous::Rubbing;
+use super::{FixedSimulation, Fluid};
 
 /// Cells of a block.
 pub(super) struct Part<'a, const D: usize> {
@@ -45,8 +45,7 @@ impl<const D: usize> FixedSimulation<D> {
     pub(super) fn find_reaches(&mut self) -> Vec<f64> {
         self.find_viscosities();
         let Self {
-            gas,
-            viscous,
+            fluid: Fluid { gas, viscous },
             net,
             quiet,
             columns,
@@ -81,7 +80,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Viscosities of all cells, of gas that has one.
     fn find_viscosities(&mut self) {
-        let Some(viscous) = &self.viscous else {
+        let Some(viscous) = &self.fluid.viscous else {
             return;
         };
         let Columns {
@@ -119,8 +118,7 @@ impl<const D: usize> FixedSimulation<D> {
         let is_axisymmetric = self.problem.domain.is_axisymmetric();
         let Self {
             arch,
-            gas,
-            viscous,
+            fluid: Fluid { gas, viscous },
             points,
             net,
             quiet,
@@ -188,7 +186,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// Reads the states off what the cells hold; the cells where that is no gas are the error.
     pub(super) fn find_states(&mut self) -> Result<(), Vec<u32>> {
         let Self {
-            gas,
+            fluid,
             quiet,
             columns,
             ..
@@ -210,14 +208,16 @@ impl<const D: usize> FixedSimulation<D> {
                     return found;
                 }
                 for (k, (state, held)) in states.iter_mut().zip(held).enumerate() {
-                    *state = held.primitive(gas);
+                    *state = held.primitive(&fluid.gas);
                     if !state.makes_sense() {
                         found.bad.push((block * BLOCK + k) as u32);
                     }
                     found.min_density = found.min_density.min(state.density);
-                    let energy = gas.energy_measure(state.pressure / state.density, || {
-                        held.energy / held.mass - 0.5 * dot(&state.velocity, &state.velocity)
-                    });
+                    let energy = fluid
+                        .gas
+                        .energy_measure(state.pressure / state.density, || {
+                            held.energy / held.mass - 0.5 * dot(&state.velocity, &state.velocity)
+                        });
                     found.min_energy = found.min_energy.min(energy);
                 }
                 quiet.is_quiet = stream.as_ref().is_some_and(|stream| stream.is_in(states));
@@ -230,7 +230,7 @@ impl<const D: usize> FixedSimulation<D> {
         }
         for found in found {
             self.tally.min_density = self.tally.min_density.min(found.min_density);
-            let energy = found.min_energy / self.gas.unit_energy();
+            let energy = found.min_energy / self.fluid.gas.unit_energy();
             self.tally.min_energy = self.tally.min_energy.min(energy);
         }
         Ok(())

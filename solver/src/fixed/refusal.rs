@@ -8,15 +8,20 @@ const REMEDY: &str =
     "points that stay where they are cannot follow it; use `scheme.motion = \"with-the-gas\"`";
 
 impl<const D: usize> Problem<D> {
-    /// Refuses by name what moves, what gas without viscosity would stick to, and sources that settle.
+    /// Refuses by name what moves, what gas without viscosity would stick to, and sources that change while the flow settles.
     ///
     /// # Errors
     /// What it is and the remedy.
     pub fn check_fixed(&self) -> Result<(), String> {
         let settles = (self.method.fixed()).is_some_and(|points| points.time == Time::Settle);
-        if self.source.is_some() && settles {
+        if settles
+            && self
+                .source
+                .as_ref()
+                .is_some_and(|source| !source.is_steady())
+        {
             return Err(
-                "what is added to the equations is marched through time alone; \
+                "what is added to the equations changes with time, and is marched through time alone; \
                  use `scheme.time = \"accurate\"`"
                     .into(),
             );

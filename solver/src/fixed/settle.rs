@@ -7,22 +7,12 @@ use serde::{Deserialize, Serialize};
 
 use super::FixedSimulation;
 use super::gas::Gas;
-use super::pace::Pace;
+use super::pace::{Pace, RAMP_LENGTH};
 use super::state::dot;
+use super::stillness::{Look, WINDOW, change, range};
+use super::sweeps::Sweeps;
 use crate::Failure;
 use crate::frame::Load;
-
-/// Iterations over which nothing may change.
-const WINDOW: usize = 20;
-
-/// Part of its range that a value that creeps goes on by in a window.
-const STRAIGHT: f64 = 0.9;
-
-/// Largest part of a window's way that the next is taken to go, so that what only seems to creep is not waited for for ever.
-const SLOWEST: f64 = 0.98;
-
-/// The same of viscous flows: heat spreads slowly.
-const SLOWEST_VISCOUS: f64 = 0.9995;
 
 /// A force counts as at least this part of what presses the walls, and as at most so many times that.
 const LEAST_FORCE: f64 = 0.01;
@@ -62,9 +52,9 @@ pub struct Settling {
     /// Iterations since so many came or went that the gas is far from rest again.
     #[serde(default)]
     pub(super) calm: u64,
-    /// True of a flow that began where an earlier one had settled.
-    #[serde(default)]
-    pub(super) has_begun_near: bool,
+    /// True of a flow that began where an earlier one had settled, and has not gone far from there.
+    #[serde(default, rename = "has_begun_near")]
+    pub(super) is_near: bool,
     /// How often they did.
     pub(super) adaptions: u32,
     /// True once the flow wants no more of them.
@@ -78,6 +68,9 @@ pub struct Settling {
     /// What changes of each of that are measured by.
     #[serde(default)]
     measures: Vec<Measure>,
+    /// Links of the cells in the order of the flow, once it has begun to settle on them.
+    #[serde(skip)]
+    pub(super) sweeps: Option<Sweeps>,
 }
 
 /// What changes of a value are measured by.
@@ -113,13 +106,17 @@ impl<const D: usize> FixedSimulation<D> {
             settling.watched.remove(0);
         }
         settling.watched.push(watched);
-        let is_viscous = self.viscous.is_some();
+        let is_viscous = self.fluid.viscous.is_some();
         if is_viscous && settling.iterations <= WINDOW as u64 {
             // Walls stop the gas before anything else changes.
             settling.first = settling.first.max(residual);
         }
-        let slowest = if is_viscous { SLOWEST_VISCOUS } else { SLOWEST };
-        let (change, is_still) = settling.change(slowest);
+        let look = match (is_viscous, settling.is_near) {
+            (true, _) => Look::VISCOUS,
+            (false, true) => Look::NEAR,
+            (false, false) => Look::USUAL,
+        };
+        let (change, is_still) = settling.change(look);
         let settled = Settled {
             iterations: settling.iterations,
             residual: if settling.first > 0.0 {
@@ -167,7 +164,7 @@ impl<const D: usize> FixedSimulation<D> {
         };
         let forces = loads.iter().flat_map(|load| load.force);
         watched.extend(forces.map(|f| (f, force)));
-        if self.viscous.is_some() {
+        if self.fluid.viscous.is_some() {
             let rubbed = self.rubbed(&loads, force.size);
             watched.extend(rubbed.into_iter().map(|value| (value, within(1.0))));
         }
@@ -182,7 +179,7 @@ impl<const D: usize> FixedSimulation<D> {
             .iter()
             .map(|load| load.force.iter().map(|f| f * f).sum::<f64>().sqrt());
         let largest = norms.fold(f64::MIN_POSITIVE, f64::max);
-        if self.viscous.is_some() {
+        if self.fluid.viscous.is_some() {
             // Friction is watched by itself, and where it is all there is, pressure need not be as still.
             return largest;
         }
@@ -210,7 +207,7 @@ impl<const D: usize> FixedSimulation<D> {
         let energy: f64 = held
             .map(|(i, held)| held.energy * self.net.cell(i).volume)
             .sum();
-        let sound = self.gas.sound_square(
+        let sound = self.fluid.gas.sound_square(
             self.problem.free_stream.density,
             self.problem.free_stream.pressure,
         );
@@ -234,18 +231,19 @@ impl Settling {
     /// Of a flow that starts as an earlier one has settled, on its points, whose cells may be split `most` times.
     pub(super) fn from_earlier(most: u32) -> Self {
         Self {
-            has_begun_near: true,
+            is_near: true,
+            calm: RAMP_LENGTH,
             adaptions: most,
             ..Self::default()
         }
     }
 
     /// Largest change of what was watched, see [`change`], and whether all of it is within its tolerance; infinite before two windows are full.
-    fn change(&self, slowest: f64) -> (f64, bool) {
-        if self.watched.len() <= 2 * WINDOW {
+    fn change(&self, look: Look) -> (f64, bool) {
+        let Some(first) = self.watched.len().checked_sub(2 * look.window + 1) else {
             return (f64::INFINITY, false);
-        }
-        let changes = self.changes(&self.watched, |values| change(values, slowest));
+        };
+        let changes = self.changes(&self.watched[first..], |values| change(values, look));
         let mut pairs = changes.iter().zip(&self.measures);
         let is_still = pairs.all(|(change, by)| *change < by.tolerance);
         (changes.into_iter().fold(0.0, f64::max), is_still)
@@ -269,49 +267,5 @@ impl Settling {
             measure(&values) / by.size
         });
         each.collect()
-    }
-}
-
-fn range(values: &[f64]) -> f64 {
-    let most = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    let least = values.iter().copied().fold(f64::INFINITY, f64::min);
-    most - least
-}
-
-/// Range of the second half of `values`; more of one that creeps, all through both halves and one way: what is left of its way if
-/// each window goes on to take the same part of the one before, at most `slowest`.
-fn change(values: &[f64], slowest: f64) -> f64 {
-    let (first, second) = (&values[..=WINDOW], &values[WINDOW..]);
-    let way = |values: &[f64]| values[values.len() - 1] - values[0];
-    let creeps = |values: &[f64]| way(values).abs() > STRAIGHT * range(values);
-    let (before, now) = (way(first), way(second));
-    if creeps(first) && creeps(second) && before * now > 0.0 {
-        let part = (now / before).min(slowest);
-        range(second).max(now.abs() / (1.0 - part))
-    } else {
-        range(second)
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn watched(value: impl Fn(f64) -> f64) -> Vec<f64> {
-        (0..=2 * WINDOW).map(|k| value(k as f64)).collect()
-    }
-
-    #[test]
-    fn what_creeps_is_far_from_where_it_goes() {
-        // Half a per cent of the way in each iteration: the rest of the way is what it is at the start of the second window.
-        let change = change(&watched(|k| (-0.005 * k).exp()), SLOWEST);
-        let rest = (-0.005 * WINDOW as f64).exp();
-        assert!((change / rest - 1.0).abs() < 1e-9, "{change} {rest}");
-    }
-
-    #[test]
-    fn what_swings_changes_by_its_range() {
-        let change = change(&watched(|k| (1.3 * k).sin()), SLOWEST);
-        assert!((1.9..=2.0).contains(&change), "{change}");
     }
 }

@@ -34,8 +34,16 @@ impl<const D: usize> FixedSimulation<D> {
                 continue;
             }
             let velocity = Vector::from(state.velocity);
-            let sound = self.gas.sound_square(state.density, state.pressure).sqrt();
-            let energy = self.gas.internal_energy(state.density, state.pressure) / state.density;
+            let sound = self
+                .fluid
+                .gas
+                .sound_square(state.density, state.pressure)
+                .sqrt();
+            let energy = self
+                .fluid
+                .gas
+                .internal_energy(state.density, state.pressure)
+                / state.density;
             frame.position.push(pad(point).into());
             frame.velocity.push(pad(&velocity).into());
             frame.density.push(state.density);

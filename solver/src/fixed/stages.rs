@@ -31,8 +31,8 @@ impl<const D: usize> FixedSimulation<D> {
         };
         let settling = &self.settling;
         let is_first = settling.adaptions == u32::from(ground.most());
-        let is_soon = settling.has_begun_near && is_first && settling.since == SOON;
-        let patience = if self.viscous.is_some() {
+        let is_soon = settling.is_near && is_first && settling.since == SOON;
+        let patience = if self.fluid.viscous.is_some() {
             PATIENCE_VISCOUS
         } else {
             PATIENCE
@@ -50,7 +50,8 @@ impl<const D: usize> FixedSimulation<D> {
         if new > 0 {
             settling.since = 0;
             // A flow that is near its end shows what a few new points change.
-            if !(settling.has_begun_near && (new as f64) < SOME * self.points.len() as f64) {
+            if !(settling.is_near && (new as f64) < SOME * self.points.len() as f64) {
+                settling.is_near = false;
                 settling.watched.clear();
                 settling.calm = 0;
             }

@@ -6,13 +6,13 @@
 
 use aero_geometry::parallel::prelude::*;
 
-use super::FixedSimulation;
 use super::columns::Columns;
 use super::gas::Gas;
 use super::net::Net;
 use super::order::{Link, levels};
 use super::state::{Conserved, Primitive, dot, scaled};
 use super::viscous::add_reaches;
+use super::{FixedSimulation, Fluid};
 use crate::Failure;
 
 /// A cell changes its density in one step by this part at most.
@@ -138,7 +138,8 @@ impl<const D: usize> FixedSimulation<D> {
         self.wake();
         self.find_slopes();
         self.exchange(|_, part, gains| part.before.copy_from_slice(&gains.cells));
-        let sweeps = self.sweeps.take().unwrap_or_else(|| {
+        self.add_steady_source();
+        let sweeps = self.settling.sweeps.take().unwrap_or_else(|| {
             let stream = &self.problem.free_stream.velocity;
             Sweeps::new(&self.net, |i| {
                 if stream.norm_squared() > 0.0 {
@@ -187,7 +188,7 @@ impl<const D: usize> FixedSimulation<D> {
                 self.columns.held[i] = self.changed(i, change);
             }
         }
-        self.sweeps = Some(sweeps);
+        self.settling.sweeps = Some(sweeps);
         match self.find_states() {
             Ok(()) => Ok(residual),
             Err(bad) => Err(self.failure(bad[0])),
@@ -212,22 +213,14 @@ impl<const D: usize> FixedSimulation<D> {
                 let speed = dot(&state.velocity, &image.normal).abs() + self.sound(state);
                 ends[i as usize] += speed * image.size;
             }
-            if let Some(viscous) = &self.viscous {
+            if let Some(viscous) = &self.fluid.viscous {
                 let Columns {
                     states,
                     viscosities,
                     ..
                 } = &self.columns;
-                add_reaches(
-                    viscous,
-                    &self.net,
-                    block,
-                    states,
-                    viscosities,
-                    |i, reach| {
-                        ends[i] += reach;
-                    },
-                );
+                let add = |i: usize, reach| ends[i] += reach;
+                add_reaches(viscous, &self.net, block, states, viscosities, add);
             }
         }
         let places = sweeps.order.par_iter().enumerate().with_min_len(CHUNK);
@@ -249,7 +242,10 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     fn sound(&self, state: &Primitive<D>) -> f64 {
-        self.gas.sound_square(state.density, state.pressure).sqrt()
+        self.fluid
+            .gas
+            .sound_square(state.density, state.pressure)
+            .sqrt()
     }
 
     /// Mean over the cells that are awake of how much of its mass each gains while a wave crosses it.
@@ -275,6 +271,7 @@ impl<const D: usize> FixedSimulation<D> {
         &self,
         known: impl Iterator<Item = (&'a Link, &'a Conserved<D>)>,
     ) -> Conserved<D> {
+        let Fluid { gas, viscous } = &self.fluid;
         let mut sum = Conserved::ZERO;
         for (link, change) in known {
             let j = link.cell as usize;
@@ -282,9 +279,9 @@ impl<const D: usize> FixedSimulation<D> {
             let area = scaled(&shape.area, link.sign);
             let state = &self.columns.states[j];
             let speed = dot(&state.velocity, &area);
-            let moved = state.flux_change(&self.gas, self.columns.held[j].energy, &area, change);
+            let moved = state.flux_change(gas, self.columns.held[j].energy, &area, change);
             let mut wave = speed.abs() + self.sound(state) * shape.size;
-            if let Some(viscous) = &self.viscous {
+            if let Some(viscous) = viscous {
                 let apart = dot(&shape.apart, &shape.apart).sqrt();
                 let viscosities = [self.columns.viscosities[j]; 2];
                 wave += viscous.reach(viscosities, state.density, shape.size, apart);
@@ -301,7 +298,7 @@ impl<const D: usize> FixedSimulation<D> {
         let least = LEAST * self.columns.states[i].pressure;
         for _ in 0..HALVINGS {
             let changed = held.plus(part, change);
-            if changed.primitive(&self.gas).pressure > least {
+            if changed.primitive(&self.fluid.gas).pressure > least {
                 return changed;
             }
             part *= 0.5;

@@ -25,6 +25,8 @@ pub struct Wall<const D: usize> {
     pub foot: Vector<D>,
     /// How gas sticks to it, if it does.
     pub stick: Option<Stick<D>>,
+    /// How what is added to the equations accelerates the gas into it.
+    pub push: f64,
 }
 
 impl<const D: usize> Wall<D> {
@@ -37,16 +39,22 @@ impl<const D: usize> Wall<D> {
             curvature: face.curvature,
             foot: face.foot,
             stick: None,
+            push: 0.0,
         }
     }
 
-    /// The state behind it, as the slopes of `cell` see it: the mirror image where gas slides along.
+    /// The state behind it, as the slopes of `cell` see it: the mirror image where gas slides along, and what holds the gas up against
+    /// `push`.
     #[inline]
     pub fn beyond(&self, cell: &Primitive<D>) -> Primitive<D> {
-        match &self.stick {
+        let mut beyond = match &self.stick {
             None => cell.mirrored(&self.image.normal),
             Some(stick) => stick.beyond(cell),
+        };
+        if self.push != 0.0 {
+            beyond.pressure += 2.0 * self.image.distance * cell.density * self.push;
         }
+        beyond
     }
 
     /// `u.K u` along the wall; of gas that sticks to it and moves as the wall there, the mean up to the cell.
@@ -67,7 +75,7 @@ impl<const D: usize> Wall<D> {
     /// `slopes` and `calmness` are the cell's.
     ///
     /// Along a bent wall the gas presses outwards, `dp/dn = rho u.K u`; from the cell's middle to the wall this makes
-    /// `p / (1 + d rho u.K u / p)` of `p`, which stays positive however far the middle is.
+    /// `p / (1 + d rho u.K u / p)` of `p`, which stays positive however far the middle is. `push` is held up the same way.
     pub fn pressure<G: Gas>(
         &self,
         gas: &G,
@@ -81,7 +89,7 @@ impl<const D: usize> Wall<D> {
         let turn = Turn::of(&self.image, cell, slopes, along, calmness);
         let sound = gas.sound_square(inner.density, inner.pressure).sqrt();
         let speed = turn.speed(dot(&inner.velocity, &self.image.normal), sound);
-        let bend = cell.density * (distance * along + 0.5 * turn.change);
+        let bend = cell.density * (distance * (along - self.push) + 0.5 * turn.change);
         let pressure = if bend > 0.0 {
             inner.pressure * inner.pressure / (inner.pressure + bend)
         } else {
@@ -206,12 +214,14 @@ mod tests {
             curvature: Matrix::zeros(),
             foot: Vector::zeros(),
             stick: None,
+            push: 0.0,
         };
         let pressure = wall.pressure(&AIR, &cell, &slopes.along, 1.0);
         assert!((pressure - 0.8).abs() < 1e-15, "{pressure}");
         let side = Side {
             i: 0,
             image: image(),
+            bend: 0.0,
             beyond: Beyond::Mirror,
         };
         let flux = side.flux(&AIR, &cell, &slopes, None);
@@ -233,6 +243,7 @@ mod tests {
                 curvature,
                 foot: Vector::zeros(),
                 stick: None,
+                push: 0.0,
             };
             let pressure = wall.pressure(&AIR, &cell, &Slopes::LEVEL.along, 1.0);
             let expected = 0.8 - 0.1 * 1.2 * 4.0 * bend;
@@ -255,6 +266,7 @@ mod tests {
             curvature: Matrix::zeros(),
             foot: Vector::zeros(),
             stick: None,
+            push: 0.0,
         };
         let resolved = wall.pressure(&AIR, &cell, &slopes.along, 1.0);
         assert!((resolved - 0.8).abs() < 1e-15, "{resolved}");

@@ -33,7 +33,7 @@ impl<const D: usize> FixedSimulation<D> {
                 let [a, b] = cells.map(|i| &self.columns.states[i]);
                 let density = (a.density - b.density).abs() / a.density.min(b.density);
                 let sounds =
-                    [a, b].map(|state| self.gas.sound_square(state.density, state.pressure));
+                    [a, b].map(|state| self.fluid.gas.sound_square(state.density, state.pressure));
                 let apart = b.plus(-1.0, a).velocity;
                 let speed = (dot(&apart, &apart) / sounds[0].max(sounds[1])).sqrt();
                 let mut change = density.max(SPEED * speed);
@@ -55,7 +55,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// What a change of the velocity of viscous gas in a stream counts.
     fn sheared(&self) -> Option<f64> {
         let speed = self.problem.free_stream.velocity.norm();
-        (self.viscous.is_some() && speed > 0.0).then(|| STEEP / (SHEAR * speed))
+        (self.fluid.viscous.is_some() && speed > 0.0).then(|| STEEP / (SHEAR * speed))
     }
 }
 

@@ -15,7 +15,7 @@ pub use body::{Body, Freedom, Motion, PackedFluid, Turning};
 pub use domain::Domain;
 pub use opening::{Given, Opening};
 pub use side::Side;
-pub use source::{Added, Source};
+pub use source::{Added, BodyForce, Source};
 pub use wall::{NoSlip, Slide, WallHeat, WallKind};
 
 use crate::gas::Gas;

@@ -8,6 +8,38 @@ use aero_geometry::Vector;
 pub trait Source<const D: usize>: Debug + Send + Sync {
     /// What is added there and then.
     fn at(&self, position: &Vector<D>, time: f64) -> Added<D>;
+
+    /// True of one that is the same at all times; none unless told.
+    fn is_steady(&self) -> bool {
+        false
+    }
+
+    /// What it is, in words.
+    fn description(&self) -> String {
+        "sources are added to the equations".into()
+    }
+}
+
+/// A force at a distance that accelerates all gas alike, m/s^2: gravity, or what drives a channel that is periodic.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct BodyForce<const D: usize>(pub Vector<D>);
+
+impl<const D: usize> Source<D> for BodyForce<D> {
+    fn at(&self, _position: &Vector<D>, _time: f64) -> Added<D> {
+        Added {
+            density: 0.0,
+            acceleration: self.0,
+            heating: 0.0,
+        }
+    }
+
+    fn is_steady(&self) -> bool {
+        true
+    }
+
+    fn description(&self) -> String {
+        format!("a force accelerates all gas by {:?}", self.0.as_slice())
+    }
 }
 
 /// What is added to the gas at a place and time.

@@ -299,10 +299,11 @@ mod tests {
     #[test]
     fn gas_that_parts_at_the_pressure_is_left_alone() {
         let inside = gas(0.5);
-        let held = outlet(inside.pressure);
         let (aside, step) = (-0.3, 0.01);
         let slope = aside / (inside.sound(GAMMA) - inside.speed);
-        let back = held.ridden(&inside, step, slope, aside).unwrap();
+        let back = outlet(inside.pressure)
+            .ridden(&inside, step, slope, aside)
+            .unwrap();
         let change = (back - inside.waves(GAMMA).back) / step;
         assert_relative_eq!(change, inside.speed * slope, epsilon = 1e-12);
     }
@@ -314,10 +315,28 @@ mod tests {
         gradients.velocity[(1, 1)] = 2.0;
         gradients.velocity[(2, 2)] = 0.5;
         gradients.velocity[(0, 1)] = 7.0;
-        assert_eq!(
-            [0, 1, 2].map(|axis| parting(axis, &gradients)),
-            [2.5, -2.5, -1.0]
-        );
+        let parts = [0, 1, 2].map(|axis| parting(axis, &gradients));
+        assert_eq!(parts, [2.5, -2.5, -1.0]);
+    }
+
+    /// Gas that left and goes on parting at a rate `a`: the wave on its way out falls by `c a` per time, `dR+/dt = -c div_t v`.
+    #[test]
+    fn gas_that_left_and_parts_slows_the_wave_that_it_sends_out() {
+        let problem = cube::<2>(8, Side::Outlet);
+        let mut particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
+        particle.velocity = [0.5, 0.1].into();
+        let mut gone = [OpenParticle::of_lattice(particle, 1, None)];
+        gone[0].gradients.velocity[(1, 1)] = 0.3;
+        let gas = |particle: &Particle<2>| Along {
+            density: particle.density,
+            speed: particle.velocity[0],
+            pressure: (GAMMA - 1.0) * particle.density * particle.energy,
+        };
+        let before = gas(&particle);
+        HeldOutlet::new(outlet(1.0), None).go_on(&problem, &[], &mut gone, [0.0, 0.01]);
+        let after = gas(&gone[0].particle).waves(GAMMA).ahead;
+        let change = (after - before.waves(GAMMA).ahead) / 0.01;
+        assert_relative_eq!(change, -0.3 * before.sound(GAMMA), epsilon = 1e-12);
     }
 
     #[test]

@@ -274,3 +274,32 @@ fn sound_comes_back_after_a_period_in_each_scheme() {
         assert!(worst < 0.03, "{}: off by {worst}", scheme.name);
     }
 }
+
+/// A wall that leaves a linear liquid draws it out by a simple wave, `u = c ln(rho / rho_0)`: the pressure falls below zero.
+#[test]
+fn a_liquid_is_drawn_on_by_a_wall_that_leaves_it() {
+    for scheme in [Scheme::L_IPST_C, Scheme::TV_C] {
+        let mut problem = boxed::<1>(scheme, WALL, 0.0);
+        problem.disorder = 0.0;
+        problem.spacing = 0.01;
+        problem.domain.bounds.max = Vector::repeat(1.0);
+        problem.domain.sides[0][0] = Side::Wall {
+            kind: WallKind::Slip,
+            velocity: 0.0,
+            acceleration: -20.0,
+        };
+        let mut simulation = start(problem);
+        for time in [0.005, 0.01, 0.02, 0.04] {
+            advance_to(&mut simulation, time);
+            let force = simulation.loads()[0].force[0];
+            let exact = SOUND * SOUND * DENSITY * ((-20.0 * time / SOUND).exp() - 1.0);
+            let error = (-force - exact).abs() / exact.abs();
+            assert!(
+                error < 0.05,
+                "{} at {time}: {} for {exact}",
+                scheme.name,
+                -force
+            );
+        }
+    }
+}

@@ -2,8 +2,9 @@
 
 use super::*;
 use crate::fixed::FixedSimulation;
-use crate::method::{FixedPoints, Method};
-use crate::problem::{Added, Source};
+use crate::frame::Load;
+use crate::method::{FixedPoints, Method, Time};
+use crate::problem::{Added, BodyForce, Source};
 
 const END: f64 = 0.1;
 const PUSH: [f64; 2] = [3.0, -2.0];
@@ -108,4 +109,79 @@ fn nobody_settles_with_a_source() {
     });
     let error = FixedSimulation::new(problem).expect_err("it is refused");
     assert!(error.contains("scheme.time"), "{error}");
+}
+
+/// Weight over heat, `g / (p / rho)`, per length.
+const WEIGHT: f64 = 0.42;
+
+/// A column of gas that is as warm everywhere and at rest under its weight, `rho = rho_0 exp(-w x)`, between walls.
+fn column(cells: u32) -> Problem<1> {
+    let mut problem = cube::<1>(10, WALL);
+    problem.spacing = 1.0 / f64::from(cells);
+    problem.source = Some(Arc::new(BodyForce(Vector::<1>::new(-WEIGHT / 1.4))));
+    problem.initial = Initial::Field(Field(Arc::new(|place: &Vector<1>| {
+        let part = (-WEIGHT * place[0]).exp();
+        State {
+            density: 1.4 * part,
+            velocity: Vector::zeros(),
+            pressure: part,
+        }
+    })));
+    problem
+}
+
+/// What the pressures on both walls are off by.
+fn off(loads: &[Load]) -> f64 {
+    let [bottom, top] = [-loads[0].force[0], loads[1].force[0]];
+    (bottom - 1.0).abs().max((top - (-WEIGHT).exp()).abs())
+}
+
+#[test]
+fn particles_stand_under_their_weight() {
+    for extrapolation in [Extrapolation::Wom, Extrapolation::Wm] {
+        let mut problem = column(50);
+        problem.scheme.wall.extrapolation = extrapolation;
+        let mut simulation = start(problem);
+        advance_to(&mut simulation, 2.0);
+        let speeds = simulation.fluid.iter().map(|p| p.velocity[0].abs());
+        let fastest = speeds.fold(0.0, f64::max);
+        let off = off(&simulation.loads());
+        assert!(fastest < 5e-4 && off < 1e-3, "{fastest} {off}");
+    }
+}
+
+/// Marched and settled.
+#[test]
+fn points_stand_under_their_weight() {
+    for time in [Time::Accurate, Time::Settle] {
+        let errors = [25, 50].map(|cells| {
+            let mut problem = column(cells);
+            problem.method = Method::Fixed(FixedPoints {
+                time,
+                ..FixedPoints::default()
+            });
+            let mut simulation = FixedSimulation::new(problem).expect("the problem is sound");
+            match time {
+                Time::Accurate => {
+                    while simulation.time() < 2.0 {
+                        simulation.step(2.0).expect("the flow is tame");
+                    }
+                }
+                Time::Settle => {
+                    for _ in 0..400 {
+                        simulation.settle_step().expect("the flow is tame");
+                    }
+                }
+            }
+            let speeds = simulation.frame().velocity.into_iter();
+            let fastest = speeds.map(|u| u[0].abs()).fold(0.0, f64::max);
+            [fastest, off(&simulation.loads())]
+        });
+        let [coarse, fine] = errors;
+        // Of second order.
+        for k in 0..2 {
+            assert!(fine[k] < 2e-5, "{time:?}: {errors:?}");
+            assert!(fine[k] < 0.4 * coarse[k], "{time:?}: {errors:?}");
+        }
+    }
 }

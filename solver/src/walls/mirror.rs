@@ -14,8 +14,14 @@ use crate::scheme::Extrapolation;
 
 impl<const D: usize> Walls<D> {
     /// Gives every ghost the state of the gas nearby, mirrored at the wall [Villodi &
-    /// Ramachandran 2024, section 3.4]. A ghost without gas in reach keeps its last state.
-    pub fn extrapolate(&mut self, backend: &impl Backend, lists: &WallLists, records: &Records<D>) {
+    /// Ramachandran 2024, section 3.4]. A ghost without gas in reach keeps its last state. `added` accelerates the gas at a point of the wall.
+    pub fn extrapolate(
+        &mut self,
+        backend: &impl Backend,
+        lists: &WallLists,
+        records: &Records<D>,
+        added: Option<&(dyn Fn(&Vector<D>) -> Vector<D> + Sync)>,
+    ) {
         let ghosts = &self.ghosts;
         self.found.resize(ghosts.len(), None);
         interpolate(
@@ -53,7 +59,16 @@ impl<const D: usize> Walls<D> {
                     None => gas.centroid.dot(&ghost.normal),
                 };
                 let kind = bodies[ghost.body as usize].kind;
-                show(ghost, &gas, arm, kind, treatment.keeps_entropy, &law);
+                let added = added.map_or(Vector::zeros(), |added| added(&ghost.foot()));
+                show(
+                    ghost,
+                    &gas,
+                    arm,
+                    kind,
+                    treatment.keeps_entropy,
+                    &law,
+                    &added,
+                );
                 if !treatment.constant_volume {
                     ghost.volume = ghost.reference_mass / ghost.shown.density;
                 }
@@ -87,7 +102,7 @@ impl<const D: usize> Walls<D> {
 }
 
 /// Mirrors the state of the gas at the wall. `arm` is the distance along the normal from the
-/// ghost to where the gas was read.
+/// ghost to where the gas was read; `added` accelerates the gas.
 fn show<const D: usize>(
     ghost: &mut Ghost<D>,
     gas: &Interpolated<D>,
@@ -95,6 +110,7 @@ fn show<const D: usize>(
     kind: WallKind,
     keeps_entropy: bool,
     law: &Gas,
+    added: &Vector<D>,
 ) {
     let wall = ghost.wall.velocity;
     let slide = gas.velocity - wall;
@@ -112,15 +128,15 @@ fn show<const D: usize>(
         }
         WallKind::NoSlip(_) => gas.strain,
     };
-    // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure; gas
-    // that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.
+    // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure, and so does what drives gas into the
+    // wall; gas that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.
     let slide = match kind {
         WallKind::Slip => slide - ghost.normal * across,
         WallKind::NoSlip(_) => Vector::zeros(),
     };
     let density = law.density(gas.pressure, gas.energy);
     let slope = density
-        * (ghost.wall.acceleration.dot(&ghost.normal) + ghost.wall.coriolis.dot(&slide)
+        * ((ghost.wall.acceleration - added).dot(&ghost.normal) + ghost.wall.coriolis.dot(&slide)
             - slide.dot(&(ghost.wall.curvature * slide)));
     let least = law.least_pressure();
     let risen = |arm: f64| continued(gas.pressure - least, arm * slope) + least;

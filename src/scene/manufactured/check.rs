@@ -6,7 +6,7 @@ use aero_solver::problem::{Problem, Side, State, WallKind};
 
 use super::Manufactured;
 use crate::scene::SceneError;
-use crate::scene::vector::AXES;
+use crate::scene::vector::{AXES, side_name};
 
 /// Places in the domain, and as many on each side, that are looked at.
 const PLACES: usize = 256;
@@ -73,10 +73,6 @@ fn check_problem<const D: usize>(problem: &Problem<D>) -> Result<(), SceneError>
         }
     }
     Ok(())
-}
-
-fn side_name(axis: usize, end: usize) -> String {
-    format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end])
 }
 
 /// Where and when a solution is looked at.

@@ -7,6 +7,7 @@
 pub mod accelerating_piston;
 pub mod becker;
 pub mod billig;
+pub mod channel;
 pub mod cone;
 pub mod couette;
 pub mod flat_plate;
