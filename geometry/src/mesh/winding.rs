@@ -20,8 +20,9 @@ const DIRECTIONS: [[f64; 3]; 4] = [
 /// A point on an edge, where the number jumps, is asked for this part of the surface's diagonal away.
 const NUDGE: f64 = 1e-11;
 
-/// Points so many tolerances off a triangle are off what lies on it, too.
-pub(super) const OFF_SKIN: f64 = 10.0;
+/// Points so many tolerances off a triangle are off what lies on it, too, which is within one of it. Farther off they may be through what is
+/// really there: where parts overlap by a few tolerances.
+pub(super) const OFF_SKIN: f64 = 2.0;
 
 /// How many times the triangles of a `tree`, a closed surface, wind around `p`; on the surface itself,
 /// around a point next to it.

@@ -21,6 +21,12 @@ const ON_PLANE: f64 = 0.05;
 /// How far a piece of a thin part looks for its site, in spacings.
 const REACH: f64 = 2.0;
 
+/// So far from the middle of the ball that touches a rim, in spacings, its faces are nearer than the rim.
+const INWARDS: f64 = 0.1;
+
+/// Sine of the angle between a rim and its faces above which these are told apart.
+const SQUARE: f64 = 0.8;
+
 /// A place for a particle.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Site<const D: usize> {
@@ -103,11 +109,15 @@ fn site<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Site<D
     let is_paired = left >= TWO_ROWS * spacing;
     let depth = filled + left * if is_paired { 0.25 } else { 0.5 };
     let below = sample.point - depth * sample.normal;
-    // A single row ends in the middle of the rim, whatever height the sample has on it.
-    let place = rim.filter(|_| !is_paired).unwrap_or(below);
+    let (place, normal) = match rim {
+        // A single row ends in the middle of the rim, whatever height the sample has on it, and two rows a quarter off that.
+        Some(middle) if !is_paired => (middle, sample.normal),
+        Some(middle) => beside_rim(plan, (&middle, &below, sample), 0.25 * left),
+        None => (below, sample.normal),
+    };
     Some(Site {
         place: plan.mirrors.snapped(place, ON_PLANE * spacing),
-        normal: sample.normal,
+        normal,
         thickness: if is_paired { 0.5 * left } else { left },
         whole,
         is_paired,
@@ -115,4 +125,24 @@ fn site<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Site<D
         area: faces * sample.area,
         count: 0.0,
     })
+}
+
+/// A place `below` a sample on the rim of a plate with two rows, brought to that of the nearer face, `off` the `middle` of the thickness; and the normal of that
+/// face. A rim that is too round to have faces beside it leaves the place as it is.
+fn beside_rim<const D: usize>(
+    plan: &Plan<'_, D>,
+    (middle, below, sample): (&Vector<D>, &Vector<D>, &Sample<D>),
+    off: f64,
+) -> (Vector<D>, Vector<D>) {
+    // Farther in than the middle of the ball that touches the rim, faces alone are near.
+    let inside = middle - INWARDS * plan.options.spacing * sample.normal;
+    let face = plan.shape.closest(&inside).normal;
+    let across = face - face.dot(&sample.normal) * sample.normal;
+    let height = (sample.point - middle).dot(&face);
+    if across.norm() < SQUARE || plan.shape.signed_distance(&inside) >= 0.0 {
+        return (*below, sample.normal);
+    }
+    let face = if height < 0.0 { -face } else { face };
+    let flat = below - (below - middle).dot(&face) * face;
+    (flat + off * face, face)
 }

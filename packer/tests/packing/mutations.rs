@@ -146,6 +146,12 @@ fn walls_and_parts_that_once_were_taken_inside_out_are_refused_or_read_rightly()
 }
 
 #[test]
+fn parts_that_overlap_by_little_more_than_their_coordinates_are_exact_to_are_united() {
+    // Blocks so far from the origin that single precision is a 180th of them, and one stands out of the other by 30 of its steps.
+    assert_eq!(try_one(27_342), Ok(Fate::Repaired));
+}
+
+#[test]
 #[ignore = "a quarter of an hour of processor time: 100 000 files, or AERO_FUZZ_ROUNDS from AERO_FUZZ_FROM on"]
 fn a_hundred_thousand_defective_files_are_refused_or_read_rightly() {
     let number = |name| std::env::var(name).ok().and_then(|n| n.parse::<u64>().ok());

@@ -164,7 +164,6 @@ fn a_plate_thinner_than_a_spacing_and_a_half_has_one_row_of_its_thickness() {
 }
 
 #[test]
-#[ignore = "at the rims of a plate of two rows some ghosts stand off the quarters of its thickness"]
 fn a_plate_thicker_than_a_spacing_and_a_half_has_two_rows_at_its_quarters() {
     let plate = bodies::cuboid([12.0, 12.0, 1.6]).unwrap();
     let ghosts = pack(&plate, &PackOptions::new(1.0)).unwrap().ghosts;

@@ -11,6 +11,7 @@ mod inlet;
 mod model;
 mod outlet;
 mod particle;
+mod parting;
 mod plenum;
 mod reservoir;
 mod rows;

@@ -1,10 +1,11 @@
 //! The lattice on which gas starts and enters: where its rows lie. They begin at the domain's lower corner, a spacing apart, but for
 //! two kinds of flow. A wall along the stream that crosses the inlet has rows in step with it, as a wall's first row lies half a
 //! spacing off; between two walls they lie evenly, a little nearer or farther than a spacing, each with the mass of its share.
-//! And a flow about a body that is its own mirror image has rows that are, too.
+//! And a stream that a body parts has rows in step with its nose ([`parting`]): about a body that is its own mirror image they are, too.
 
 use aero_geometry::Vector;
 
+use super::parting::parting;
 use crate::layers::BUFFER;
 use crate::problem::Domain;
 use crate::problem::Problem;
@@ -59,8 +60,8 @@ impl<const D: usize> Rows<D> {
                 && (gap.closed[0] || gap.closed[1])
             {
                 rows.fit(axis, bounds.max[axis], &gap);
-            } else if let Some(middle) = mirror(problem, axis) {
-                rows.step_from(axis, bounds.max[axis], middle);
+            } else if let Some(nose) = parting(problem, axis) {
+                rows.step_from(axis, bounds.max[axis], nose);
             }
         }
         rows
@@ -224,24 +225,6 @@ fn widest<const D: usize>(problem: &Problem<D>, point: Vector<D>, axis: usize) -
     let width = |gap: &Gap| gap.ends[1] - gap.ends[0];
     gaps.into_iter()
         .max_by(|a, b| width(a).total_cmp(&width(b)))
-}
-
-/// The middle of an axis about which the scene is its own mirror image, with rows out of step.
-fn mirror<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<f64> {
-    let Domain { bounds, sides, .. } = &problem.domain;
-    let middle = 0.5 * (bounds.min[axis] + bounds.max[axis]);
-    let near = |plane: f64| (plane - middle).abs() < IN_STEP * problem.spacing;
-    let is_mirrored = sides[axis][0].is_open()
-        && sides[axis][0] == sides[axis][1]
-        && problem.free_stream.velocity[axis] == 0.0
-        && !problem.bodies.is_empty()
-        && problem.bodies.iter().all(|body| {
-            let planes = body.shape.mirror_planes();
-            planes.iter().any(|&(k, plane)| k == axis && near(plane))
-        });
-    let cells = bounds.size()[axis] / problem.spacing;
-    let is_whole = (cells - cells.round()).abs() < IN_STEP * cells;
-    (is_mirrored && !is_whole).then_some(middle)
 }
 
 #[cfg(test)]
