@@ -16,7 +16,6 @@ mod cut_cell;
 mod departing;
 mod edges;
 mod energy;
-mod fan;
 mod filler;
 mod fluxes;
 mod folding;
@@ -65,7 +64,6 @@ mod sweeps;
 mod tally;
 #[cfg(test)]
 pub(crate) mod tests;
-mod turn;
 mod viscous;
 mod voronoi;
 mod walls;

@@ -195,8 +195,7 @@ fn fit<const D: usize>(nearby: &Nearby<'_, D>, wall: &Wall<D>, middle: &Vector<D
         let arm = other.foot - middle;
         let kernel = QuinticSpline::<D>::value(arm.norm(), look / SUPPORT);
         let facing = dot(&wall.image.normal, &other.image.normal);
-        let is_alike = other.owner == wall.owner && other.facet == wall.facet;
-        if kernel > 0.0 && facing > ASKEW && is_alike {
+        if kernel > 0.0 && facing > ASKEW && other.owner == wall.owner {
             fit.add(kernel * other.image.size, &arm, *pressure);
         }
     });

@@ -13,7 +13,6 @@ use super::solids::Solids;
 use crate::problem::{Domain, Side};
 
 mod adapting;
-mod bends;
 mod flows;
 mod jumps;
 pub(crate) mod lattice;
