@@ -44,7 +44,7 @@ fn what_cannot_be_charted_is_refused() {
     let answer = place.aero(&["chart", "square"]);
     answer.refuses(&[
         "unknown case `square`",
-        "wedge, sod, cylinder, biconvex, cone",
+        "wedge, sod, cylinder, biconvex, cone, sphere, double-mach",
     ]);
     assert_eq!(place.aero(&["chart", "wedge", "--spacings", "0"]).status, 2);
 }

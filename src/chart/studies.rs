@@ -8,12 +8,12 @@ use aero_validation::pictures::speed::peers;
 use aero_validation::reference::wedge_peers;
 
 use super::{Study, pysph, unread};
-use crate::compare::{CompareError, biconvex, cone, cylinder, sod, wedge};
+use crate::compare::{CompareError, biconvex, cone, cylinder, double_mach, sod, sphere, wedge};
 use aero::run::Outcome;
 
 const GAMMA: f64 = 1.4;
 
-pub(super) fn all() -> [Study; 5] {
+pub(super) fn all() -> [Study; 7] {
     [
         Study {
             scene: wedge::SCENE,
@@ -97,6 +97,31 @@ pub(super) fn all() -> [Study; 5] {
             settles_in: Some(0.75),
             settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
             measure: cone_pressure,
+            peers: |_, _| Vec::new(),
+        },
+        Study {
+            scene: sphere::SCENE,
+            title: "Sphere, Mach 3, a quarter in space: accuracy against cost",
+            error: "nose pressure, departure / stagnation pressure, %",
+            unit: "R",
+            cells: [&[6, 8, 12], &[16, 20]],
+            shifted: false,
+            // It crosses the box one and a half times.
+            settles_in: Some(1.5),
+            settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
+            measure: |outcome, _| Ok(100.0 * sphere::nose_departure(outcome)?),
+            peers: |_, _| Vec::new(),
+        },
+        Study {
+            scene: double_mach::SCENE,
+            title: "Double Mach reflection: accuracy against cost",
+            error: "places of stem and triple point, mean distance",
+            unit: "1",
+            cells: [&[20, 28, 40], &[56, 80]],
+            shifted: false,
+            settles_in: None,
+            settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
+            measure: double_mach::displacement,
             peers: |_, _| Vec::new(),
         },
     ]

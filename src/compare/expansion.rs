@@ -1,5 +1,4 @@
-//! The expansion corner at Mach 2 and 15 degrees about points that stay, against Prandtl and Meyer: the wall pressure a few cells behind a
-//! sharp bend.
+//! Expansion corners about points that stay, against Prandtl and Meyer: the wall pressure in the first cells behind a sharp bend.
 
 use aero::run::{Keep, Outcome};
 use aero_validation::exact::prandtl_meyer::expand;
@@ -12,33 +11,71 @@ use super::scenes::scene;
 use super::variant::Variant;
 
 const THEORY: &str = "Prandtl-Meyer (NACA 1135, 1953)";
-const TITLE: &str = "Expansion corner, Mach 2, 15 degrees";
-const MACH: f64 = 2.0;
-const ANGLE: f64 = 15.0;
+const TITLE: &str = "Expansion corner";
 const GAMMA: f64 = 1.4;
 /// Distances behind the corner that are judged, spacings.
 const STATIONS: [f64; 4] = [5.0, 10.0, 15.0, 20.0];
 /// Up to here from a station, spacings, walls count as there.
 const NEAR: f64 = 1.0;
 
-pub const EXPANSION: Comparison = Comparison {
+/// Behind the corner, spacings, up to where the gas turns within cells.
+const FIRST: f64 = 4.0;
+
+/// A corner in a stream.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Corner {
+    mach: f64,
+    /// Degrees.
+    angle: f64,
+    /// Where in its cell the corner lies, spacings.
+    at: [f64; 2],
+}
+
+impl Corner {
+    fn pressure(&self) -> Result<f64, CompareError> {
+        Ok(expand(self.mach, self.angle.to_radians(), GAMMA)?.pressure_ratio)
+    }
+}
+
+pub const EXPANSION: Comparison<Corner> = Comparison {
     case: "expansion",
     scene: scene!("stress", "expansion-corner"),
     length: 1.0,
     keep: Keep::End,
     variants: || {
-        let coarse = Variant::new(20, ()).settled();
+        let corner = |mach, angle, at| Corner { mach, angle, at };
+        let published = Variant::new(20, corner(2.0, 15.0, [0.0; 2]));
+        let coarse = published.settled();
         vec![
             coarse.both(),
             coarse.cells(40).both(),
-            Variant::new(20, ()).marched().both(),
+            published.marched().both(),
+            // Not every corner is within that.
+            coarse.with(corner(1.5, 10.0, [0.0; 2])).shown().both(),
+            coarse.with(corner(2.0, 5.0, [0.0; 2])).shown().both(),
+            coarse.with(corner(2.0, 20.0, [0.0; 2])).shown().both(),
+            coarse.with(corner(2.0, 15.0, [0.7, 0.9])).shown().both(),
+            coarse.with(corner(4.0, 10.0, [0.5, 0.5])).shown().both(),
+            coarse.with(corner(3.0, 20.0, [0.0; 2])).shown().both(),
         ]
     },
-    label: |v| format!("dx 1/{}, {}", v.cells, v.scheme.brief()),
-    settings: |_, _| {
+    label: |v| {
+        let Corner { mach, angle, at } = v.own;
+        let off = if at == [0.0; 2] {
+            ""
+        } else {
+            ", off the lattice"
+        };
+        let (cells, scheme) = (v.cells, v.scheme.brief());
+        format!("M {mach}, {angle} deg, dx 1/{cells}{off}, {scheme}")
+    },
+    settings: |v, spacing| {
+        let Corner { mach, angle, at } = v.own;
+        let [x, y] = at.map(|part| part * spacing);
         vec![
-            format!("free_stream.mach={MACH}"),
-            format!("body.corner.shape.expansion_corner.angle={ANGLE}"),
+            format!("free_stream.mach={mach}"),
+            format!("body.corner.shape.expansion_corner.angle={angle:?}"),
+            format!("body.corner.shape.expansion_corner.corner=[{x:?}, {y:?}]"),
             "domain.min=[-0.5, -0.6]".into(),
             "domain.max=[1.5, 1.0]".into(),
         ]
@@ -49,45 +86,56 @@ pub const EXPANSION: Comparison = Comparison {
 };
 
 /// Distance along the wall behind the corner, in spacings, and pressure over that of the stream.
-fn wall(outcome: &Outcome, spacing: f64) -> Vec<[f64; 2]> {
-    let (sine, cosine) = ANGLE.to_radians().sin_cos();
+fn wall(outcome: &Outcome, spacing: f64, corner: &Corner) -> Vec<[f64; 2]> {
+    let (sine, cosine) = corner.angle.to_radians().sin_cos();
+    let [x, y] = corner.at.map(|part| part * spacing);
     let surface = &outcome.surface;
     let feet = surface.position.iter().zip(&surface.pressure);
     feet.map(|(foot, pressure)| {
         [
-            (foot[0] * cosine - foot[1] * sine) / spacing,
+            ((foot[0] - x) * cosine - (foot[1] - y) * sine) / spacing,
             pressure * GAMMA,
         ]
     })
     .collect()
 }
 
-#[allow(clippy::unnecessary_wraps)] // what a comparison asks for
-fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
-    let exact = expand(MACH, ANGLE.to_radians(), GAMMA)?.pressure_ratio;
-    let wall = wall(flow.outcome, flow.spacing);
+fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
+    let corner = &flow.variant.own;
+    let exact = corner.pressure()?;
+    let wall = wall(flow.outcome, flow.spacing, corner);
+    let farthest = |from: f64, to: f64| {
+        let there = wall.iter().filter(|[at, _]| (from..to).contains(at));
+        let off = |pressure: &f64| (pressure - exact).abs();
+        let pressures = there.map(|[_, pressure]| *pressure);
+        let found = pressures.max_by(|a, b| off(a).total_cmp(&off(b)));
+        found.unwrap_or(f64::NAN)
+    };
     let row = |station: f64| {
-        let near = wall.iter().filter(|[at, _]| (at - station).abs() < NEAR);
-        let farthest = near
-            .map(|[_, pressure]| *pressure)
-            .max_by(|a, b| (a - exact).abs().total_cmp(&(b - exact).abs()));
         Row::relative(
             format!("wall pressure within a spacing of {station} behind the corner, farthest off"),
             THEORY,
-            farthest.unwrap_or(f64::NAN),
+            farthest(station - NEAR, station + NEAR),
             exact,
             2.0,
         )
     };
-    Ok(STATIONS.map(row).into())
+    let mut rows: Vec<Row> = STATIONS.map(row).into();
+    rows.push(Row::informs(
+        format!("wall pressure in the first {FIRST} spacings behind the corner, farthest off"),
+        THEORY,
+        farthest(0.1, FIRST),
+        exact,
+    ));
+    Ok(rows)
 }
 
 /// Density, and the wall pressure.
-fn pictures(flow: &Flow<'_>) -> Result<(), CompareError> {
+fn pictures(flow: &Flow<'_, Corner>) -> Result<(), CompareError> {
     let density = &flow.outcome.gas.density;
     flow.view(TITLE, density, "density / free stream").save()?;
-    let exact = expand(MACH, ANGLE.to_radians(), GAMMA)?.pressure_ratio;
-    let mut measured = wall(flow.outcome, flow.spacing);
+    let exact = flow.variant.own.pressure()?;
+    let mut measured = wall(flow.outcome, flow.spacing, &flow.variant.own);
     measured.retain(|[at, _]| (-10.0..40.0).contains(at));
     let steps = vec![[-10.0, 1.0], [0.0, 1.0], [0.0, exact], [40.0, exact]];
     let panel = Panel::new(

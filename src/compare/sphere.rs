@@ -6,6 +6,7 @@ mod rings;
 use aero::run::{Keep, Outcome};
 use aero_validation::exact::billig::{BowShock, Nose};
 use aero_validation::exact::normal::{normal_shock, pitot_pressure_ratio};
+use aero_validation::metrics::MetricError;
 use aero_validation::metrics::stand_off::{StagnationLine, stand_off};
 
 use super::comparison::{Comparison, Flow};
@@ -15,6 +16,7 @@ use super::scenes::{Source, scene};
 use super::variant::Variant;
 pub use rings::RINGS;
 
+pub const SCENE: Source = scene!("sphere");
 const TESSELLATED: Source = scene!("sphere-stl");
 const MACH: f64 = 3.0;
 const GAMMA: f64 = 1.4;
@@ -27,7 +29,7 @@ type Allowed = Option<f64>;
 
 pub const SPHERE: Comparison<Allowed> = Comparison {
     case: "sphere",
-    scene: scene!("sphere"),
+    scene: SCENE,
     length: 1.0,
     keep: Keep::End,
     variants: || {
@@ -85,6 +87,22 @@ fn rows(flow: &Flow<'_, Allowed>) -> Result<Vec<Row>, CompareError> {
     ];
     rows.extend(flow.no_lift("sphere", ROUND_OFF));
     Ok(rows)
+}
+
+/// Size of the departure of the nose pressure from Rayleigh's, in parts of it.
+pub fn nose_departure(outcome: &Outcome) -> Result<f64, CompareError> {
+    let pitot = pitot_pressure_ratio(MACH, GAMMA);
+    let nose = stagnation_pressure(outcome) * GAMMA;
+    if nose.is_finite() {
+        Ok((nose / pitot - 1.0).abs())
+    } else {
+        Err(CompareError::Metric(MetricError::TooFew {
+            what: "places of the wall around the nose",
+            found: 0,
+            needed: 1,
+            remedy: "refine the spacing",
+        }))
+    }
 }
 
 /// Density in the slab next to the symmetry plane.
