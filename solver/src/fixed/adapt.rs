@@ -98,7 +98,7 @@ impl<const D: usize> FixedSimulation<D> {
         if levels == ground.levels {
             return Ok(0);
         }
-        let plot = plot(&self.problem, &ground.solids);
+        let plot = plot(&self.problem, &ground.solids, ground.cloud.corner);
         let disorder = self.problem.disorder;
         let cloud = Cloud::lattice_after(&plot, &levels, disorder, Some(&ground.cloud));
         let Built {

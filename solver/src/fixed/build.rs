@@ -150,16 +150,21 @@ impl<'a, const D: usize> Builder<'a, D> {
     pub fn block(&self, number: usize) -> [Vector<D>; 2] {
         let place = &self.cloud.places[number];
         let half = 0.5 * place.spacing;
-        let (low, mut high) = (Vector::repeat(-half), Vector::repeat(half));
+        let (mut low, mut high) = (Vector::repeat(-half), Vector::repeat(half));
         if let Some(site) = place.site {
             for k in 0..D {
+                if self.plot.domain.sides[k][0] == Side::Periodic {
+                    continue;
+                }
                 let last = (self.cloud.counts[k] << site.level) - 1;
-                let end = self.plot.domain.bounds.max[k] - place.position[k];
-                // The last cells end at the side, wherever that is.
-                let ends_there = site.index[k] == last
-                    && self.plot.domain.sides[k][0] != Side::Periodic
-                    && (end - half).abs() > 1e-9 * place.spacing;
-                if ends_there {
+                let bounds = &self.plot.domain.bounds;
+                let [start, end] = [bounds.min[k], bounds.max[k]].map(|at| at - place.position[k]);
+                // The first and the last cells end at the sides, wherever those are.
+                let differ = |a: f64, b: f64| (a - b).abs() > 1e-9 * place.spacing;
+                if site.index[k] == 0 && differ(start, -half) {
+                    low[k] = start;
+                }
+                if site.index[k] == last && differ(end, half) {
                     high[k] = end;
                 }
             }

@@ -83,7 +83,7 @@ impl<const D: usize> Cloud<D> {
         Self {
             spacing: plot.spacing,
             counts: plot.counts(),
-            corner: plot.domain.bounds.min,
+            corner: plot.corner,
             places: Vec::new(),
             coarse: Vec::new(),
             fine: HashMap::default(),

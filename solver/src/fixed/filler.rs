@@ -37,7 +37,7 @@ const BLOCK: i32 = 16;
 /// Distance from walls in spacings beyond which nothing there matters.
 const FAR: f64 = 3.0;
 
-/// Least distance of points from the far sides, in spacings.
+/// Least distance of points from the sides, in spacings.
 const LEAST_TO_SIDE: f64 = 0.25;
 
 /// The points of the lattice, its cells split as `levels` say, in their order; those that an `earlier` cloud had are taken from there.
@@ -52,7 +52,7 @@ pub fn filled<const D: usize>(
         levels,
         disorder,
         earlier,
-        corner: plot.domain.bounds.min,
+        corner: plot.corner,
         counts: plot.counts(),
     };
     let mut size = BLOCK;
@@ -155,13 +155,13 @@ impl<const D: usize> Filler<'_, D> {
         self.leaf(site, None, places);
     }
 
-    /// True of a point beyond the end of a domain that is no multiple of the spacing long, or close before it: its neighbour's cell
-    /// ends at the side then.
+    /// True of a point beyond a side that is not a side of lattice cells, or close before it: its neighbour's cell ends at the side then.
     fn is_over_the_end(&self, position: &Vector<D>, spacing: f64) -> bool {
         let domain = self.plot.domain;
         (0..D).any(|k| {
-            domain.sides[k][1] != Side::Periodic
-                && position[k] > domain.bounds.max[k] - LEAST_TO_SIDE * spacing
+            let least = LEAST_TO_SIDE * spacing;
+            let within = domain.bounds.min[k] + least..=domain.bounds.max[k] - least;
+            domain.sides[k][1] != Side::Periodic && !within.contains(&position[k])
         })
     }
 

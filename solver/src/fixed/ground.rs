@@ -1,5 +1,7 @@
 //! What cells are made from, where points come and go: bodies, lattice, what is split of it, and how far that may go.
 
+use aero_geometry::Vector;
+
 use super::build::built;
 use super::cells::Cells;
 use super::cloud::Cloud;
@@ -12,6 +14,7 @@ use super::solids::Solids;
 use super::wishes::wishes;
 use crate::method::{Refine, Time};
 use crate::problem::{Earlier, Initial, Problem};
+use crate::sides::parted;
 
 /// Points across the thickness of a part of a body.
 const ACROSS: f64 = 4.0;
@@ -77,7 +80,7 @@ impl<const D: usize> Ground<D> {
             AROUND_MARCHING
         };
         let most = points.refine.levels();
-        let plot = plot(problem, &solids);
+        let plot = plot(problem, &solids, corner(problem));
         let (kept, cloud) = around_bodies(&plot, most, limit, problem.disorder)?;
         let earlier = match &problem.initial {
             Initial::Earlier(earlier) if settles => as_earlier(earlier, &kept, &plot, most),
@@ -125,7 +128,7 @@ impl<const D: usize> Ground<D> {
     /// The same with cells split as [`Levels::numbers`] of an earlier one said.
     #[must_use]
     pub fn with_numbers(mut self, problem: &Problem<D>, numbers: &[i32]) -> (Self, Cells<D>) {
-        let plot = plot(problem, &self.solids);
+        let plot = plot(problem, &self.solids, self.cloud.corner);
         self.levels = Levels::on(&plot).with_numbers(numbers);
         self.cloud = Cloud::lattice(&plot, &self.levels, problem.disorder);
         let built = built(&plot, &self.cloud);
@@ -205,13 +208,43 @@ impl<const D: usize> Ground<D> {
     }
 }
 
-/// The plot of `problem`, with its bodies as one.
-pub fn plot<'a, const D: usize>(problem: &'a Problem<D>, solids: &'a Solids<D>) -> Plot<'a, D> {
+/// The plot of `problem`, with its bodies as one and the first corner of its lattice.
+pub fn plot<'a, const D: usize>(
+    problem: &'a Problem<D>,
+    solids: &'a Solids<D>,
+    corner: Vector<D>,
+) -> Plot<'a, D> {
     Plot {
         domain: &problem.domain,
         solids,
         spacing: problem.spacing,
+        corner,
     }
+}
+
+/// First corner of the lattice: that of the domain, moved by up to half a spacing across the stream where faces of cells come to lie so in the
+/// plane at which a body parts it. Cells that lie one way above a sharp nose and another way below would give a symmetric body
+/// lift, a third of a slender aerofoil's drag.
+fn corner<const D: usize>(problem: &Problem<D>) -> Vector<D> {
+    /// Planes are told to this many spacings.
+    const EXACT: f64 = 1e-6;
+    let Problem {
+        spacing, domain, ..
+    } = problem;
+    let velocity = &problem.free_stream.velocity;
+    let is_along = |axis: usize| velocity[axis] != 0.0 && axis == velocity.iamax();
+    let mut corner = domain.bounds.min;
+    for axis in (0..D).filter(|&axis| !is_along(axis)) {
+        let Some(plane) = parted(problem, axis) else {
+            continue;
+        };
+        let off = (plane - corner[axis]) / spacing;
+        let off = off - off.round();
+        if off.abs() > EXACT {
+            corner[axis] += off * spacing;
+        }
+    }
+    corner
 }
 
 /// What is split if not less than an earlier flow had split, and what is `kept`; none where its lattice was another.
@@ -232,7 +265,7 @@ fn as_earlier<const D: usize>(
         }
         // The cell that is split for it.
         let size = plot.spacing / f64::from(1_u32 << (level - 1));
-        let from = split.point - plot.domain.bounds.min;
+        let from = split.point - plot.corner;
         levels.split(&Site {
             level: level - 1,
             index: std::array::from_fn(|k| (from[k] / size).floor() as i32),

@@ -28,7 +28,10 @@ impl<const D: usize> FixedSimulation<D> {
         if D == 1 {
             return CellFrame::default();
         }
-        let of = |ground: &Ground<D>| outlines(&plot(&self.problem, &ground.solids), &ground.cloud);
+        let of = |ground: &Ground<D>| {
+            let plot = plot(&self.problem, &ground.solids, ground.cloud.corner);
+            outlines(&plot, &ground.cloud)
+        };
         match &self.ground {
             Some(ground) => of(ground),
             // It was made once before, so that it can be.

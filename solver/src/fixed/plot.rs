@@ -17,12 +17,14 @@ pub struct Plot<'a, const D: usize> {
     pub solids: &'a Solids<D>,
     /// Spacing of the lattice.
     pub spacing: f64,
+    /// First corner of the lattice, less than a spacing from that of the domain: the first and the last cells end at the sides.
+    pub corner: Vector<D>,
 }
 
 impl<const D: usize> Plot<'_, D> {
     /// Lattice cells along each axis.
     pub fn counts(&self) -> [i32; D] {
-        let size = self.domain.bounds.size();
+        let size = self.domain.bounds.max - self.corner;
         std::array::from_fn(|k| ((size[k] / self.spacing).round() as i32).max(1))
     }
 }

@@ -198,7 +198,7 @@ impl<'a, const D: usize> Grid<'a, D> {
 
     fn middle(&self, site: &Site<D>) -> Vector<D> {
         let spacing = self.spacing(site);
-        let corner = &self.plot.domain.bounds.min;
+        let corner = &self.plot.corner;
         Vector::from_fn(|k, _| corner[k] + (f64::from(site.index[k]) + 0.5) * spacing)
     }
 
@@ -215,7 +215,7 @@ impl<'a, const D: usize> Grid<'a, D> {
                 continue;
             }
             let half = 0.5 * f64::from(size) * self.plot.spacing;
-            let corner = &self.plot.domain.bounds.min;
+            let corner = &self.plot.corner;
             let middle =
                 Vector::from_fn(|k, _| corner[k] + f64::from(low[k]) * self.plot.spacing + half);
             let radius = half * (D as f64).sqrt() + reach * self.plot.spacing;

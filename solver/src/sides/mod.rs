@@ -22,6 +22,7 @@ mod zone;
 pub use buffers::{Buffers, Contents};
 pub use model::Place;
 pub use particle::OpenParticle;
+pub use parting::parted;
 pub use rows::Rows;
 pub use waves::Along;
 pub use zone::Zone;

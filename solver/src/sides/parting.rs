@@ -13,9 +13,16 @@ const EXACT: f64 = 1e-6;
 /// Steps of the search for a nose; each leaves of the way to it what the square of the sine of its half angle is.
 const STEPS: usize = 200;
 
-/// The place on `axis` beside which the rows of the gas of `problem` are to lie: a plane about which all bodies are mirrored, or that of
-/// the foremost one, or its nose; none where the stream is not straight across the axis, or a side is closed.
+/// The place on `axis` beside which the rows of the gas of `problem` are to lie, see [`parted`]; none where the stream is not straight across
+/// the axis.
 pub fn parting<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<f64> {
+    let is_straight = problem.free_stream.velocity[axis] == 0.0;
+    is_straight.then(|| parted(problem, axis)).flatten()
+}
+
+/// The place on `axis` at which bodies part the stream: a plane about which all of them are mirrored, or that of the foremost one, or its
+/// nose; none where a side is closed.
+pub fn parted<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<f64> {
     let Domain { bounds, sides, .. } = &problem.domain;
     let velocity = &problem.free_stream.velocity;
     let is_free = sides[axis].iter().all(|side| side.is_open());
@@ -24,7 +31,7 @@ pub fn parting<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<f64>
         size.iter().all(|edge| edge.is_finite())
     };
     let bodies: Vec<&Body<D>> = problem.bodies.iter().filter(is_finite).collect();
-    if !is_free || velocity[axis] != 0.0 || bodies.is_empty() {
+    if !is_free || bodies.is_empty() {
         return None;
     }
     let boxes = bodies.iter().map(|body| body.shape.bounds());

@@ -16,6 +16,7 @@ mod adapting;
 mod flows;
 mod jumps;
 pub(crate) mod lattice;
+mod parted;
 mod plane;
 mod sheared;
 mod sides;
@@ -45,6 +46,8 @@ struct Scene<const D: usize> {
     solids: Solids<D>,
     spacing: f64,
     disorder: f64,
+    /// How far the lattice begins off the corner of the domain, in spacings.
+    off: f64,
 }
 
 impl<const D: usize> Scene<D> {
@@ -54,6 +57,7 @@ impl<const D: usize> Scene<D> {
             solids: Solids::new(bodies, spacing),
             spacing,
             disorder: 0.0,
+            off: 0.0,
         }
     }
 
@@ -67,6 +71,7 @@ impl<const D: usize> Scene<D> {
             domain: &self.domain,
             solids: &self.solids,
             spacing: self.spacing,
+            corner: self.domain.bounds.min.add_scalar(self.off * self.spacing),
         }
     }
 
