@@ -99,32 +99,40 @@ pub(super) fn all() -> [Study; 7] {
             measure: cone_pressure,
             peers: |_, _| Vec::new(),
         },
-        Study {
-            scene: sphere::SCENE,
-            title: "Sphere, Mach 3, a quarter in space: accuracy against cost",
-            error: "nose pressure, departure / stagnation pressure, %",
-            unit: "R",
-            cells: [&[6, 8, 12], &[16, 20]],
-            shifted: false,
-            // It crosses the box one and a half times.
-            settles_in: Some(1.5),
-            settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
-            measure: |outcome, _| Ok(100.0 * sphere::nose_departure(outcome)?),
-            peers: |_, _| Vec::new(),
-        },
-        Study {
-            scene: double_mach::SCENE,
-            title: "Double Mach reflection: accuracy against cost",
-            error: "places of stem and triple point, mean distance",
-            unit: "1",
-            cells: [&[20, 28, 40], &[56, 80]],
-            shifted: false,
-            settles_in: None,
-            settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
-            measure: double_mach::displacement,
-            peers: |_, _| Vec::new(),
-        },
+        sphere_in_space(),
+        double_mach_reflection(),
     ]
+}
+
+fn sphere_in_space() -> Study {
+    Study {
+        scene: sphere::SCENE,
+        title: "Sphere, Mach 3, a quarter in space: accuracy against cost",
+        error: "nose pressure, departure / stagnation pressure, %",
+        unit: "R",
+        cells: [&[6, 8, 12], &[16, 20]],
+        shifted: false,
+        // It crosses the box one and a half times.
+        settles_in: Some(1.5),
+        settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
+        measure: |outcome, _| Ok(100.0 * sphere::nose_departure(outcome)?),
+        peers: |_, _| Vec::new(),
+    }
+}
+
+fn double_mach_reflection() -> Study {
+    Study {
+        scene: double_mach::SCENE,
+        title: "Double Mach reflection: accuracy against cost",
+        error: "places of stem and triple point, mean distance",
+        unit: "1",
+        cells: [&[20, 28, 40], &[56, 80]],
+        shifted: false,
+        settles_in: None,
+        settings: |cells| vec![format!("spacing={}", 1.0 / f64::from(cells))],
+        measure: double_mach::displacement,
+        peers: |_, _| Vec::new(),
+    }
 }
 
 /// Departure of the density from oblique shock theory, over the area of the flow, as the peers have it:
