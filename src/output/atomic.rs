@@ -1,43 +1,32 @@
 //! Files that are there whole or not at all: written beside their place, then renamed.
 
-use std::fs::File;
+use std::fs::{self, File};
 use std::io::{self, BufWriter, Write};
 use std::path::Path;
 
 use serde::Serialize;
-use tempfile::{Builder, NamedTempFile};
 
 use super::error::OutputError;
 
 /// Writes the file at `path` through `fill`; a reader never sees half of it.
 pub(super) fn write(
     path: &Path,
-    fill: impl FnOnce(&mut BufWriter<&mut File>) -> io::Result<()>,
+    fill: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
 ) -> Result<(), OutputError> {
-    // One that fails is removed with its name.
-    let written = part(path).and_then(|mut part| {
-        let mut writer = BufWriter::new(part.as_file_mut());
+    let mut part = path.as_os_str().to_owned();
+    part.push(".part");
+    let part = Path::new(&part);
+    let result = File::create(part).and_then(|file| {
+        let mut writer = BufWriter::new(file);
         fill(&mut writer)?;
         writer.flush()?;
-        drop(writer);
-        part.persist(path)?;
-        Ok(())
+        fs::rename(part, path)
     });
-    written.map_err(|source| OutputError::new(path, source))
-}
-
-/// A new file beside `path`, which others may read as any.
-fn part(path: &Path) -> io::Result<NamedTempFile> {
-    let folder = path.parent().unwrap_or(Path::new(""));
-    let mut builder = Builder::new();
-    builder.prefix(path.file_name().unwrap_or_default());
-    builder.suffix(".part");
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::PermissionsExt as _;
-        builder.permissions(std::fs::Permissions::from_mode(0o666));
-    }
-    builder.tempfile_in(folder)
+    result.map_err(|source| {
+        // The error that counts is the first; what is left of the file is of no use.
+        let _ = fs::remove_file(part);
+        OutputError::new(path, source)
+    })
 }
 
 /// Writes `value` as indented JSON.
@@ -50,8 +39,6 @@ pub fn write_json(path: &Path, value: &impl Serialize) -> Result<(), OutputError
 
 #[cfg(test)]
 mod tests {
-    use std::fs;
-
     use super::*;
 
     #[test]
