@@ -126,7 +126,7 @@ mod tests {
     use aero_geometry::{Placed, Placement, Shape, Vector, bodies};
 
     use super::*;
-    use crate::problem::{Motion, Side, WallKind};
+    use crate::problem::Side;
     use crate::sides::Rows;
 
     /// Diamonds of these half heights in a stream, their noses at these places.
@@ -139,18 +139,7 @@ mod tests {
             let diamond = bodies::polygon(&points.map(Vector::<2>::from)).expect("a diamond");
             let place = Placement::default().moved(Vector::<2>::from(nose));
             let shape: Arc<dyn Shape<2>> = Arc::new(Placed::new(diamond, place));
-            problem.bodies.push(Body {
-                name: "diamond".into(),
-                shape,
-                wall: WallKind::Slip,
-                motion: Motion::none(),
-                ghosts: aero_packer::Ghosts::default(),
-                packed_fluid: None,
-                report: aero_packer::PackReport::default(),
-                reference_area: 1.0,
-                reference_length: 1.0,
-                moment_centre: Vector::zeros(),
-            });
+            problem.bodies.push(crate::tests::slip_body(shape));
         }
         problem
     }

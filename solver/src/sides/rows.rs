@@ -234,7 +234,7 @@ mod tests {
     use aero_geometry::{Placed, Placement, Shape, bodies};
 
     use super::*;
-    use crate::problem::{Body, Motion, Side, WallKind};
+    use crate::problem::Side;
 
     fn tunnel(walls: &[(f64, f64)]) -> Problem<2> {
         let mut problem = crate::tests::cube::<2>(20, Side::FreeStream);
@@ -244,18 +244,7 @@ mod tests {
             let block = bodies::rectangle(20.0, to - from, 0.0).expect("a block");
             let place = Placement::default().moved(Vector::<2>::new(0.0, 0.5 * (from + to)));
             let shape: Arc<dyn Shape<2>> = Arc::new(Placed::new(block, place));
-            problem.bodies.push(Body {
-                name: "wall".into(),
-                shape,
-                wall: WallKind::Slip,
-                motion: Motion::none(),
-                ghosts: aero_packer::Ghosts::default(),
-                packed_fluid: None,
-                report: aero_packer::PackReport::default(),
-                reference_area: 1.0,
-                reference_length: 1.0,
-                moment_centre: Vector::zeros(),
-            });
+            problem.bodies.push(crate::tests::slip_body(shape));
         }
         problem
     }

@@ -30,11 +30,11 @@ mod walls;
 
 use std::sync::Arc;
 
-use aero_geometry::{Bounds, Vector};
+use aero_geometry::{Bounds, Shape, Vector};
 
 use super::Simulation;
 use crate::gas::Gas;
-use crate::problem::{Domain, Field, Initial, Problem, Side, State, WallKind};
+use crate::problem::{Body, Domain, Field, Initial, Motion, Problem, Side, State, WallKind};
 use crate::scheme::{Extrapolation, Scheme};
 
 const WALL: Side = Side::Wall {
@@ -66,6 +66,22 @@ pub(crate) fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
         disorder: 0.0,
         bodies: Vec::new(),
         source: None,
+    }
+}
+
+/// A slip body at rest, without ghosts.
+pub(crate) fn slip_body<const D: usize>(shape: Arc<dyn Shape<D>>) -> Body<D> {
+    Body {
+        name: "body".into(),
+        shape,
+        wall: WallKind::Slip,
+        motion: Motion::none(),
+        ghosts: aero_packer::Ghosts::default(),
+        packed_fluid: None,
+        report: aero_packer::PackReport::default(),
+        reference_area: 1.0,
+        reference_length: 1.0,
+        moment_centre: Vector::zeros(),
     }
 }
 

@@ -2,7 +2,6 @@
 //! same bits.
 
 use aero_geometry::{Placement, bodies};
-use nalgebra::Vector3;
 
 use super::super::build::built;
 use super::super::rebuild::rebuilt;
@@ -11,34 +10,14 @@ use super::lattice::{WALL, problem};
 use super::*;
 use crate::fixed::FixedSimulation;
 use crate::method::{FixedPoints, Method, Refine, Time};
-use crate::problem::{Body, Initial, Motion, Problem, State, Turning, WallKind};
+use crate::problem::{Initial, Problem, State};
+use crate::tests::slip_body;
 
 fn state<const D: usize>(density: f64, velocity: [f64; D], pressure: f64) -> State<D> {
     State {
         density,
         velocity: velocity.into(),
         pressure,
-    }
-}
-
-fn body<const D: usize>(shape: Arc<dyn Shape<D>>) -> Body<D> {
-    Body {
-        name: "body".into(),
-        shape,
-        wall: WallKind::Slip,
-        motion: Motion {
-            velocity: Vector::zeros(),
-            acceleration: Vector::zeros(),
-            turning: Turning::Steady(Vector3::zeros()),
-            pivot: Vector::zeros(),
-            free: None,
-        },
-        ghosts: aero_packer::Ghosts::default(),
-        packed_fluid: None,
-        report: aero_packer::PackReport::default(),
-        reference_area: 1.0,
-        reference_length: 1.0,
-        moment_centre: Vector::zeros(),
     }
 }
 
@@ -55,7 +34,9 @@ fn refined<const D: usize>(mut problem: Problem<D>, time: Time, refine: Refine) 
 fn blast(refine: Refine) -> Problem<2> {
     let mut blast = problem([16, 12], 1.0 / 16.0, [[WALL, WALL], [WALL, WALL]]);
     let place = Placement::default().moved(Vector::<2>::new(0.63, 0.34));
-    blast.bodies = vec![body(Arc::new(bodies::circle(0.15).unwrap().placed(&place)))];
+    blast.bodies = vec![slip_body(Arc::new(
+        bodies::circle(0.15).unwrap().placed(&place),
+    ))];
     blast.initial = Initial::Riemann {
         left: state(1.0, [0.0; 2], 1.0),
         right: state(0.125, [0.0; 2], 0.1),
@@ -222,7 +203,7 @@ fn a_uniform_stream_stays_so_on_points_of_all_spacings() {
         problem.scheme.skip_undisturbed = false;
         problem.free_stream = stream;
         let scene = Scene::new(problem.domain.clone(), vec![shape.clone()], problem.spacing);
-        problem.bodies = vec![body(shape)];
+        problem.bodies = vec![slip_body(shape)];
         let middle = 0.5 * (problem.domain.bounds.min + problem.domain.bounds.max);
         let place = middle - Vector::<D>::repeat(0.11);
         let made = scene.made_with(&around(&scene, place, 2, 1));
@@ -272,7 +253,7 @@ fn a_ramp_with_points_at_its_shock_settles_nearer_to_theory() {
             [[Side::Inlet, Side::Outlet], [Side::Body, Side::FreeStream]],
         );
         ramp.free_stream = state(1.0, [2.5, 0.0], 1.0 / 1.4);
-        ramp.bodies = vec![body(Arc::new(
+        ramp.bodies = vec![slip_body(Arc::new(
             bodies::compression_corner(1.0, 20.0).unwrap(),
         ))];
         let mut flow = FixedSimulation::new(refined(ramp, Time::Settle, refine)).unwrap();

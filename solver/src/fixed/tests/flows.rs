@@ -3,32 +3,11 @@
 use std::sync::Arc;
 
 use aero_geometry::{Bounds, Placed, Placement, Shape, Vector, bodies};
-use aero_packer::{Ghosts, PackReport};
 
 use super::lattice::problem;
 use crate::fixed::FixedSimulation;
-use crate::problem::{Body, Motion, Problem, Side, State, Turning, WallKind};
-
-fn body<const D: usize>(shape: Arc<dyn Shape<D>>) -> Body<D> {
-    Body {
-        name: "body".into(),
-        shape,
-        wall: WallKind::Slip,
-        motion: Motion {
-            velocity: Vector::zeros(),
-            acceleration: Vector::zeros(),
-            turning: Turning::Steady(nalgebra::Vector3::zeros()),
-            pivot: Vector::zeros(),
-            free: None,
-        },
-        ghosts: Ghosts::default(),
-        packed_fluid: None,
-        report: PackReport::default(),
-        reference_area: 1.0,
-        reference_length: 1.0,
-        moment_centre: Vector::zeros(),
-    }
-}
+use crate::problem::{Problem, Side, State};
+use crate::tests::slip_body;
 
 /// A stream along the first axis, of density and sound one, around bodies in a box with open sides.
 pub(super) fn stream<const D: usize>(
@@ -47,7 +26,7 @@ pub(super) fn stream<const D: usize>(
         velocity,
         pressure: 1.0 / 1.4,
     };
-    problem.bodies = bodies.into_iter().map(body).collect();
+    problem.bodies = bodies.into_iter().map(slip_body).collect();
     problem
 }
 
