@@ -130,9 +130,10 @@ impl<const D: usize> FixedSimulation<D> {
             }
         };
         let is_new = |place: &&Place<D>| {
+            // Points of a pair have one site.
             place
                 .site
-                .is_none_or(|site| ground.cloud.at(&site).is_none())
+                .is_some_and(|site| ground.cloud.at(&site).is_none())
         };
         let new = cloud.places.iter().filter(is_new).count();
         self.replace_cells(cells, held)?;

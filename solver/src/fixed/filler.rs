@@ -27,7 +27,7 @@ impl<const D: usize> Cloud<D> {
         let mut cloud = Self::empty(plot);
         cloud.places = filled(plot, levels, disorder, earlier);
         cloud.number();
-        cloud
+        cloud.paired(plot)
     }
 }
 
@@ -182,6 +182,7 @@ impl<const D: usize> Filler<'_, D> {
         }
         if let Some(earlier) = self.earlier
             && let Some(known) = earlier.at(&site)
+            && !earlier.places[known].is_moved
         {
             places.push(earlier.places[known]);
             return;

@@ -140,7 +140,10 @@ impl<const D: usize> Ground<D> {
 
     /// How often the cell of each point was split.
     pub fn level(&self, point: usize) -> u8 {
-        self.cloud.places[point].site.map_or(0, |site| site.level)
+        let place = &self.cloud.places[point];
+        // A point of a pair may have no site of its own.
+        let halvings = || (self.cloud.spacing / place.spacing).log2().round() as u8;
+        place.site.map_or_else(halvings, |site| site.level)
     }
 
     /// True where all cells are there that must be within `around` of where the gas changes by `changes`.

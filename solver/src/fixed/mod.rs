@@ -66,6 +66,7 @@ mod sweeps;
 mod tally;
 #[cfg(test)]
 pub(crate) mod tests;
+mod twins;
 mod viscous;
 mod voronoi;
 mod walls;

@@ -45,6 +45,7 @@ impl<const D: usize> Builder<'_, D> {
             place
                 .site
                 .and_then(|site| cloud.at(&site))
+                .filter(|&found| cloud.places[found].position == place.position)
                 .map_or(NOBODY, |found| found as u32)
         };
         let origin: Vec<u32> = new

@@ -1,7 +1,7 @@
 //! Points that come and go: nothing is lost or stirred up by it, waves stay where points are, and a run that is resumed goes on with the
 //! same bits.
 
-use aero_geometry::{Placement, bodies};
+use aero_geometry::{Placed, Placement, bodies};
 
 use super::super::build::built;
 use super::super::rebuild::rebuilt;
@@ -30,13 +30,22 @@ fn refined<const D: usize>(mut problem: Problem<D>, time: Time, refine: Refine) 
     problem
 }
 
-/// Gas under pressure in a corner of a closed box, with a cylinder in its way.
+/// A diamond with sharp edges beside the lattice, its middle at a place.
+fn slender(middle: [f64; 2]) -> Arc<dyn Shape<2>> {
+    let corners = [[-0.2, 0.0], [0.0, -0.03], [0.2, 0.0], [0.0, 0.03]];
+    let shape = bodies::polygon(&corners.map(Vector::<2>::from)).unwrap();
+    let place = Placement::default().moved(Vector::from(middle));
+    Arc::new(Placed::new(shape, place))
+}
+
+/// Gas under pressure in a corner of a closed box, with a cylinder and a diamond in its way.
 fn blast(refine: Refine) -> Problem<2> {
     let mut blast = problem([16, 12], 1.0 / 16.0, [[WALL, WALL], [WALL, WALL]]);
     let place = Placement::default().moved(Vector::<2>::new(0.63, 0.34));
-    blast.bodies = vec![slip_body(Arc::new(
-        bodies::circle(0.15).unwrap().placed(&place),
-    ))];
+    blast.bodies = vec![
+        slip_body(Arc::new(bodies::circle(0.15).unwrap().placed(&place))),
+        slip_body(slender([0.31, 0.58])),
+    ];
     blast.initial = Initial::Riemann {
         left: state(1.0, [0.0; 2], 1.0),
         right: state(0.125, [0.0; 2], 0.1),
@@ -141,7 +150,8 @@ fn a_tube_with_points_at_its_waves_is_the_tube_with_fine_points_everywhere() {
 #[test]
 fn cells_that_are_taken_over_are_those_that_are_cut_afresh() {
     let body: Arc<dyn Shape<2>> = Arc::new(bodies::circle(0.3).unwrap());
-    let scene = Scene::new(domain([-1.0, -1.0], [1.0, 1.0]), vec![body], 0.125);
+    let bodies = vec![body, slender([-0.41, 0.53])];
+    let scene = Scene::new(domain([-1.0, -1.0], [1.0, 1.0]), bodies, 0.125);
     let plot = scene.plot();
     let places = [[-0.4, 0.1], [-0.2, 0.25], [0.1, 0.4]];
     let mut known: Option<(Cloud<2>, super::super::build::Built<2>)> = None;
