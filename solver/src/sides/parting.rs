@@ -10,6 +10,9 @@ use crate::problem::{Body, Domain, Problem};
 /// Planes and boxes are told to this many spacings: round-off of scenes.
 const EXACT: f64 = 1e-6;
 
+/// Rows at least between two bodies that rows lie evenly between: they are at most a twentieth nearer or farther than a spacing then.
+const ROWS: f64 = 10.0;
+
 /// Steps of the search for a nose; each leaves of the way to it what the square of the sine of its half angle is.
 const STEPS: usize = 200;
 
@@ -55,6 +58,29 @@ pub fn parted<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<f64> 
             nose(first, (along, velocity[along]), problem.spacing).map(|nose| nose[axis])
         })
     })
+}
+
+/// The two places on `axis` at which two bodies part the stream, where there are two such places, [`ROWS`] rows or more from each other; none
+/// otherwise.
+pub fn apart<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<[f64; 2]> {
+    let along = problem.free_stream.velocity.iamax();
+    let stream = (along, problem.free_stream.velocity[along]);
+    let mut places: Vec<f64> = Vec::new();
+    for body in &problem.bodies {
+        let plane = planes(body, axis).next();
+        let place = plane.or_else(|| nose(body, stream, problem.spacing).map(|nose| nose[axis]))?;
+        if !places
+            .iter()
+            .any(|known| (known - place).abs() < EXACT * problem.spacing)
+        {
+            places.push(place);
+        }
+    }
+    places.sort_by(f64::total_cmp);
+    match places[..] {
+        [low, high] if high - low >= ROWS * problem.spacing => Some([low, high]),
+        _ => None,
+    }
 }
 
 /// Where a body begins along an axis in a stream of this speed along it.
@@ -169,6 +195,20 @@ mod tests {
             &Rows::new(&flight(&leaning)),
             0.5 * (0.613 + 1.38)
         ));
+    }
+
+    #[test]
+    fn rows_lie_beside_the_planes_of_two_bodies() {
+        for high in [1.58, 1.61, 1.644] {
+            let pair = flight(&[([0.6, 0.413], EVEN), ([0.7, high], EVEN)]);
+            let rows = Rows::new(&pair);
+            assert!(is_beside(&rows, 0.413) && is_beside(&rows, high), "{high}");
+            assert!((rows.pitch(1) / pair.spacing - 1.0).abs() < 0.05);
+        }
+        // Too near to each other: the foremost has them.
+        let near = flight(&[([0.6, 0.613], EVEN), ([0.7, 0.84], EVEN)]);
+        assert!(is_beside(&Rows::new(&near), 0.613));
+        assert_eq!(Rows::new(&near).pitch(1), near.spacing);
     }
 
     #[test]

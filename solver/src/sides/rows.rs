@@ -2,10 +2,11 @@
 //! two kinds of flow. A wall along the stream that crosses the inlet has rows in step with it, as a wall's first row lies half a
 //! spacing off; between two walls they lie evenly, a little nearer or farther than a spacing, each with the mass of its share.
 //! And a stream that a body parts has rows in step with its nose ([`parting`]): about a body that is its own mirror image they are, too.
+//! Where two bodies part it, rows lie evenly between them and in step with both ([`apart`]).
 
 use aero_geometry::Vector;
 
-use super::parting::parting;
+use super::parting::{apart, parting};
 use crate::layers::BUFFER;
 use crate::problem::Domain;
 use crate::problem::Problem;
@@ -61,7 +62,13 @@ impl<const D: usize> Rows<D> {
             {
                 rows.fit(axis, bounds.max[axis], &gap);
             } else if let Some(nose) = parting(problem, axis) {
-                rows.step_from(axis, bounds.max[axis], nose);
+                if let Some(apart) = apart(problem, axis) {
+                    rows.divide(axis, apart);
+                    let [first, _] = apart;
+                    rows.step_from(axis, bounds.max[axis], first);
+                } else {
+                    rows.step_from(axis, bounds.max[axis], nose);
+                }
             }
         }
         rows
@@ -71,13 +78,18 @@ impl<const D: usize> Rows<D> {
     fn fit(&mut self, axis: usize, upper: f64, gap: &Gap) {
         let [low, high] = gap.ends;
         if gap.closed == [true; 2] {
-            let count = (high - low) / self.spacing;
-            if (count - count.round()).abs() > IN_STEP * count.max(1.0) {
-                self.pitch[axis] = (high - low) / count.round().max(1.0);
-            }
+            self.divide(axis, gap.ends);
         }
         let wall = if gap.closed[0] { low } else { high };
         self.step_from(axis, upper, wall);
+    }
+
+    /// Lets a whole number of rows of an axis fit between two places.
+    fn divide(&mut self, axis: usize, [low, high]: [f64; 2]) {
+        let count = (high - low) / self.spacing;
+        if (count - count.round()).abs() > IN_STEP * count.max(1.0) {
+            self.pitch[axis] = (high - low) / count.round().max(1.0);
+        }
     }
 
     /// Puts the rows of an axis half a pitch off `place`.
