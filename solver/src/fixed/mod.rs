@@ -4,10 +4,13 @@
 
 mod adapt;
 mod assemble;
+mod bends;
+mod bent;
 pub mod build;
 mod calmness;
 pub mod carry;
 pub mod cells;
+mod chain;
 mod checkpoint;
 pub mod cloud;
 mod columns;
@@ -16,6 +19,7 @@ mod cut_cell;
 mod departing;
 mod edges;
 mod energy;
+mod fan;
 mod filler;
 mod fluxes;
 mod folding;
