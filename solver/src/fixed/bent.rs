@@ -169,3 +169,50 @@ fn shifted<const D: usize>(
         pressure: moved(own.pressure, from.pressure, to.pressure),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn state(density: f64, velocity: [f64; 2], pressure: f64) -> Primitive<2> {
+        Primitive {
+            density,
+            velocity,
+            pressure,
+        }
+    }
+
+    /// Two cells that are as the fan has them agree on what is on their face; two that are off by the same in velocity do as well.
+    #[test]
+    fn cells_of_the_fan_meet_on_their_face_without_a_jump() {
+        let known = [state(1.0, [2.0, 0.0], 0.7), state(0.4, [2.4, -0.6], 0.2)];
+        let there = state(0.6, [2.3, -0.3], 0.35);
+        for own in known {
+            let seen = shifted(&own, &own, &there);
+            assert!((seen.density - there.density).abs() < 1e-15);
+            assert!((seen.velocity[0] - there.velocity[0]).abs() < 1e-15);
+            assert!((seen.velocity[1] - there.velocity[1]).abs() < 1e-15);
+            assert!((seen.pressure - there.pressure).abs() < 1e-15);
+        }
+        let seen = known.map(|known| {
+            let own = known.plus(1.0, &state(0.0, [0.1, 0.2], 0.0));
+            shifted(&own, &known, &there).velocity
+        });
+        for k in 0..2 {
+            assert!((seen[0][k] - seen[1][k]).abs() < 1e-15);
+        }
+    }
+
+    /// Whatever a cell holds, something is left of it where the fan is thinner, and no more of its departure is seen where the fan is
+    /// denser: the departure of a thin cell, times what it grows by in dense gas, would keep the flow from coming to rest.
+    #[test]
+    fn departures_from_the_fan_neither_grow_nor_leave_nothing() {
+        let (dense, thin) = (state(1.0, [2.0, 0.0], 0.7), state(0.1, [2.4, -0.6], 0.03));
+        let seen = shifted(&state(0.05, [2.0, 0.0], 0.01), &dense, &thin);
+        assert!(seen.density > 0.0 && seen.pressure > 0.0, "{seen:?}");
+        let more = state(0.13, [2.4, -0.6], 0.05);
+        let seen = shifted(&more, &thin, &dense);
+        assert!((seen.density - dense.density - 0.03).abs() < 1e-15);
+        assert!((seen.pressure - dense.pressure - 0.02).abs() < 1e-15);
+    }
+}

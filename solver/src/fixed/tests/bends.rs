@@ -121,7 +121,7 @@ fn a_march_comes_to_the_same_fan() {
 #[test]
 fn fans_are_alike_in_a_mirror_and_when_turned() {
     let points = [[-0.4, 0.0], [0.0, 0.1], [0.4, 0.0], [0.0, -0.1]];
-    let settled = |turned: bool| {
+    let marched = |turned: bool| {
         let place = |[x, y]: [f64; 2]| if turned { [-y, x] } else { [x, y] };
         let outline = bodies::polygon(&points.map(|point| Vector::from(place(point)))).unwrap();
         let size = if turned { [0.5, 0.8] } else { [0.8, 0.5] };
@@ -132,14 +132,16 @@ fn fans_are_alike_in_a_mirror_and_when_turned() {
             problem.free_stream.velocity = Vector::<2>::new(0.0, 2.5);
         }
         let mut flow = FixedSimulation::new(problem).unwrap();
-        assert!(flow.settle(400).unwrap().is_settled);
+        while flow.time() < 1.2 {
+            flow.step(1.2).unwrap();
+        }
         let surface = flow.surface();
         let each = surface.position.iter().zip(&surface.pressure);
         let back = |x: &[f64; 3]| if turned { [x[1], -x[0]] } else { [x[0], x[1]] };
         each.map(|(place, pressure)| (back(place), *pressure))
             .collect::<Vec<_>>()
     };
-    let (flow, turned) = (settled(false), settled(true));
+    let (flow, turned) = (marched(false), marched(true));
     let at = |walls: &[([f64; 2], f64)], place: [f64; 2]| {
         let away = |x: &[f64; 2]| (x[0] - place[0]).hypot(x[1] - place[1]);
         let nearest = walls
@@ -149,7 +151,9 @@ fn fans_are_alike_in_a_mirror_and_when_turned() {
         assert!(away(found) < 1e-6);
         *pressure
     };
-    for ([x, y], pressure) in &flow {
+    // The tip's own walls are slivers.
+    let walls = flow.iter().filter(|([x, _], _)| *x > -0.39);
+    for ([x, y], pressure) in walls {
         assert!((at(&flow, [*x, -y]) / pressure - 1.0).abs() < 1e-6);
         assert!((at(&turned, [*x, *y]) / pressure - 1.0).abs() < 1e-6);
     }
@@ -168,7 +172,7 @@ const RIDGE: f64 = 0.363_51;
 #[test]
 fn flows_over_ramps_that_end_come_to_rest() {
     let rise = 0.6 * f64::to_radians(15.0).tan();
-    for end in [[3.0, rise], [3.0, rise - 0.4]] {
+    for end in [[3.0, rise], [3.0, -0.25]] {
         let points = [
             [-3.0, 0.0],
             [0.0, 0.0],
@@ -178,7 +182,7 @@ fn flows_over_ramps_that_end_come_to_rest() {
             [-3.0, -3.0],
         ];
         let outline = bodies::polygon(&points.map(Vector::from)).unwrap();
-        let bounds = [[-0.5, 0.0], [2.0, 1.2]];
+        let bounds = [[-0.5, end[1].min(0.0)], [2.0, 1.2]];
         let mut problem = stream(2.5, bounds, 0.05, vec![Arc::new(outline)]);
         problem.domain.sides[1][0] = Side::Body;
         let mut flow = FixedSimulation::new(problem).unwrap();
