@@ -2,6 +2,7 @@
 
 use aero_geometry::Vector;
 
+use super::bend::{BentFace, BentWall, Surroundings, turned};
 use super::cells::Cells;
 use super::chain::Chain;
 use super::net::{Face, Net};
@@ -11,66 +12,6 @@ const NEAR: f64 = 6.0;
 
 /// From here on they do see it.
 const FAR: f64 = 8.0;
-
-/// A convex bend, met from one side.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Bend<const D: usize> {
-    /// Where it is.
-    pub at: [f64; D],
-    /// A cell on the wall before it.
-    pub donor: u32,
-    /// Direction of the wall behind it, away from it.
-    pub along: [f64; D],
-    /// Direction of the wall before it, towards it.
-    pub before: [f64; D],
-    /// Normal of that wall, into the gas.
-    pub up: [f64; D],
-    /// Spacing of the points there.
-    pub unit: f64,
-}
-
-/// A face near a bend; all places as seen from there.
-#[derive(Clone, Copy, Debug)]
-pub struct BentFace<const D: usize> {
-    /// Which it is.
-    pub face: Face,
-    /// Points of both cells.
-    pub points: [[f64; D]; 2],
-    /// Middle of the face.
-    pub middle: [f64; D],
-    /// From there to its end.
-    pub half: [f64; D],
-    /// Unit normal from the first to the second cell.
-    pub normal: [f64; D],
-    /// Area.
-    pub size: f64,
-    /// From one next to the bend to zero.
-    pub weight: f64,
-}
-
-/// A wall near a bend; all places as seen from there.
-#[derive(Clone, Copy, Debug)]
-pub struct BentWall<const D: usize> {
-    /// Its number in its block.
-    pub wall: usize,
-    /// Point of its cell.
-    pub point: [f64; D],
-    /// Middle of the wall.
-    pub middle: [f64; D],
-    /// From one next to the bend to zero.
-    pub weight: f64,
-}
-
-/// What of a block lies around a bend.
-#[derive(Clone, Debug)]
-pub struct Surroundings<const D: usize> {
-    /// The bend.
-    pub bend: Bend<D>,
-    /// Faces.
-    pub faces: Vec<BentFace<D>>,
-    /// Walls.
-    pub walls: Vec<BentWall<D>>,
-}
 
 impl<const D: usize> Net<D> {
     /// Finds the sharp bends of the walls of `cells`, in the plane, and what lies around them.
@@ -100,7 +41,13 @@ impl<const D: usize> Net<D> {
                 };
                 let block = &self.blocks[number];
                 let faces = block.faces.iter();
-                let faces = faces.filter_map(|face| self.bent_face(cells, at, face, weight));
+                let faces = faces.enumerate().filter_map(|(number, face)| {
+                    let seen = self.bent_face(cells, at, face, weight)?;
+                    Some(BentFace {
+                        face: number,
+                        ..seen
+                    })
+                });
                 let walls = block.walls.iter().enumerate().filter_map(|(wall, known)| {
                     let middle = known.foot - at;
                     let weight = weight(&middle);
@@ -145,7 +92,7 @@ impl<const D: usize> Net<D> {
         let length = shape.weight * apart.norm();
         let half = turned(&normal.into()) * (0.5 * length);
         Some(BentFace {
-            face: *face,
+            face: 0,
             points: [first.into(), second.into()],
             middle: middle.into(),
             half: half.into(),
@@ -154,12 +101,4 @@ impl<const D: usize> Net<D> {
             weight,
         })
     }
-}
-
-/// A vector turned by a quarter to the left.
-pub fn turned<const D: usize>(vector: &Vector<D>) -> Vector<D> {
-    let mut turned = Vector::zeros();
-    turned[0] = -vector[1 % D];
-    turned[1 % D] = vector[0];
-    turned
 }

@@ -3,7 +3,7 @@
 //! At the bend all states of the fan meet in a point, and at any spacing the first cells hold much of it at once: no slope between them tells what is on
 //! their faces. How the cells differ from the fan does: where they do not, gas on both sides of a face is that of the fan there, and nothing else disturbs it.
 
-use super::bends::{BentFace, BentWall, Surroundings};
+use super::bend::{BentFace, BentWall, Surroundings};
 use super::fan::Fan;
 use super::fluxes::Flow;
 use super::gas::Gas;
@@ -49,10 +49,11 @@ pub fn turn<G: Gas, const D: usize>(
     let start = block.cells.start;
     for (fan, around) in fans {
         for bent in &around.faces {
-            let Some(more) = bent.more(gas, fan, flow, &usual) else {
+            let face = &block.faces[bent.face];
+            let Some(more) = bent.more(gas, fan, face, flow, &usual) else {
                 continue;
             };
-            for (i, sign) in [(bent.face.i, -1.0), (bent.face.j, 1.0)] {
+            for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
                 if let Some(cell) = cells.get_mut((i as usize).wrapping_sub(start)) {
                     *cell = cell.plus(sign, &more);
                 }
@@ -78,11 +79,12 @@ pub fn press<G: Gas, const D: usize>(
 }
 
 impl<const D: usize> BentFace<D> {
-    /// What flows through the face more than the `usual` flux.
+    /// What flows through it, the `face`, more than the `usual` flux.
     fn more<G: Gas>(
         &self,
         gas: &G,
         fan: &Fan<D>,
+        face: &Face,
         flow: Flow<'_, D>,
         usual: impl FnOnce(&Face) -> Conserved<D>,
     ) -> Option<Conserved<D>> {
@@ -97,7 +99,7 @@ impl<const D: usize> BentFace<D> {
         if fan.is_even(ends.iter().chain(&places).copied()) {
             return None;
         }
-        let cells = [self.face.i as usize, self.face.j as usize];
+        let cells = [face.i as usize, face.j as usize];
         // Cells of first order are left alone.
         if cells.iter().any(|&i| flow.slopes[i].calmness < 0.0) {
             return None;
@@ -116,7 +118,7 @@ impl<const D: usize> BentFace<D> {
             let jump = Jump::new(gas, left, right, self.normal);
             flux = flux.plus(part * self.size, &jump.hllc());
         }
-        let more = flux.plus(-1.0, &usual(&self.face));
+        let more = flux.plus(-1.0, &usual(face));
         Some(Conserved::ZERO.plus(weight, &more))
     }
 }

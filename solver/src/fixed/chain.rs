@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::bends::{Bend, turned};
+use super::bend::{Bend, turned};
 use super::cells::Cells;
 use super::net::Net;
 use super::walls::Wall;

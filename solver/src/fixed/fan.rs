@@ -3,7 +3,7 @@
 
 use std::f64::consts::FRAC_PI_2;
 
-use super::bends::Bend;
+use super::bend::Bend;
 use super::gas::Gas;
 use super::state::{Primitive, dot};
 

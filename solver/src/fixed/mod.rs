@@ -4,6 +4,7 @@
 
 mod adapt;
 mod assemble;
+mod bend;
 mod bends;
 mod bent;
 pub mod build;
@@ -237,6 +238,7 @@ impl<const D: usize> FixedSimulation<D> {
             problem.domain.is_axisymmetric(),
         )?;
         viscous::stick(&mut net, problem)?;
+        net.add_bends(cells);
         Ok(net)
     }
 

@@ -10,7 +10,7 @@ use std::ops::Range;
 use aero_geometry::Vector;
 use foldhash::fast::FixedState;
 
-use super::bends::Surroundings;
+use super::bend::Surroundings;
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
 use super::image::Image;
 use super::sides::{Beyond, Side};
@@ -162,7 +162,6 @@ impl<const D: usize> Net<D> {
         }
         net.add_cell_shapes(cells, &weights, is_axisymmetric);
         net.find_nearby();
-        net.add_bends(cells);
         Ok(net)
     }
 
