@@ -5,10 +5,10 @@
 
 use super::bend::{BentFace, BentWall, Surroundings};
 use super::fan::Fan;
-use super::fluxes::Flow;
 use super::gas::Gas;
 use super::hll::Jump;
 use super::net::{Block, Face};
+use super::slopes::Flow;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Wall;
 

@@ -12,19 +12,10 @@ use super::hll::Jump;
 use super::net::{Block, Face, Net};
 use super::real::{Lane, MAX_LANES, Real};
 use super::reconstruction::{Neighbours, moved, rise};
-use super::slopes::Slopes;
+use super::slopes::{Flow, Slopes};
 use super::state::{Conserved, Primitive, dot, scaled};
 use super::viscous::{Rubbing, WallShare};
 use super::walls::push;
-
-/// States and slopes of all cells.
-#[derive(Clone, Copy, Debug)]
-pub struct Flow<'a, const D: usize> {
-    /// State of each cell.
-    pub states: &'a [Primitive<D>],
-    /// Slopes of each cell.
-    pub slopes: &'a [Slopes<D>],
-}
 
 /// What the cells of a block gain per time.
 #[derive(Clone, Debug)]
