@@ -1,9 +1,10 @@
 //! What flows through the faces of a block: reconstruct, solve the Riemann problem, add up.
 
-use std::array;
+use std::{array, slice};
 
 use pulp::{Simd, WithSimd};
 
+use super::bent::{fans, press, turn};
 use super::calmness::{smoothness, steepness};
 use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
@@ -11,19 +12,10 @@ use super::hll::Jump;
 use super::net::{Block, Face, Net};
 use super::real::{Lane, MAX_LANES, Real};
 use super::reconstruction::{Neighbours, moved, rise};
-use super::slopes::Slopes;
+use super::slopes::{Flow, Slopes};
 use super::state::{Conserved, Primitive, dot, scaled};
 use super::viscous::{Rubbing, WallShare};
 use super::walls::push;
-
-/// States and slopes of all cells.
-#[derive(Clone, Copy, Debug)]
-pub struct Flow<'a, const D: usize> {
-    /// State of each cell.
-    pub states: &'a [Primitive<D>],
-    /// Slopes of each cell.
-    pub slopes: &'a [Slopes<D>],
-}
 
 /// What the cells of a block gain per time.
 #[derive(Clone, Debug)]
@@ -112,16 +104,30 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
                 }
             }
         }
+        let fans = if rubbing.is_some() {
+            // Gas that rubs sticks to walls: no fan stands at their bends.
+            Vec::new()
+        } else {
+            fans(gas, block, flow)
+        };
+        turn(gas, &fans, block, flow, &mut cells, |face| {
+            let batch = Batch::new(simd, net, slice::from_ref(face), flow);
+            stored(&batch.flux(gas, energy))[0]
+        });
         let rubbed = rubbing.map(|rubbing| {
             let mut gains = Gains::nothing(cells.len());
             rubbing.add(net, block, flow, &mut gains, shares);
             gains
         });
         let mut boundary = Conserved::ZERO;
-        for (wall, pressure) in block.walls.iter().zip(pressures) {
+        for (wall, pressure) in block.walls.iter().zip(pressures.iter_mut()) {
             let i = wall.i as usize;
             let Slopes { along, calmness } = &flow.slopes[i];
             *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
+        }
+        press(gas, &fans, block, flow, pressures);
+        for (wall, pressure) in block.walls.iter().zip(pressures) {
+            let i = wall.i as usize;
             let gain = push(&wall.image, *pressure);
             boundary = boundary.plus(1.0, &gain);
             cells[i - start] = cells[i - start].plus(1.0, &gain);

@@ -4,10 +4,14 @@
 
 mod adapt;
 mod assemble;
+mod bend;
+mod bends;
+mod bent;
 pub mod build;
 mod calmness;
 pub mod carry;
 pub mod cells;
+mod chain;
 mod checkpoint;
 pub mod cloud;
 mod columns;
@@ -16,6 +20,7 @@ mod cut_cell;
 mod departing;
 mod edges;
 mod energy;
+mod fan;
 mod filler;
 mod fluxes;
 mod folding;
@@ -234,6 +239,7 @@ impl<const D: usize> FixedSimulation<D> {
             problem.domain.is_axisymmetric(),
         )?;
         viscous::stick(&mut net, problem)?;
+        net.add_bends(cells);
         Ok(net)
     }
 

@@ -10,6 +10,7 @@ use std::ops::Range;
 use aero_geometry::Vector;
 use foldhash::fast::FixedState;
 
+use super::bend::Surroundings;
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
 use super::image::Image;
 use super::sides::{Beyond, Side};
@@ -66,6 +67,8 @@ pub struct Block<const D: usize> {
     pub walls: Vec<Wall<D>>,
     /// Sides of these cells.
     pub sides: Vec<Side<D>>,
+    /// What lies around sharp bends of walls.
+    pub bends: Vec<Surroundings<D>>,
     /// Blocks with cells at most two faces away, this one among them.
     pub nearby: Vec<u32>,
 }
@@ -122,6 +125,7 @@ impl<const D: usize> Net<D> {
                     faces: Vec::new(),
                     walls: Vec::new(),
                     sides: Vec::new(),
+                    bends: Vec::new(),
                     nearby: Vec::new(),
                 })
                 .collect(),

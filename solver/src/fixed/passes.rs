@@ -4,11 +4,12 @@ use aero_geometry::parallel::prelude::*;
 
 use super::columns::Columns;
 use super::energy::EnergyFlux;
-use super::fluxes::{Exchange, Flow, Gains};
+use super::fluxes::{Exchange, Gains};
 use super::gas::AnyGas;
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
+use super::slopes::Flow;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
 use super::viscous::Rubbing;

@@ -23,3 +23,12 @@ impl<const D: usize> Slopes<D> {
         calmness: 1.0,
     };
 }
+
+/// States and slopes of all cells.
+#[derive(Clone, Copy, Debug)]
+pub struct Flow<'a, const D: usize> {
+    /// State of each cell.
+    pub states: &'a [Primitive<D>],
+    /// Slopes of each cell.
+    pub slopes: &'a [Slopes<D>],
+}

@@ -13,7 +13,8 @@ use super::solids::Solids;
 use crate::problem::{Domain, Side};
 
 mod adapting;
-mod flows;
+mod bends;
+pub(super) mod flows;
 mod jumps;
 pub(crate) mod lattice;
 mod parted;

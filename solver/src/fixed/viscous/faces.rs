@@ -2,8 +2,9 @@
 
 use aero_geometry::Vector;
 
-use super::super::fluxes::{Flow, Gains};
+use super::super::fluxes::Gains;
 use super::super::net::{Block, Net};
+use super::super::slopes::Flow;
 use super::super::state::{Conserved, dot};
 use super::{Gradient, Viscous, WallShare, around, radius};
 

@@ -1,0 +1,220 @@
+//! What flows near a sharp bend: states are drawn out to faces along the fan that stands there.
+//!
+//! At the bend all states of the fan meet in a point, and at any spacing the first cells hold much of it at once: no slope between them tells what is on
+//! their faces. How the cells differ from the fan does: where they do not, gas on both sides of a face is that of the fan there, and nothing else disturbs it.
+
+use super::bend::{BentFace, BentWall, Surroundings};
+use super::fan::Fan;
+use super::gas::Gas;
+use super::hll::Jump;
+use super::net::{Block, Face};
+use super::slopes::Flow;
+use super::state::{Conserved, Primitive, dot};
+use super::walls::Wall;
+
+/// Places, in halves of a face, and weights of Gauss's quadrature of three points.
+const GAUSS: [(f64, f64); 3] = [
+    (-0.774_596_669_241_483_4, 5.0 / 18.0),
+    (0.0, 8.0 / 18.0),
+    (0.774_596_669_241_483_4, 5.0 / 18.0),
+];
+
+impl<const D: usize> Surroundings<D> {
+    /// The fan that stands at the bend, if one does.
+    fn fan<G: Gas>(&self, gas: &G, flow: Flow<'_, D>) -> Option<Fan<D>> {
+        Fan::new(gas, &flow.states[self.bend.donor as usize], &self.bend)
+    }
+}
+
+/// The fans that stand at the bends of a block, each with what is around it.
+pub fn fans<'a, G: Gas, const D: usize>(
+    gas: &G,
+    block: &'a Block<D>,
+    flow: Flow<'_, D>,
+) -> Vec<(Fan<D>, &'a Surroundings<D>)> {
+    let each = block.bends.iter();
+    each.filter_map(|around| Some((around.fan(gas, flow)?, around)))
+        .collect()
+}
+
+/// Adds to what the cells of a block gain what the faces around its bends let through more than the `usual` flux.
+pub fn turn<G: Gas, const D: usize>(
+    gas: &G,
+    fans: &[(Fan<D>, &Surroundings<D>)],
+    block: &Block<D>,
+    flow: Flow<'_, D>,
+    cells: &mut [Conserved<D>],
+    usual: impl Fn(&Face) -> Conserved<D>,
+) {
+    let start = block.cells.start;
+    for (fan, around) in fans {
+        for bent in &around.faces {
+            let face = &block.faces[bent.face];
+            let Some(more) = bent.more(gas, fan, face, flow, &usual) else {
+                continue;
+            };
+            for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
+                if let Some(cell) = cells.get_mut((i as usize).wrapping_sub(start)) {
+                    *cell = cell.plus(sign, &more);
+                }
+            }
+        }
+    }
+}
+
+/// Lets the fans say what presses on the walls of a block, whose usual `pressures` are given.
+pub fn press<G: Gas, const D: usize>(
+    gas: &G,
+    fans: &[(Fan<D>, &Surroundings<D>)],
+    block: &Block<D>,
+    flow: Flow<'_, D>,
+    pressures: &mut [f64],
+) {
+    for (fan, around) in fans {
+        for bent in &around.walls {
+            let (wall, pressure) = (&block.walls[bent.wall], &mut pressures[bent.wall]);
+            *pressure = bent.pressure(gas, fan, wall, flow, *pressure);
+        }
+    }
+}
+
+impl<const D: usize> BentFace<D> {
+    /// What flows through it, the `face`, more than the `usual` flux.
+    fn more<G: Gas>(
+        &self,
+        gas: &G,
+        fan: &Fan<D>,
+        face: &Face,
+        flow: Flow<'_, D>,
+        usual: impl FnOnce(&Face) -> Conserved<D>,
+    ) -> Option<Conserved<D>> {
+        let ends = self.points.map(|point| fan.elevation(&point));
+        let places = GAUSS.map(|(part, _)| {
+            let mut place = self.middle;
+            for k in 0..D {
+                place[k] += part * self.half[k];
+            }
+            fan.elevation(&place)
+        });
+        if fan.is_even(ends.iter().chain(&places).copied()) {
+            return None;
+        }
+        let cells = [face.i as usize, face.j as usize];
+        // Cells of first order are left alone.
+        if cells.iter().any(|&i| flow.slopes[i].calmness < 0.0) {
+            return None;
+        }
+        let own = cells.map(|i| &flow.states[i]);
+        let known = ends.map(|end| fan.state(end));
+        let agreement = |k: usize| fan.agreement(gas, own[k], &known[k]);
+        let weight = self.weight * fan.share * agreement(0).min(agreement(1));
+        if weight <= 0.0 {
+            return None;
+        }
+        let mut flux = Conserved::ZERO;
+        for (place, (_, part)) in places.iter().zip(GAUSS) {
+            let there = fan.state(*place);
+            let [left, right] = [0, 1].map(|k| shifted(own[k], &known[k], &there));
+            let jump = Jump::new(gas, left, right, self.normal);
+            flux = flux.plus(part * self.size, &jump.hllc());
+        }
+        let more = flux.plus(-1.0, &usual(face));
+        Some(Conserved::ZERO.plus(weight, &more))
+    }
+}
+
+impl<const D: usize> BentWall<D> {
+    /// Pressure on the wall, where it would be `usual` elsewhere.
+    fn pressure<G: Gas>(
+        &self,
+        gas: &G,
+        fan: &Fan<D>,
+        wall: &Wall<D>,
+        flow: Flow<'_, D>,
+        usual: f64,
+    ) -> f64 {
+        let i = wall.i as usize;
+        if flow.slopes[i].calmness < 0.0 {
+            return usual;
+        }
+        let own = &flow.states[i];
+        let [from, to] = [&self.point, &self.middle].map(|x| fan.state(fan.elevation(x)));
+        let weight = self.weight * fan.share * fan.agreement(gas, own, &from);
+        let there = shifted(own, &from, &to);
+        let speed = dot(&there.velocity, &wall.image.normal);
+        let pressure = gas.wall_pressure(there.density, there.pressure, speed);
+        usual + weight * (pressure - usual)
+    }
+}
+
+/// A state that is `own` where the fan has `from`, seen where it has `to`: as far from the fan as there. Where density or pressure fall, in
+/// proportion, so that something is left.
+fn shifted<const D: usize>(
+    own: &Primitive<D>,
+    from: &Primitive<D>,
+    to: &Primitive<D>,
+) -> Primitive<D> {
+    let moved = |own: f64, from: f64, to: f64| {
+        if to > from {
+            own + (to - from)
+        } else {
+            own * (to / from)
+        }
+    };
+    let mut velocity = own.velocity;
+    for k in 0..D {
+        velocity[k] += to.velocity[k] - from.velocity[k];
+    }
+    Primitive {
+        density: moved(own.density, from.density, to.density),
+        velocity,
+        pressure: moved(own.pressure, from.pressure, to.pressure),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn state(density: f64, velocity: [f64; 2], pressure: f64) -> Primitive<2> {
+        Primitive {
+            density,
+            velocity,
+            pressure,
+        }
+    }
+
+    /// Two cells that are as the fan has them agree on what is on their face; two that are off by the same in velocity do as well.
+    #[test]
+    fn cells_of_the_fan_meet_on_their_face_without_a_jump() {
+        let known = [state(1.0, [2.0, 0.0], 0.7), state(0.4, [2.4, -0.6], 0.2)];
+        let there = state(0.6, [2.3, -0.3], 0.35);
+        for own in known {
+            let seen = shifted(&own, &own, &there);
+            assert!((seen.density - there.density).abs() < 1e-15);
+            assert!((seen.velocity[0] - there.velocity[0]).abs() < 1e-15);
+            assert!((seen.velocity[1] - there.velocity[1]).abs() < 1e-15);
+            assert!((seen.pressure - there.pressure).abs() < 1e-15);
+        }
+        let seen = known.map(|known| {
+            let own = known.plus(1.0, &state(0.0, [0.1, 0.2], 0.0));
+            shifted(&own, &known, &there).velocity
+        });
+        for k in 0..2 {
+            assert!((seen[0][k] - seen[1][k]).abs() < 1e-15);
+        }
+    }
+
+    /// Whatever a cell holds, something is left of it where the fan is thinner, and no more of its departure is seen where the fan is
+    /// denser: the departure of a thin cell, times what it grows by in dense gas, would keep the flow from coming to rest.
+    #[test]
+    fn departures_from_the_fan_neither_grow_nor_leave_nothing() {
+        let (dense, thin) = (state(1.0, [2.0, 0.0], 0.7), state(0.1, [2.4, -0.6], 0.03));
+        let seen = shifted(&state(0.05, [2.0, 0.0], 0.01), &dense, &thin);
+        assert!(seen.density > 0.0 && seen.pressure > 0.0, "{seen:?}");
+        let more = state(0.13, [2.4, -0.6], 0.05);
+        let seen = shifted(&more, &thin, &dense);
+        assert!((seen.density - dense.density - 0.03).abs() < 1e-15);
+        assert!((seen.pressure - dense.pressure - 0.02).abs() < 1e-15);
+    }
+}

@@ -1,0 +1,294 @@
+//! The fan in which a stream that is faster than sound turns round a sharp convex bend of its wall: gas on a ray from the bend is in one
+//! state [Prandtl 1907; Meyer 1908; NACA Report 1135 (1953), eqs. 44 and 171c].
+
+use std::f64::consts::FRAC_PI_2;
+
+use super::bend::Bend;
+use super::gas::Gas;
+use super::state::{Primitive, dot};
+
+/// Square of the Mach number towards the bend below which gas knows of it, and no fan stands at it.
+const SONIC: f64 = 1.0;
+
+/// The same above which there is nothing but the fan.
+const SUPERSONIC: f64 = 2.0;
+
+/// Turn up to which gas follows a wall, radians; farther round it leaves the wall.
+const STEEP: f64 = 0.25 * std::f64::consts::PI;
+
+/// Turn from which on there is no saying where the gas goes, radians.
+const STEEPEST: f64 = 5.0 / 18.0 * std::f64::consts::PI;
+
+/// Halvings after which an angle is known to the last bits.
+const HALVINGS: u32 = 52;
+
+/// A fan.
+#[derive(Clone, Debug)]
+pub struct Fan<const D: usize> {
+    /// Ratio of specific heats; of other gas, of that in front.
+    gamma: f64,
+    /// `sqrt((gamma + 1) / (gamma - 1))`.
+    slowness: f64,
+    /// Gas in front.
+    front: Primitive<D>,
+    /// Gas behind.
+    rear: Primitive<D>,
+    /// `1 + (gamma - 1) / 2 M^2` in front.
+    heat: f64,
+    /// Prandtl and Meyer's angle in front.
+    start: f64,
+    /// Where the gas in front goes.
+    onwards: [f64; D],
+    /// Across that, away from the wall.
+    aside: [f64; D],
+    /// Elevation of its first and last ray above the gas's way.
+    rays: [f64; 2],
+    /// Logarithm of the pressure in front over that behind.
+    strength: f64,
+    /// How much of it there is: from none of gas that is slower than sound to one.
+    pub share: f64,
+}
+
+impl<const D: usize> Fan<D> {
+    /// The fan at `bend` of gas in the state `front` ahead of it, if one stands there.
+    pub fn new<G: Gas>(gas: &G, front: &Primitive<D>, bend: &Bend<D>) -> Option<Self> {
+        let square = gas.sound_square(front.density, front.pressure);
+        let gamma = square * front.density / front.pressure;
+        let towards = dot(&front.velocity, &bend.before);
+        let fast = rise(towards * towards / square, SONIC, SUPERSONIC);
+        if towards <= 0.0 || fast <= 0.0 {
+            return None;
+        }
+        let speed = dot(&front.velocity, &front.velocity).sqrt();
+        let onwards = front.velocity.map(|u| u / speed);
+        let across = dot(&bend.up, &onwards);
+        let mut aside = bend.up;
+        for k in 0..D {
+            aside[k] -= across * onwards[k];
+        }
+        let size = dot(&aside, &aside).sqrt();
+        let aside = aside.map(|part| part / size);
+        let turn = (-dot(&bend.along, &aside)).atan2(dot(&bend.along, &onwards));
+        let share = fast * (1.0 - rise(turn, STEEP, STEEPEST));
+        let slowness = ((gamma + 1.0) / (gamma - 1.0)).sqrt();
+        let mach_square = speed * speed / square;
+        let slope = (mach_square - 1.0).sqrt();
+        let start = angle(slope, slowness);
+        // Up to here there is gas left.
+        let most = (slowness - 1.0) * FRAC_PI_2;
+        if turn <= 0.0 || share <= 0.0 || start + turn >= most {
+            return None;
+        }
+        let mut fan = Self {
+            gamma,
+            slowness,
+            front: *front,
+            rear: *front,
+            heat: 1.0 + 0.5 * (gamma - 1.0) * mach_square,
+            start,
+            onwards,
+            aside,
+            rays: [0.0; 2],
+            strength: 0.0,
+            share,
+        };
+        let last = slope_of(start + turn, slope, slowness);
+        fan.rays = [(1.0 / slope).atan(), (1.0 / last).atan() - turn];
+        fan.rear = fan.turned(last);
+        fan.strength = (front.pressure / fan.rear.pressure).ln();
+        Some(fan)
+    }
+
+    /// Gas of the fan with this `sqrt(M^2 - 1)`.
+    fn turned(&self, slope: f64) -> Primitive<D> {
+        let gamma = self.gamma;
+        let square = 1.0 + slope * slope;
+        let cooled = self.heat / (1.0 + 0.5 * (gamma - 1.0) * square);
+        let pressure = self.front.pressure * cooled.powf(gamma / (gamma - 1.0));
+        let density = self.front.density * cooled.powf(1.0 / (gamma - 1.0));
+        let speed = (square * gamma * pressure / density).sqrt();
+        let (sine, cosine) = (angle(slope, self.slowness) - self.start).sin_cos();
+        let mut velocity = self.onwards;
+        for k in 0..D {
+            velocity[k] = speed * (cosine * self.onwards[k] - sine * self.aside[k]);
+        }
+        Primitive {
+            density,
+            velocity,
+            pressure,
+        }
+    }
+
+    /// Elevation of a `place`, as seen from the bend, above the way of the gas in front.
+    pub fn elevation(&self, place: &[f64; D]) -> f64 {
+        let (along, height) = (dot(place, &self.onwards), dot(place, &self.aside));
+        if along < 0.0 {
+            2.0 * FRAC_PI_2
+        } else {
+            height.atan2(along)
+        }
+    }
+
+    /// True where all these elevations are in front of the fan, or all behind it: the gas there is the same.
+    pub fn is_even(&self, mut elevations: impl Iterator<Item = f64> + Clone) -> bool {
+        let [first, last] = self.rays;
+        elevations.clone().all(|elevation| elevation >= first)
+            || elevations.all(|elevation| elevation <= last)
+    }
+
+    /// The state at an elevation: within the fan that ray is a Mach line, `elevation = mu - (nu - nu_1)`, and
+    /// `nu - mu + pi / 2 = k atan(sqrt(M^2 - 1) / k)`, `k^2 = (gamma + 1) / (gamma - 1)`.
+    pub fn state(&self, elevation: f64) -> Primitive<D> {
+        let [first, last] = self.rays;
+        if elevation >= first {
+            self.front
+        } else if elevation <= last {
+            self.rear
+        } else {
+            let part = (self.start - elevation + FRAC_PI_2) / self.slowness;
+            self.turned(self.slowness * part.tan())
+        }
+    }
+
+    /// How far gas in the state `own` may be taken for what the fan has there, `known`: not where it is slower than sound, nor where its
+    /// pressure is off by what the whole fan changes, and wholly up to half of that.
+    pub fn agreement<G: Gas>(&self, gas: &G, own: &Primitive<D>, known: &Primitive<D>) -> f64 {
+        let speed = dot(&known.velocity, &known.velocity).sqrt();
+        let along = dot(&own.velocity, &known.velocity).max(0.0) / speed;
+        let square = along * along / gas.sound_square(own.density, own.pressure);
+        let off = (own.pressure / known.pressure).ln().abs();
+        rise(square, SONIC, SUPERSONIC) * (1.0 - rise(off / self.strength, 0.5, 1.0))
+    }
+}
+
+/// From zero at `low` to one at `high`.
+fn rise(value: f64, low: f64, high: f64) -> f64 {
+    ((value - low) / (high - low)).clamp(0.0, 1.0)
+}
+
+/// Prandtl and Meyer's angle of `slope = sqrt(M^2 - 1)`.
+fn angle(slope: f64, slowness: f64) -> f64 {
+    slowness * (slope / slowness).atan() - slope.atan()
+}
+
+/// The `sqrt(M^2 - 1)` above `least` that has this angle.
+fn slope_of(wanted: f64, least: f64, slowness: f64) -> f64 {
+    let (mut low, mut high) = (least.atan(), FRAC_PI_2);
+    for _ in 0..HALVINGS {
+        let middle = 0.5 * (low + high);
+        if angle(middle.tan(), slowness) < wanted {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    low.tan()
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::super::gas::IdealGas;
+    use super::*;
+
+    const AIR: IdealGas = IdealGas { gamma: 1.4 };
+
+    /// A stream over a bend by `degrees`, all of it turned by `way`, and seen in a mirror where `side` is -1.
+    fn fan(mach: f64, degrees: f64, way: f64, side: f64) -> Option<Fan<2>> {
+        let towards = |angle: f64| {
+            let (sine, cosine) = (way + angle).sin_cos();
+            [cosine, side * sine]
+        };
+        let bend = Bend {
+            at: [0.3, 0.2],
+            donor: 0,
+            along: towards(-degrees.to_radians()),
+            before: towards(0.0),
+            up: towards(FRAC_PI_2),
+            unit: 0.1,
+        };
+        let front = Primitive {
+            density: 1.4,
+            velocity: bend.before.map(|part| mach * part),
+            pressure: 1.0,
+        };
+        Fan::new(&AIR, &front, &bend)
+    }
+
+    /// NACA Report 1135 (1953), table II, by the angles of Mach 2, 26.380, and Mach 3, 49.757 degrees.
+    #[test]
+    fn gas_behind_a_fan_has_the_pressure_of_the_tables() {
+        for (mach, degrees, ratio) in [
+            (1.5, 10.0, 0.600_003),
+            (2.0, 15.0, 0.393_068),
+            (3.0, 20.0, 0.159_650),
+            (4.0, 10.0, 0.330_083),
+        ] {
+            let fan = fan(mach, degrees, 0.3, 1.0).unwrap();
+            assert_relative_eq!(fan.rear.pressure, ratio, epsilon = 3e-5);
+            let way = fan.rear.velocity[1].atan2(fan.rear.velocity[0]);
+            assert_relative_eq!(way, 0.3 - degrees.to_radians(), epsilon = 1e-12);
+        }
+    }
+
+    /// On each ray the gas crosses it with the speed of sound, and entropy and total enthalpy are those in front.
+    #[test]
+    fn rays_of_a_fan_are_mach_lines() {
+        for (way, side) in [(0.0, 1.0), (2.0, 1.0), (2.0, -1.0)] {
+            let fan = fan(2.0, 20.0, way, side).unwrap();
+            let [first, last] = fan.rays;
+            for part in [0.01, 0.3, 0.7, 0.99] {
+                let elevation = first + part * (last - first);
+                let place: [f64; 2] = std::array::from_fn(|k| {
+                    elevation.cos() * fan.onwards[k] + elevation.sin() * fan.aside[k]
+                });
+                assert_relative_eq!(fan.elevation(&place), elevation, epsilon = 1e-12);
+                let state = fan.state(elevation);
+                let across = [-place[1] * side, place[0] * side];
+                let sound = AIR.sound_square(state.density, state.pressure);
+                let speed = dot(&state.velocity, &across);
+                assert_relative_eq!(speed * speed / sound, 1.0, epsilon = 1e-10);
+                let entropy = state.pressure / (state.density / 1.4).powf(1.4);
+                assert_relative_eq!(entropy, 1.0, epsilon = 1e-12);
+                let square = dot(&state.velocity, &state.velocity);
+                assert_relative_eq!(sound / 0.4 + 0.5 * square, 4.5, epsilon = 1e-10);
+            }
+            assert_eq!(fan.state(first + 1e-9), fan.front);
+            assert_relative_eq!(
+                fan.state(last + 1e-9).pressure,
+                fan.rear.pressure,
+                epsilon = 1e-6
+            );
+        }
+    }
+
+    #[test]
+    fn no_fan_stands_where_gas_is_slow_comes_from_behind_or_leaves_the_wall() {
+        assert!(fan(0.9, 10.0, 0.0, 1.0).is_none());
+        assert!(fan(-2.0, 10.0, 0.0, 1.0).is_none());
+        assert!(fan(2.0, -10.0, 0.0, 1.0).is_none());
+        assert!(fan(2.0, 50.1, 0.0, 1.0).is_none());
+        let share = |mach, degrees| fan(mach, degrees, 0.0, 1.0).unwrap().share;
+        assert_relative_eq!(share(1.5_f64.sqrt(), 10.0), 0.5, epsilon = 1e-12);
+        assert_relative_eq!(share(2.0, 44.9), 1.0);
+        assert_relative_eq!(share(2.0, 47.5), 0.5, epsilon = 1e-9);
+    }
+
+    #[test]
+    fn gas_that_is_slow_or_of_another_pressure_is_not_of_the_fan() {
+        let fan = fan(2.0, 15.0, 0.0, 1.0).unwrap();
+        let known = fan.rear;
+        let with = |factor: f64, speed: f64| Primitive {
+            pressure: known.pressure * factor,
+            density: known.density * factor,
+            velocity: known.velocity.map(|u| speed * u),
+        };
+        let agreement = |own: &Primitive<2>| fan.agreement(&AIR, own, &known);
+        assert_eq!(agreement(&known), 1.0);
+        assert_eq!(agreement(&with(1.5, 1.0)), 1.0);
+        assert_eq!(agreement(&with(2.6, 1.0)), 0.0);
+        assert_eq!(agreement(&with(1.0, 0.3)), 0.0);
+        assert_eq!(agreement(&with(1.0, -1.0)), 0.0);
+    }
+}

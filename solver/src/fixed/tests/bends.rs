@@ -1,0 +1,195 @@
+//! Walls with sharp bends: what presses on them in the first cells behind, and that the flow over them comes to rest.
+
+use std::sync::Arc;
+
+use aero_geometry::{Placed, Placement, Shape, Vector, bodies};
+
+use super::flows::stream;
+use crate::fixed::FixedSimulation;
+use crate::gas::Gas;
+use crate::problem::{Problem, Side};
+
+/// A stream over a corner, in places of the lattice.
+struct Corner {
+    mach: f64,
+    degrees: f64,
+    gamma: f64,
+    dx: f64,
+    moved: [f64; 2],
+}
+
+impl Corner {
+    fn new(mach: f64, degrees: f64) -> Self {
+        Self {
+            mach,
+            degrees,
+            gamma: 1.4,
+            dx: 0.05,
+            moved: [0.0; 2],
+        }
+    }
+
+    fn problem(&self) -> Problem<2> {
+        let corner: Arc<dyn Shape<2>> =
+            Arc::new(bodies::expansion_corner(0.0, self.degrees).unwrap());
+        let place = Placement::default().moved(Vector::from(self.moved) * self.dx);
+        let corner = Arc::new(Placed::new(corner, place));
+        let bounds = [[-0.3, -0.6], [0.8, 0.8]];
+        let mut problem = stream(self.mach, bounds, self.dx, vec![corner]);
+        problem.domain.sides[1][0] = Side::Body;
+        problem.gas = Gas::ideal(self.gamma);
+        problem.free_stream.pressure = 1.0 / self.gamma;
+        problem
+    }
+
+    /// Distance behind the corner, in spacings, and pressure over the stream's of each wall.
+    fn wall(&self, flow: &FixedSimulation<2>) -> Vec<[f64; 2]> {
+        let (sine, cosine) = self.degrees.to_radians().sin_cos();
+        let surface = flow.surface();
+        let each = surface.position.iter().zip(&surface.pressure);
+        each.map(|(foot, pressure)| {
+            let [x, y] = [0, 1].map(|k| foot[k] / self.dx - self.moved[k]);
+            [x * cosine - y * sine, pressure * self.gamma]
+        })
+        .collect()
+    }
+
+    /// Largest departure of the wall pressure from `fan`, of the part `behind` the corner.
+    fn off(&self, flow: &FixedSimulation<2>, fan: f64, behind: [f64; 2]) -> f64 {
+        let wall = self.wall(flow);
+        let there = wall
+            .iter()
+            .filter(|[at, _]| (behind[0]..behind[1]).contains(at));
+        there.fold(0.0, |most: f64, [_, p]| most.max((p / fan - 1.0).abs()))
+    }
+}
+
+/// Prandtl and Meyer [NACA Report 1135 (1953)], at any spacing and wherever in its cell the corner lies.
+#[test]
+fn wall_pressure_is_right_from_the_first_cell_behind_a_sharp_bend() {
+    let moved = |mach, degrees, moved| Corner {
+        moved,
+        ..Corner::new(mach, degrees)
+    };
+    let of = |gamma| Corner {
+        gamma,
+        ..Corner::new(2.0, 15.0)
+    };
+    for (corner, fan) in [
+        (Corner::new(2.0, 15.0), 0.393_07),
+        (moved(2.0, 15.0, [0.3, 0.7]), 0.393_07),
+        (Corner::new(2.0, 20.0), 0.275_18),
+        (Corner::new(4.0, 15.0), 0.173_74),
+        (moved(4.0, 10.0, [0.5, 0.5]), 0.330_08),
+        (Corner::new(3.0, 30.0), 0.048_18),
+        (moved(3.0, 30.0, [0.4, 0.7]), 0.048_18),
+        (of(1.2), 0.457_97),
+        (of(1.67), 0.315_01),
+    ] {
+        for dx in [0.05, 0.025] {
+            let corner = Corner { dx, ..corner };
+            let mut flow = FixedSimulation::new(corner.problem()).unwrap();
+            assert!(flow.settle(300).unwrap().is_settled);
+            let off = corner.off(&flow, fan, [0.1, 4.0]);
+            let Corner { mach, degrees, .. } = corner;
+            assert!(off < 0.03, "Mach {mach}, {degrees} degrees, {dx}: {off}");
+        }
+    }
+}
+
+#[test]
+fn a_march_comes_to_the_same_fan() {
+    let corner = Corner::new(2.0, 20.0);
+    let mut flow = FixedSimulation::new(corner.problem()).unwrap();
+    let before = flow.totals();
+    while flow.time() < 2.0 {
+        flow.step(2.0).unwrap();
+    }
+    let off = corner.off(&flow, 0.275_18, [0.1, 6.0]);
+    assert!(off < 0.03, "{off}");
+    // Neither mass nor energy is made at the bend.
+    let (after, inflow) = (flow.totals(), flow.inflow());
+    assert!((after.mass - before.mass - inflow.mass).abs() < 1e-11);
+    assert!((after.energy - before.energy - inflow.energy).abs() < 1e-11);
+    for k in 0..2 {
+        let made = after.momentum[k] - before.momentum[k] - inflow.momentum[k];
+        assert!(made.abs() < 1e-11, "{k}: {made}");
+    }
+}
+
+/// A body that is its own mirror image across the stream, and the whole scene turned by a quarter, know of no difference.
+#[test]
+fn fans_are_alike_in_a_mirror_and_when_turned() {
+    let points = [[-0.4, 0.0], [0.0, 0.1], [0.4, 0.0], [0.0, -0.1]];
+    let marched = |turned: bool| {
+        let place = |[x, y]: [f64; 2]| if turned { [-y, x] } else { [x, y] };
+        let outline = bodies::polygon(&points.map(|point| Vector::from(place(point)))).unwrap();
+        let size = if turned { [0.5, 0.8] } else { [0.8, 0.5] };
+        let bounds = [size.map(|half: f64| -half), size];
+        let mut problem = stream(2.5, bounds, 0.025, vec![Arc::new(outline)]);
+        if turned {
+            problem.domain.sides.swap(0, 1);
+            problem.free_stream.velocity = Vector::<2>::new(0.0, 2.5);
+        }
+        let mut flow = FixedSimulation::new(problem).unwrap();
+        while flow.time() < 1.2 {
+            flow.step(1.2).unwrap();
+        }
+        let surface = flow.surface();
+        let each = surface.position.iter().zip(&surface.pressure);
+        let back = |x: &[f64; 3]| if turned { [x[1], -x[0]] } else { [x[0], x[1]] };
+        each.map(|(place, pressure)| (back(place), *pressure))
+            .collect::<Vec<_>>()
+    };
+    let (flow, turned) = (marched(false), marched(true));
+    let at = |walls: &[([f64; 2], f64)], place: [f64; 2]| {
+        let away = |x: &[f64; 2]| (x[0] - place[0]).hypot(x[1] - place[1]);
+        let nearest = walls
+            .iter()
+            .min_by(|a, b| away(&a.0).total_cmp(&away(&b.0)));
+        let (found, pressure) = nearest.unwrap();
+        assert!(away(found) < 1e-6);
+        *pressure
+    };
+    // The walls of the tips themselves are slivers.
+    let walls = flow.iter().filter(|([x, _], _)| x.abs() < 0.39);
+    for ([x, y], pressure) in walls {
+        assert!((at(&flow, [*x, -y]) / pressure - 1.0).abs() < 1e-6);
+        assert!((at(&turned, [*x, *y]) / pressure - 1.0).abs() < 1e-6);
+    }
+    // Behind an oblique shock and a fan of twice the angle, over the first cells behind the ridge (NACA Report 1135).
+    let behind = flow.iter().filter(|([x, _], _)| (0.02..0.1).contains(x));
+    for (place, pressure) in behind {
+        let off = pressure * 1.4 / RIDGE - 1.0;
+        assert!(off.abs() < 0.04, "{place:?}: {off}");
+    }
+}
+
+/// Pressure over the stream's at Mach 2.5 behind a shock that turns it by `atan(1 / 4)` and a fan that turns it back by twice that.
+const RIDGE: f64 = 0.363_51;
+
+/// A ramp that ends in a flat: a flow that turns to its wall and away from it comes to rest as soon as that over the ramp alone.
+#[test]
+fn flows_over_ramps_that_end_come_to_rest() {
+    let rise = 0.6 * f64::to_radians(15.0).tan();
+    for end in [[3.0, rise], [3.0, -0.25]] {
+        let points = [
+            [-3.0, 0.0],
+            [0.0, 0.0],
+            [0.6, rise],
+            end,
+            [3.0, -3.0],
+            [-3.0, -3.0],
+        ];
+        let outline = bodies::polygon(&points.map(Vector::from)).unwrap();
+        let bounds = [[-0.5, end[1].min(0.0)], [2.0, 1.2]];
+        let mut problem = stream(2.5, bounds, 0.05, vec![Arc::new(outline)]);
+        problem.domain.sides[1][0] = Side::Body;
+        let mut flow = FixedSimulation::new(problem).unwrap();
+        let settled = flow.settle(300).unwrap();
+        assert!(
+            settled.is_settled && settled.iterations < 110,
+            "{settled:?}"
+        );
+    }
+}
