@@ -6,7 +6,6 @@ use aero_validation::table::{Check, Subject};
 
 use super::{GAMMA, GAS_CONSTANT, NAME};
 use crate::compare::context::{CompareError, Context};
-use crate::compare::profiles::median;
 use crate::compare::scenes::{Source, scene};
 
 const SCENE: Source = scene!("hemisphere-viscous");
@@ -22,14 +21,14 @@ const NOSE: Nose = Nose {
     gamma: GAMMA,
     prandtl: 0.72,
 };
-/// Degrees around the nose that are read; heat falls there by less than a part in a hundred.
-const CAP: f64 = 6.0;
+/// Degrees around the nose that are read: over them the heat falls by a few parts in a hundred, its mean by one.
+const CAP: f64 = 10.0;
 /// Per cent.
 const ALLOWED: f64 = 10.0;
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     let mut checks = Vec::new();
-    for (cells, refine, is_judged) in [(256, 4, false), (512, 5, true)] {
+    for (cells, refine, is_judged) in [(256, 2, false), (512, 3, true)] {
         let what = format!(
             "hemisphere, M 6, Re_R 1e4, 300 K, {cells} cells to the radius: heat into the nose, W/m^2"
         );
@@ -45,7 +44,7 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
     Ok(checks)
 }
 
-/// Heat into the wall around the nose: the middle value of the panels there.
+/// Mean heat into the wall around the nose; cut cells scatter it by a tenth from panel to panel.
 fn heat(panels: &PanelFrame) -> f64 {
     let corners = panels.corners.max(1);
     let around = (0..panels.body.len()).filter(|&n| {
@@ -53,5 +52,37 @@ fn heat(panels: &PanelFrame) -> f64 {
         let middle = |axis: usize| own.iter().map(|at| at[axis]).sum::<f64>();
         middle(1).atan2(-middle(0)).abs().to_degrees() < CAP
     });
-    median(around.map(|n| -panels.heat_flux[n]))
+    let (heat, area) = around.fold((0.0, 0.0), |(heat, area), n| {
+        let own = panels.area[n];
+        (heat - panels.heat_flux[n] * own, area + own)
+    });
+    heat / area
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Panels of a degree each around the nose, as large as their rings: the inner five take 80, the outer five 100, all others give heat.
+    #[test]
+    fn heat_is_the_mean_over_the_rings_around_the_nose() {
+        let mut panels = PanelFrame {
+            corners: 2,
+            ..PanelFrame::default()
+        };
+        for k in 0..90 {
+            let at = |degrees: f64| {
+                let (sin, cos) = degrees.to_radians().sin_cos();
+                [-0.1 * cos, 0.1 * sin, 0.0]
+            };
+            let from = f64::from(k);
+            panels.points.extend([at(from), at(from + 1.0)]);
+            panels.area.push((from + 0.5).to_radians().sin());
+            let taken = if k < 5 { 80.0 } else { 100.0 };
+            panels.heat_flux.push(if k < 10 { -taken } else { 1e6 });
+            panels.body.push(0);
+        }
+        // The inner half of the degrees has a quarter of the area.
+        assert!((heat(&panels) - 95.0).abs() < 0.05, "{}", heat(&panels));
+    }
 }
