@@ -5,9 +5,10 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 39] = [
+const SMALL: [(&str, &[&str]); 42] = [
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
+    ("backward-step", &["end_time=0.5"]),
     ("becker", &["end_time=1.0"]),
     (
         "biconvex",
@@ -32,6 +33,10 @@ const SMALL: [(&str, &[&str]); 39] = [
     ("couette", &["end_time=1e-9", "stop=end-time"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     (
+        "cylinder-shedding",
+        &["end_time=3.0", "spacing=1.0", "scheme.refine=1"],
+    ),
+    (
         "cylinder-viscous",
         &["end_time=3.0", "stop=end-time", "scheme.refine=0"],
     ),
@@ -46,6 +51,15 @@ const SMALL: [(&str, &[&str]); 39] = [
         &[
             "end_time=2e-5",
             "spacing=0.1",
+            "stop=end-time",
+            "scheme.refine=0",
+        ],
+    ),
+    (
+        "hemisphere-viscous",
+        &[
+            "end_time=1e-5",
+            "spacing=0.0125",
             "stop=end-time",
             "scheme.refine=0",
         ],

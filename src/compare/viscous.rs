@@ -1,12 +1,16 @@
-//! Viscous flows with exact solutions: heated shear, a channel, the inside of a shock, vortices that decay, the boundary layer of a plate, and a wake.
+//! Viscous flows with exact solutions: heated shear, a channel, the inside of a shock, vortices that decay, the boundary layer of a plate, wakes; and flows that were
+//! measured: gas behind a step, heat into a nose.
 
 mod channel;
 mod cylinder;
+mod nose;
 mod particles;
 mod plate;
+mod reattachment;
 mod shear;
 mod shock;
 mod vortices;
+mod wake;
 
 use aero_validation::table::Check;
 
@@ -31,6 +35,9 @@ impl Compare for Viscous {
         checks.extend(cylinder::compare(context)?);
         if context.level == Level::Full {
             checks.extend(plate::compare(context)?);
+            checks.extend(reattachment::compare(context)?);
+            checks.extend(nose::compare(context)?);
+            checks.extend(wake::compare(context)?);
         }
         Ok(checks)
     }

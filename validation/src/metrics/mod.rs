@@ -17,6 +17,7 @@ pub mod line;
 pub mod order;
 pub mod plateau;
 pub mod profile;
+pub mod shedding;
 pub mod shock_line;
 pub mod stagnation;
 pub mod stand_off;
