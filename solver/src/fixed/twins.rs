@@ -14,8 +14,9 @@ use super::plot::{Plot, off_the_walls};
 use super::voronoi::Voronoi;
 use super::whole::Whole;
 
-/// Cosine between the normals of two faces below which the edge between them is sharp: one of less than about 84 degrees.
-const SHARP: f64 = -0.1;
+/// Cosine between the normals of two faces below which the edge between them is sharp: one of less than 60 degrees. Streams meet blunter ones with a
+/// bow shock, or leave them.
+const SHARP: f64 = -0.5;
 
 /// Walls smaller than this, in spacings to their power, are what rounding leaves of a face beyond the bisector.
 const SLIVER: f64 = 1e-6;
