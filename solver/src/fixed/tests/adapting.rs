@@ -174,6 +174,25 @@ fn cells_that_are_taken_over_are_those_that_are_cut_afresh() {
     }
 }
 
+/// A pair may come or go where points near it do, and its point has its site all along.
+#[test]
+fn a_cell_whose_point_has_moved_is_cut_afresh() {
+    let domain = domain([-1.0, -1.0], [1.0, 1.0]);
+    let scene = Scene::new(domain, vec![slender([-0.41, 0.53])], 0.125);
+    let plot = scene.plot();
+    let cloud = Cloud::lattice(&plot, &Levels::on(&plot), 0.0);
+    let fresh = built(&plot, &cloud);
+    let twins = cloud.places.iter().position(|place| place.site.is_none());
+    let mut earlier = cloud.clone();
+    earlier.places[twins.unwrap() - 1].position -= Vector::<2>::new(0.02, 0.01);
+    let before = built(&plot, &earlier);
+    assert_ne!(before.cells.volumes, fresh.cells.volumes);
+    let again = rebuilt(&plot, &cloud, &earlier, before.cut);
+    assert_eq!(again.cells.points, fresh.cells.points);
+    assert_eq!(again.cells.volumes, fresh.cells.volumes);
+    assert_eq!(again.cells.faces, fresh.cells.faces);
+}
+
 #[test]
 fn a_run_with_points_that_come_and_go_is_resumed_with_the_same_bits_on_any_number_of_threads() {
     let pool = |threads| {

@@ -62,6 +62,10 @@ fn a_point_at_a_sharp_edge_becomes_two() {
         // At the nose and at the tail.
         assert_eq!(twins.len(), 2, "{off}");
         for twin in twins {
+            for number in [twin - 1, twin] {
+                let away = scene.solids.distance(&made.cells.points[number]);
+                assert!(away > 0.029, "{off}: {away}");
+            }
             let [a, b] =
                 [twin - 1, twin].map(|number| made.cells.points[number] - Vector::y() * off);
             assert!(
