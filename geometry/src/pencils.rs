@@ -8,8 +8,6 @@ mod search;
 #[cfg(test)]
 mod tests;
 
-use rayon::slice::ParallelSliceMut;
-
 use crate::parallel::prelude::*;
 
 use crate::Vector;
@@ -28,14 +26,17 @@ pub struct Pencils<const D: usize> {
     /// Coordinate along the pencil per slot.
     along: Vec<f64>,
     order: Vec<u32>,
+    /// As the points are given.
     keys: Vec<Key>,
+    sorted: Vec<Key>,
 }
 
-#[derive(Clone, Copy, Debug)]
+#[derive(Clone, Copy, Debug, Default)]
 struct Key {
-    column: u32,
     /// Coordinate along the pencil, sign flipped in odd columns.
     along: f64,
+    rank: u64,
+    column: u32,
     point: u32,
 }
 
@@ -50,6 +51,7 @@ impl<const D: usize> Default for Pencils<D> {
             along: Vec::new(),
             order: Vec::new(),
             keys: Vec::new(),
+            sorted: Vec::new(),
         }
     }
 }
@@ -102,31 +104,49 @@ impl<const D: usize> Pencils<D> {
         rank: impl Fn(usize) -> u64 + Sync,
     ) {
         let mut keys = std::mem::take(&mut self.keys);
-        let key = |point| self.key(point, &position(point));
+        let key = |point| self.key(point, &position(point), rank(point));
         (0..count)
             .into_par_iter()
             .map(key)
             .collect_into_vec(&mut keys);
-        // The point's number breaks what ties are left, so the order is unique for any number of threads.
-        keys.par_sort_unstable_by(|a, b| {
-            a.column
-                .cmp(&b.column)
-                .then(a.along.total_cmp(&b.along))
-                .then_with(|| rank(a.point as usize).cmp(&rank(b.point as usize)))
-                .then(a.point.cmp(&b.point))
-        });
-        let sorted = keys.par_iter();
-        let order = sorted.map(|key| key.point);
-        order.collect_into_vec(&mut self.order);
-        sorted
-            .map(|key| key.along)
-            .collect_into_vec(&mut self.along);
-        let columns: usize = self.columns.iter().product();
-        (0..columns + 1)
-            .into_par_iter()
-            .map(|column| keys.partition_point(|key| (key.column as usize) < column) as u32)
-            .collect_into_vec(&mut self.start);
         self.keys = keys;
+        self.sort_keys();
+    }
+
+    /// Sorts the keys by column, and those of each column by coordinate, rank and number.
+    fn sort_keys(&mut self) {
+        let (keys, sorted) = (&self.keys, &mut self.sorted);
+        self.start.clear();
+        self.start
+            .resize(self.columns.iter().product::<usize>() + 1, 0);
+        for key in keys {
+            self.start[key.column as usize + 1] += 1;
+        }
+        for column in 1..self.start.len() {
+            self.start[column] += self.start[column - 1];
+        }
+        sorted.clear();
+        sorted.resize(keys.len(), Key::default());
+        let mut next = self.start.clone();
+        for key in keys {
+            let slot = &mut next[key.column as usize];
+            sorted[*slot as usize] = *key;
+            *slot += 1;
+        }
+        // The point's number breaks what ties are left, so the order is unique for any number of threads.
+        let columns = sorted.chunk_by_mut(|a, b| a.column == b.column);
+        let mut columns: Vec<_> = columns.collect();
+        columns.par_iter_mut().for_each(|column| {
+            column.sort_unstable_by(|a, b| {
+                (a.along.total_cmp(&b.along))
+                    .then(a.rank.cmp(&b.rank))
+                    .then(a.point.cmp(&b.point))
+            });
+        });
+        let order = sorted.par_iter().map(|key| key.point);
+        order.collect_into_vec(&mut self.order);
+        let along = sorted.par_iter().map(|key| key.along);
+        along.collect_into_vec(&mut self.along);
     }
 
     /// Point number at each slot.
@@ -192,7 +212,7 @@ impl<const D: usize> Pencils<D> {
         ((coordinate - self.origin[k]) * self.inverse_width).floor()
     }
 
-    fn key(&self, point: usize, position: &Vector<D>) -> Key {
+    fn key(&self, point: usize, position: &Vector<D>, rank: u64) -> Key {
         let mut cell = [0; D];
         for k in 0..D - 1 {
             let across = self.cell(k, position[k]) - self.first[k] as f64;
@@ -206,6 +226,7 @@ impl<const D: usize> Pencils<D> {
             } else {
                 along
             },
+            rank,
             point: point as u32,
         }
     }
