@@ -3,6 +3,7 @@
 //! One file per case, which declares a [`Comparison`](comparison::Comparison): scene, variants, rows,
 //! pictures. Exact solutions and metrics are not here.
 
+mod aerofoil;
 mod apollo;
 pub mod biconvex;
 mod comparison;
@@ -49,7 +50,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 24] = [
+static CASES: [Case; 25] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -70,6 +71,7 @@ static CASES: [Case; 24] = [
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),
+    ("aerofoil", &[&aerofoil::AEROFOIL]),
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
     ("cone-incidence", &[&inclined_cone::INCLINED_CONE]),

@@ -7,6 +7,7 @@ mod claim;
 mod coefficients;
 mod destination;
 mod error;
+mod far_field;
 mod outcome;
 mod outlets;
 mod probes;

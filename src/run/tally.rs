@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use super::{outlets, warmth};
+use super::{far_field, outlets, warmth};
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
@@ -232,6 +232,7 @@ impl Tally {
                 .clone()
                 .unwrap_or_else(|| warnings(&problem.bodies))
                 .into_iter()
+                .chain(far_field::warnings(problem, &loads))
                 .chain(outlets::warnings(problem, &frame))
                 .chain(warmth::warnings(problem, &frame))
                 .collect(),

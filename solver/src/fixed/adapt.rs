@@ -8,7 +8,7 @@ use super::carry;
 use super::cells::Cells;
 use super::cloud::{Cloud, Place};
 use super::columns::Columns;
-use super::given::given_faces;
+use super::given::Outside;
 use super::ground::{Ground, plot};
 use super::origins::origins;
 use super::quiet::Quiet;
@@ -149,7 +149,7 @@ impl<const D: usize> FixedSimulation<D> {
     fn replace_cells(&mut self, cells: Cells<D>, held: Vec<Conserved<D>>) -> Result<(), String> {
         let net = Self::net(&cells, &self.problem)?;
         self.quiet = Quiet::of(&net, &self.problem);
-        self.given = given_faces(&self.problem, &cells, &net);
+        self.outside = Outside::of(&self.problem, &cells, &net);
         let states = held
             .iter()
             .map(|held| held.primitive(&self.fluid.gas))

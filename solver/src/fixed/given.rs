@@ -3,15 +3,35 @@
 use aero_geometry::Vector;
 
 use super::FixedSimulation;
-use super::cells::Cells;
+use super::cells::{Cells, SideFace};
+use super::far_field::FarField;
 use super::net::{BLOCK, Net};
 use super::sides::Beyond;
 use crate::problem::{Given, Problem};
 use crate::sides::Place;
 
+/// What beyond the sides changes.
+#[derive(Clone, Debug)]
+pub struct Outside<const D: usize> {
+    /// Faces that gas in a given state is beyond.
+    given: Vec<GivenFace<D>>,
+    /// The stream that lift turns, if any.
+    pub far_field: Option<FarField<D>>,
+}
+
+impl<const D: usize> Outside<D> {
+    /// What is beyond the sides of `cells`, which stand in `net`.
+    pub fn of(problem: &Problem<D>, cells: &Cells<D>, net: &Net<D>) -> Self {
+        Self {
+            given: given_faces(problem, cells),
+            far_field: FarField::of(problem, cells, net),
+        }
+    }
+}
+
 /// A face that such gas is beyond.
 #[derive(Clone, Debug)]
-pub struct GivenFace<const D: usize> {
+struct GivenFace<const D: usize> {
     /// Block of its cell.
     block: usize,
     /// Its number there.
@@ -47,22 +67,26 @@ pub fn beyond_faces<const D: usize>(
     Ok(all)
 }
 
-/// The faces of `cells` that gas in a given state is beyond, where they stand in `net`.
-pub fn given_faces<const D: usize>(
-    problem: &Problem<D>,
+/// The faces of the sides of `cells`, each with the block that it stands in and its number there.
+pub fn standing<const D: usize>(
     cells: &Cells<D>,
-    net: &Net<D>,
-) -> Vec<GivenFace<D>> {
+) -> impl Iterator<Item = (usize, usize, &SideFace<D>)> {
+    let mut counts = vec![0; cells.points.len().div_ceil(BLOCK)];
+    cells.sides.iter().map(move |face| {
+        let block = face.i as usize / BLOCK;
+        counts[block] += 1;
+        (block, counts[block] - 1, face)
+    })
+}
+
+/// The faces of `cells` that gas in a given state is beyond.
+fn given_faces<const D: usize>(problem: &Problem<D>, cells: &Cells<D>) -> Vec<GivenFace<D>> {
     let openings = &problem.domain.openings;
     if openings.iter().all(|opening| opening.given.is_none()) {
         return Vec::new();
     }
-    let mut counts = vec![0; net.blocks.len()];
     let mut all = Vec::new();
-    for face in &cells.sides {
-        let block = face.i as usize / BLOCK;
-        let side = counts[block];
-        counts[block] += 1;
+    for (block, side, face) in standing(cells) {
         let place = (usize::from(face.axis), usize::from(face.end));
         let own = openings
             .iter()
@@ -86,7 +110,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// Shows the faces what is beyond them at `time`, and walls what drives the gas into them.
     pub(super) fn give(&mut self, time: f64) {
         self.push_walls(time);
-        for face in &self.given {
+        for face in &self.outside.given {
             let side = &mut self.net.blocks[face.block].sides[face.side];
             side.beyond = side.beyond.at(&face.given.at(&face.centre, time));
         }

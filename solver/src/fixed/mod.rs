@@ -21,6 +21,7 @@ mod departing;
 mod edges;
 mod energy;
 mod fan;
+mod far_field;
 mod filler;
 mod fluxes;
 mod folding;
@@ -95,7 +96,7 @@ use crate::vectors::Arch;
 use crate::walls::wall_sides;
 use columns::Columns;
 use gas::AnyGas;
-use given::{GivenFace, beyond_faces, given_faces};
+use given::{Outside, beyond_faces};
 use ground::Ground;
 use net::Net;
 use quiet::Quiet;
@@ -113,8 +114,7 @@ pub struct FixedSimulation<const D: usize> {
     /// What the points came from, where more may come.
     ground: Option<Box<Ground<D>>>,
     net: Net<D>,
-    /// Faces that gas in a given state is beyond.
-    given: Vec<GivenFace<D>>,
+    outside: Outside<D>,
     quiet: Quiet<D>,
     columns: Columns<D>,
     tally: Tally<D>,
@@ -191,7 +191,7 @@ impl<const D: usize> FixedSimulation<D> {
                 .into());
         }
         let net = Self::net(&cells, &problem)?;
-        let given = given_faces(&problem, &cells, &net);
+        let outside = Outside::of(&problem, &cells, &net);
         let gas = AnyGas::of(&problem.gas)?;
         let held = states.iter().map(|state| state.conserved(&gas)).collect();
         let mut simulation = Self {
@@ -211,7 +211,7 @@ impl<const D: usize> FixedSimulation<D> {
             points: cells.points,
             ground: None,
             net,
-            given,
+            outside,
             tally: Tally::default(),
             settling: Settling::default(),
             shown: Shown::default(),

@@ -63,6 +63,9 @@ pub struct Settling {
     first: f64,
     #[serde(default)]
     pace: Pace,
+    /// Circulation that the stream far away goes around the bodies with, clockwise; none before the first iteration.
+    #[serde(default)]
+    pub(super) circulation: Option<f64>,
     /// What was watched in the last iterations.
     pub(super) watched: Vec<Vec<f64>>,
     /// What changes of each of that are measured by.
@@ -88,6 +91,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// # Errors
     /// A [`Failure`] where a cell's state makes no sense any more.
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
+        self.turn_far_field();
         let courant = self.settling.pace.courant(self.settling.calm);
         let residual = self.sweep(courant)?;
         self.tally.steps += 1;

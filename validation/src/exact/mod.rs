@@ -15,6 +15,7 @@ pub mod flat_plate;
 pub mod hot_air;
 pub mod intake;
 pub mod isentropic;
+pub mod karman_trefftz;
 pub mod liquid;
 pub mod newtonian;
 pub mod noh;
