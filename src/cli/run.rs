@@ -43,6 +43,7 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     let destination = Destination {
         folder: &out,
         scene: &scene_lines,
+        noted: &scene.lines_from_anywhere(),
         resume: args.resume,
         overwrite: args.overwrite,
     };
@@ -82,7 +83,7 @@ fn run_case(
     interrupt: &Interrupt,
 ) -> Result<(), CommandError> {
     tell(&case);
-    let result = run_watched(case, destination, stopwatch, interrupt, None);
+    let result = run_watched(case, destination, stopwatch, interrupt, &mut |_| false);
     let folder = destination.folder.display();
     let go_on = if destination.folder.join(CHECKPOINT).exists() {
         "; the last checkpoint is kept: go on from it with `--resume`"

@@ -9,9 +9,12 @@ use super::error::FlyError;
 use super::figure::escaped;
 use super::flight::Flight;
 use super::level::Level;
-use super::polar_point::{Banded, Point};
+use super::polar_point::{Banded, Point, UNSEEN};
 use super::{curves, pictures, skins};
 use crate::output::write_json;
+
+/// Part of the surface behind which the body may be thinner than two cells: edges of wings always are.
+const EDGES: f64 = 0.1;
 
 /// What came of a flight.
 #[derive(Clone, Debug, Serialize)]
@@ -45,7 +48,10 @@ impl Report {
         levels: Vec<Level>,
         mut warnings: Vec<String>,
     ) -> Result<Self, FlyError> {
-        let point = Point::new(flight, &levels);
+        let thin = levels
+            .last()
+            .map_or(0.0, |level| skins::thin_part(flight, level.finest));
+        let point = Point::new(flight, &levels, thin);
         let point = point
             .ok_or_else(|| FlyError::Files("no run came far enough to tell anything".into()))?;
         warnings.extend(
@@ -54,6 +60,19 @@ impl Report {
                 .into_iter()
                 .flat_map(|level| level.warnings.clone()),
         );
+        if let Some(level) = levels.last().filter(|_| thin > EDGES) {
+            let wide = if thin > UNSEEN {
+                "; bands are three times what all runs differ by, for none of them has seen its shape"
+            } else {
+                ""
+            };
+            warnings.push(format!(
+                "behind {:.0} % of the surface the body is thinner than two of the finest cells, {:.2e} m each: give more --minutes, or a \
+                 smaller --spacing{wide}",
+                100.0 * thin,
+                level.finest
+            ));
+        }
         for level in &levels {
             if !level.settled {
                 warnings.push(format!(

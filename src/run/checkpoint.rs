@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use super::same::is_same_line;
 use super::steady::Monitor;
 use super::swing::Swing;
 use super::tally::Sums;
@@ -89,7 +90,7 @@ fn difference(earlier: &str, now: &str, has_monitor: bool) -> Option<String> {
         |line: &str| line.starts_with("end_time = ") || (is_freed && line.starts_with("stop = "));
     let missing = |from: &str, other: &str| {
         let mut lines = from.lines().filter(|line| !is_free(line));
-        let line = lines.find(|line| !other.lines().any(|l| l == *line));
+        let line = lines.find(|line| !other.lines().any(|l| is_same_line(l, line)));
         line.map(str::to_owned)
     };
     match (missing(earlier, now), missing(now, earlier)) {

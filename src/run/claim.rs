@@ -5,6 +5,7 @@ use std::path::Path;
 
 use super::destination::Destination;
 use super::error::RunError;
+use super::same::is_same;
 use crate::output::OutputError;
 
 /// Held while a run writes. The system lets go of it when the process ends, however that comes about.
@@ -59,13 +60,14 @@ impl Claim {
     /// A folder that takes no files.
     pub(super) fn note(destination: &Destination<'_>) -> Result<(), OutputError> {
         let path = destination.folder.join(SCENE);
-        std::fs::write(&path, destination.scene).map_err(|error| OutputError::new(&path, error))
+        std::fs::write(&path, destination.noted).map_err(|error| OutputError::new(&path, error))
     }
 }
 
 /// True where the results in `folder` are those of `scene`, a line for each value.
 pub fn is_of(folder: &Path, scene: &str) -> bool {
-    std::fs::read_to_string(folder.join(SCENE)).ok().as_deref() == Some(scene)
+    let noted = std::fs::read_to_string(folder.join(SCENE));
+    noted.is_ok_and(|noted| is_same(&noted, scene))
 }
 
 /// True where a run of another scene has left results.
