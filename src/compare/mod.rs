@@ -12,6 +12,7 @@ pub mod cylinder;
 pub mod double_mach;
 mod duct;
 mod expansion;
+mod fly;
 mod free;
 mod inclined_cone;
 mod intake;
@@ -49,7 +50,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 24] = [
+static CASES: [Case; 25] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -77,6 +78,7 @@ static CASES: [Case; 24] = [
     ("free", &[&free::FreeBodies]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),
+    ("fly", &[&fly::Flights]),
 ];
 
 /// Cases that run only where they are named: they show where the method ends, and some of their rows

@@ -13,7 +13,7 @@ use super::skins;
 
 /// Columns of pixels of a plane, and pixels, at most: a wing's span is many times what is shown of its chord.
 const COLUMNS: usize = 760;
-const PIXELS: f64 = 4e5;
+const PIXELS: f64 = 2.5e5;
 
 /// Looks at a body: what it is called, degrees about the vertical and upwards, axes' names.
 const EYES: [(&str, f64, f64, [&str; 2]); 2] = [
@@ -175,7 +175,7 @@ mod tests {
 
     #[test]
     fn windows_of_any_shape_take_so_many_pixels_at_most() {
-        assert_eq!(columns([2.0, 1.0]), COLUMNS);
+        assert_eq!(columns([4.0, 1.0]), COLUMNS);
         for high in [2.0, 5.0, 40.0] {
             let wide = columns([1.0, high]) as f64;
             assert!(wide * wide * high <= PIXELS && wide > 50.0, "{wide}");

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use super::body_view::Skin;
 use super::error::FlyError;
 use super::figure::escaped;
 use super::flight::Flight;
@@ -35,6 +36,9 @@ pub struct Report {
     pub levels: Vec<Level>,
     /// What the user should know.
     pub warnings: Vec<String>,
+    /// The surface by how many of the finest cells lie across the body.
+    #[serde(skip)]
+    thickness: Skin,
 }
 
 impl Report {
@@ -48,9 +52,11 @@ impl Report {
         levels: Vec<Level>,
         mut warnings: Vec<String>,
     ) -> Result<Self, FlyError> {
-        let thin = levels
+        let thickness = levels
             .last()
-            .map_or(0.0, |level| skins::thin_part(flight, level.finest));
+            .map(|level| skins::by_thickness(flight, level.finest))
+            .unwrap_or_default();
+        let [thin, _] = skins::thin_parts(&thickness);
         let point = Point::new(flight, &levels, thin);
         let point = point
             .ok_or_else(|| FlyError::Files("no run came far enough to tell anything".into()))?;
@@ -97,6 +103,7 @@ impl Report {
             moment_centre: flight.centre(),
             levels,
             warnings,
+            thickness,
         })
     }
 
@@ -239,8 +246,7 @@ fn page(flight: &Flight, report: &Report, folder: &Path) -> Result<String, FlyEr
             "Convergence",
             &format!("<figure>{curves}</figure>{}", runs(report)),
         );
-        let skin = skins::by_thickness(flight, level.finest);
-        let [two, four] = skins::thin_parts(&skin).map(|part| 100.0 * part);
+        let [two, four] = skins::thin_parts(&report.thickness).map(|part| 100.0 * part);
         let says = format!(
             "<p>Behind {two:.1} % of the surface the body is thinner than two of the finest cells, behind {four:.1} % than four; yellow is \
              {} and more.</p>",
@@ -248,7 +254,7 @@ fn page(flight: &Flight, report: &Report, folder: &Path) -> Result<String, FlyEr
         );
         part(
             "How finely thin parts are resolved",
-            &(says + &abreast(&pictures::thickness(&skin))),
+            &(says + &abreast(&pictures::thickness(&report.thickness))),
         );
     }
     page.push_str("</body></html>\n");

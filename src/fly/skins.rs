@@ -105,11 +105,6 @@ pub fn by_thickness(flight: &Flight, finest: f64) -> Skin {
     }
 }
 
-/// Part of the surface, by area, behind which fewer than two cells of that size lie.
-pub fn thin_part(flight: &Flight, finest: f64) -> f64 {
-    thin_parts(&by_thickness(flight, finest))[0]
-}
-
 /// Parts of the surface, by area, behind which fewer than two and fewer than four of the finest cells lie.
 pub fn thin_parts(skin: &Skin) -> [f64; 2] {
     let mut sums = [0.0; 2];

@@ -21,7 +21,7 @@ const MOST_CELLS: f64 = 1.5e6;
 const MINUTES: f64 = 10.0;
 
 /// Runs at most: what a cheap first one leaves of the budget goes to finer ones.
-const MOST_RUNS: usize = 6;
+const MOST_RUNS: usize = 8;
 
 /// So often a run that failed is tried on another lattice, this much finer.
 const TRIES: usize = 4;
