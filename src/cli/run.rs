@@ -37,7 +37,10 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     let earlier = (!args.overwrite).then_some(out.as_path());
     let scene = on_threads(args.scene.threads, || turned_into_points(scene, earlier))?;
     let scene_lines = scene.lines();
-    if args.resume && !out.join(CHECKPOINT).exists() && has_ended(&out, &scene_lines)? {
+    if args.resume
+        && !out.join(CHECKPOINT).exists()
+        && has_ended(&out, &scene.lines_from_anywhere())?
+    {
         return Ok(());
     }
     let destination = Destination {

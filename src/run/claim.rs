@@ -5,7 +5,6 @@ use std::path::Path;
 
 use super::destination::Destination;
 use super::error::RunError;
-use super::same::is_same;
 use crate::output::OutputError;
 
 /// Held while a run writes. The system lets go of it when the process ends, however that comes about.
@@ -44,7 +43,7 @@ impl Claim {
             Some((_, file)) => Some(file),
             None => None,
         };
-        if !destination.resume && !destination.overwrite && holds_another(folder, destination.scene)
+        if !destination.resume && !destination.overwrite && holds_another(folder, destination.noted)
         {
             return Err(RunError::Occupied(format!(
                 "`{}` holds the results of another run; give `--out` another folder, or `--overwrite`",
@@ -64,10 +63,9 @@ impl Claim {
     }
 }
 
-/// True where the results in `folder` are those of `scene`, a line for each value.
+/// True where the results in `folder` are those of `scene`, a line for each value, its paths whole.
 pub fn is_of(folder: &Path, scene: &str) -> bool {
-    let noted = std::fs::read_to_string(folder.join(SCENE));
-    noted.is_ok_and(|noted| is_same(&noted, scene))
+    std::fs::read_to_string(folder.join(SCENE)).ok().as_deref() == Some(scene)
 }
 
 /// True where a run of another scene has left results.
