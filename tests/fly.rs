@@ -130,6 +130,40 @@ fn a_scene_is_written_as_it_would_be_run() {
 }
 
 #[test]
+fn a_spacing_far_below_the_body_is_halved_down_to_and_its_time_is_one_that_can_be() {
+    let place = Workplace::new();
+    place.write("cone.stl", cone(36));
+    let told = |spacing: &str| {
+        let asked = ["fly", "cone.stl", "--mach", "3", "--incidence", "2"];
+        let more = ["--spacing", spacing, "--scene", "it.toml"];
+        let answer = place.aero(&[&asked[..], &more].concat());
+        answer.succeeds();
+        let scene = std::fs::read_to_string(place.path("it.toml")).expect("a scene");
+        let scene: toml::Table = scene.parse().expect("TOML");
+        let number = |value: &toml::Value| {
+            let whole = value.as_integer().map(|n| n as f64);
+            whole.or(value.as_float()).expect("a number")
+        };
+        let halvings = number(&scene["scheme"]["refine"]);
+        let finest = number(&scene["spacing"]) / 2_f64.powf(halvings);
+        let asked: f64 = spacing.parse().expect("a number");
+        assert!((finest / asked - 1.0).abs() < 1e-9, "{finest}");
+        (halvings, answer.out)
+    };
+    assert_eq!(told("0.05").0, 1.0);
+    let (halvings, out) = told("0.002");
+    assert!(halvings >= 3.0, "{halvings}");
+    // Hours, not months, and how to ask for less.
+    let time = out.split("will take about ").nth(1).expect("a time");
+    let minutes: f64 = time
+        .split(' ')
+        .next()
+        .and_then(|n| n.parse().ok())
+        .expect(time);
+    assert!(minutes < 3000.0 && out.contains("--minutes N"), "{out}");
+}
+
+#[test]
 fn what_cannot_be_flown_is_refused_with_the_mend() {
     let place = Workplace::new();
     place.write("cone.stl", cone(12));

@@ -111,3 +111,61 @@ fn a_scene_converges_to_oblique_shock_theory() {
     assert!((value / exact - 1.0).abs() < 0.01, "{value} {exact}");
     place.aero(&arguments).refuses(&["study", "--overwrite"]);
 }
+
+/// A triangle from a file beside the scene.
+const OUTLINE: &str = r#"
+dimension = 2
+spacing = 0.1
+end_time = 0.02
+
+[free_stream]
+mach = 2.0
+density = 1.0
+pressure = 0.7142857142857143
+
+[domain]
+min = [-1.0, -1.0]
+max = [2.0, 1.0]
+
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+y_min = "free-stream"
+y_max = "free-stream"
+
+[[body]]
+name = "vane"
+shape = { polygon_file = { file = "outlines/vane.txt" } }
+"#;
+
+#[test]
+fn a_scene_that_was_run_runs_again_from_anywhere() {
+    let place = Workplace::new();
+    for folder in ["scenes/outlines", "elsewhere"] {
+        std::fs::create_dir_all(place.path(folder)).expect("a folder");
+    }
+    place.write("scenes/scene.toml", OUTLINE);
+    place.write("scenes/outlines/vane.txt", "0 0\n0.8 -0.4\n0.8 0.4\n");
+    let run = ["run", "scenes/scene.toml", "--out", "results"];
+    place.aero(&run).succeeds();
+    std::fs::rename(
+        place.path("results/run.toml"),
+        place.path("elsewhere/it.toml"),
+    )
+    .expect("a scene");
+    place
+        .aero(&["run", "elsewhere/it.toml", "--out", "again"])
+        .succeeds();
+    let [one, other] = ["results", "again"]
+        .map(|folder| std::fs::read(place.path(&format!("{folder}/history.csv"))).expect("rows"));
+    assert_eq!(one, other);
+    // Whole paths and their ends are the same scene, another file is another one.
+    place
+        .aero(&["run", "scenes/scene.toml", "--out", "again"])
+        .succeeds();
+    place.write("scenes/vane.txt", "0 0\n0.7 -0.4\n0.8 0.4\n");
+    let other = "body.vane.shape={polygon_file={file=\"vane.txt\"}}";
+    place
+        .aero(&["run", "scenes/scene.toml", "--out", "again", "--set", other])
+        .refuses(&["another run", "--overwrite"]);
+}

@@ -53,6 +53,24 @@ fn column(history: &str, name: &str) -> Vec<f64> {
 }
 
 #[test]
+fn a_swing_of_less_than_a_spacing_is_told() {
+    let place = Workplace::new();
+    // Heavy, and at rest but for what the gas does.
+    let told = |mass: &str, end: &str| {
+        let settings = ["--set", mass, "--set", end];
+        place.run(DISC, &settings).succeeds();
+        let summary = place.json("results/summary.json");
+        let warnings = summary["warnings"].as_array().expect("a list").clone();
+        let texts = warnings.iter().filter_map(|text| text.as_str());
+        texts
+            .filter(|text| text.contains("rows of gas do not follow"))
+            .count()
+    };
+    assert_eq!(told("body.disc.motion.free.mass=20", "end_time=1"), 1);
+    assert_eq!(told("body.disc.motion.free.mass=0.2", "end_time=2"), 0);
+}
+
+#[test]
 fn a_disc_that_a_shock_blows_away_moves_by_its_own_force() {
     let place = Workplace::new();
     let answer = place.run(DISC, &[]);

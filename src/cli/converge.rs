@@ -139,15 +139,18 @@ fn run(
     let destination = Destination {
         folder,
         scene: &lines,
+        noted: &scene.lines_from_anywhere(),
         resume: false,
         overwrite: true,
     };
-    run_watched(case, destination, stopwatch, interrupt, None).map_err(|error| match error {
-        RunError::SetUp(_) | RunError::Resume(_) | RunError::Occupied(_) => {
-            CommandError::wrong(error)
-        }
-        _ => CommandError::failed(error),
-    })
+    run_watched(case, destination, stopwatch, interrupt, &mut |_| false).map_err(
+        |error| match error {
+            RunError::SetUp(_) | RunError::Resume(_) | RunError::Occupied(_) => {
+                CommandError::wrong(error)
+            }
+            _ => CommandError::failed(error),
+        },
+    )
 }
 
 /// True where loads came to rest, or a run through time to its end.

@@ -1,5 +1,8 @@
 //! `aero fly`: a body from its file to drag, lift and a report, in one command.
 
+mod budget;
+mod family;
+mod telling;
 pub mod trip;
 
 use std::path::PathBuf;
@@ -57,12 +60,16 @@ enum MotionWord {
 /// Cells of the box at which the first look is taken.
 const LOOK: [f64; 2] = [1_200.0, 5_000.0];
 
-/// A flight with room for its shocks, and the spacing at which a first look is taken.
-pub fn prepared(wishes: Wishes) -> Result<(Flight, f64), CommandError> {
+/// A flight with room for its shocks, with the halvings that the finest `spacing` asks for where one is given; and the spacing at which a
+/// first look is taken.
+pub fn prepared(wishes: Wishes, spacing: Option<f64>) -> Result<(Flight, f64), CommandError> {
     let mut flight = Flight::new(wishes).map_err(CommandError::wrong)?;
     let cells = LOOK[usize::from(flight.dimension() == 3)];
     flight.widen(cells);
     let look = flight.spacing_of(cells);
+    if let Some(finest) = spacing {
+        flight.deepen(finest, look);
+    }
     Ok((flight, look))
 }
 
@@ -76,7 +83,7 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
             .how
             .wishes(&args.body, [args.mach, args.incidence, args.sideslip])
     };
-    let (flight, look) = prepared(wishes)?;
+    let (flight, look) = prepared(wishes, args.how.spacing)?;
     let words = words(&flight);
     for line in &words {
         say!("{line}");
@@ -102,7 +109,7 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
         }
         make_folder(&out).map_err(CommandError::wrong)?;
         let (levels, failures) = trip.runs(&family, &out, &interrupt)?;
-        let mut warnings = trip.warnings(&levels);
+        let mut warnings = telling::warnings(&flight);
         warnings.extend(failures);
         let report = Report::new(&flight, words, levels, warnings).map_err(CommandError::failed)?;
         fly::write_report(&flight, &report, &out).map_err(CommandError::failed)?;

@@ -74,5 +74,5 @@ fn as_before(scene: &Scene, folder: &Path) -> Option<Scene> {
         None => setting,
     })
     .ok()?;
-    is_of(folder, &same.lines()).then_some(same)
+    is_of(folder, &same.lines_from_anywhere()).then_some(same)
 }

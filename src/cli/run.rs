@@ -37,12 +37,16 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
     let earlier = (!args.overwrite).then_some(out.as_path());
     let scene = on_threads(args.scene.threads, || turned_into_points(scene, earlier))?;
     let scene_lines = scene.lines();
-    if args.resume && !out.join(CHECKPOINT).exists() && has_ended(&out, &scene_lines)? {
+    if args.resume
+        && !out.join(CHECKPOINT).exists()
+        && has_ended(&out, &scene.lines_from_anywhere())?
+    {
         return Ok(());
     }
     let destination = Destination {
         folder: &out,
         scene: &scene_lines,
+        noted: &scene.lines_from_anywhere(),
         resume: args.resume,
         overwrite: args.overwrite,
     };
@@ -82,7 +86,7 @@ fn run_case(
     interrupt: &Interrupt,
 ) -> Result<(), CommandError> {
     tell(&case);
-    let result = run_watched(case, destination, stopwatch, interrupt, None);
+    let result = run_watched(case, destination, stopwatch, interrupt, &mut |_| false);
     let folder = destination.folder.display();
     let go_on = if destination.folder.join(CHECKPOINT).exists() {
         "; the last checkpoint is kept: go on from it with `--resume`"

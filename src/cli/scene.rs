@@ -2,11 +2,10 @@
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use aero::case::AnyCase;
 use aero::output::Summary;
-use aero::run::{Destination, RunError, Stopwatch, run_any};
+use aero::run::{Destination, Progress, RunError, Stopwatch, run_any};
 use aero::scene::Scene;
 use clap::Args;
 
@@ -62,7 +61,7 @@ pub fn tell(case: &AnyCase) {
     }
 }
 
-/// Runs a case with its progress shown, until an interrupt or `deadline`.
+/// Runs a case with its progress shown, until an interrupt or until `is_late` says so.
 ///
 /// # Errors
 /// As of [`run_any`].
@@ -71,15 +70,16 @@ pub fn run_watched(
     destination: Destination<'_>,
     stopwatch: Stopwatch,
     interrupt: &Interrupt,
-    deadline: Option<Instant>,
+    is_late: &mut dyn FnMut(Progress) -> bool,
 ) -> Result<Summary, RunError> {
     let mut display = Display::of_run();
     let result = run_any(case, destination, stopwatch, &mut |progress| {
         interrupt.hold(true);
         display.show(progress);
-        match deadline {
-            Some(end) if Instant::now() >= end => ControlFlow::Break(()),
-            _ => interrupt.wish(),
+        if is_late(progress) {
+            ControlFlow::Break(())
+        } else {
+            interrupt.wish()
         }
     });
     interrupt.hold(false);

@@ -13,6 +13,7 @@ pub mod cylinder;
 pub mod double_mach;
 mod duct;
 mod expansion;
+mod fly;
 mod free;
 mod inclined_cone;
 mod intake;
@@ -50,7 +51,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 25] = [
+static CASES: [Case; 26] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -79,6 +80,7 @@ static CASES: [Case; 25] = [
     ("free", &[&free::FreeBodies]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),
+    ("fly", &[&fly::Flights]),
 ];
 
 /// Cases that run only where they are named: they show where the method ends, and some of their rows

@@ -43,15 +43,25 @@ impl Costs {
         }
     }
 
+    /// What a run takes over one that is coarser by the ratio.
+    pub fn step(self) -> f64 {
+        self.ratio.powf(self.power)
+    }
+
+    /// Spacing of a family's coarsest run over that of its finest.
+    pub fn coarsest(self) -> f64 {
+        self.ratio.powi(FAMILY as i32 - 1)
+    }
+
     /// Seconds of a family whose coarsest takes `first`.
     pub fn of_family(self, first: f64) -> f64 {
-        let step = self.ratio.powf(self.power);
+        let step = self.step();
         (0..FAMILY as i32).map(|n| first * step.powi(n)).sum()
     }
 
     /// What a run takes of the time that it and so many finer ones take.
     pub fn share(self, finer: usize) -> f64 {
-        let step = self.ratio.powf(self.power);
+        let step = self.step();
         1.0 / (0..=finer as i32).map(|n| step.powi(n)).sum::<f64>()
     }
 

@@ -51,6 +51,30 @@ pub fn extrapolate(runs: &[(f64, f64)]) -> Extrapolated {
     }
 }
 
+/// From runs that show no trend: the last value, and three times what all of them differ by.
+pub fn beyond(runs: &[(f64, f64)]) -> Extrapolated {
+    let [most, least] = ends(runs);
+    let last = runs.last().map_or(f64::NAN, |run| run.1);
+    Extrapolated {
+        value: last,
+        band: if runs.len() < 2 {
+            f64::INFINITY
+        } else {
+            UNSAFE * (most - least)
+        },
+        order: None,
+    }
+}
+
+/// The largest and the least value.
+fn ends(runs: &[(f64, f64)]) -> [f64; 2] {
+    let values = runs.iter().map(|run| run.1);
+    [
+        values.clone().fold(f64::MIN, f64::max),
+        values.fold(f64::MAX, f64::min),
+    ]
+}
+
 /// With the last three of `runs`.
 fn of_many(runs: &[(f64, f64)], [first, before, last]: [(f64, f64); 3]) -> Extrapolated {
     let order = observed_order(runs);
@@ -70,11 +94,7 @@ fn of_many(runs: &[(f64, f64)], [first, before, last]: [(f64, f64); 3]) -> Extra
         };
     }
     // Mean change from run to run: what scatters by less can be trusted to show a trend.
-    let (most, least) = runs
-        .iter()
-        .fold((f64::MIN, f64::MAX), |(most, least), run| {
-            (most.max(run.1), least.min(run.1))
-        });
+    let [most, least] = ends(runs);
     let change = (most - least) / (runs.len() - 1) as f64;
     let bands = [1.0, 2.0].map(|p| {
         let fit = Fit::new(runs, p);
@@ -224,6 +244,17 @@ mod tests {
         assert_eq!(away.value, 1.3);
         assert!(away.band > 0.5);
         assert!(extrapolate(&[(0.1, 1.0)]).band.is_infinite());
+    }
+
+    /// Values that go away from where they must come to, as those of a plate do that is as thin as a cell.
+    #[test]
+    fn runs_that_have_not_seen_the_body_have_a_band_as_wide_as_all_their_differences() {
+        let runs = [(0.4, 4.67), (0.3, 4.78), (0.22, 4.99), (0.15, 5.07)];
+        let found = beyond(&runs);
+        assert_eq!((found.value, found.order), (5.07, None));
+        assert!((found.band - 1.2).abs() < 1e-9, "{found:?}");
+        assert!(extrapolate(&runs).band < 0.5);
+        assert!(beyond(&runs[..1]).band.is_infinite());
     }
 
     #[test]

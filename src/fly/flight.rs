@@ -7,16 +7,21 @@ use std::sync::Arc;
 
 use aero_geometry::{Bounds, Placed, Shape, Vector, Watch, files};
 use aero_packer::thinnest_part;
+use aero_solver::method::Refine;
 
 use super::attitude::{Attitude, Axes};
 use super::domain;
 use super::error::FlyError;
+use super::estimate::Costs;
 use super::meridian::meridian;
 use super::silhouette;
 use crate::scene::shapes::{StlEntry, Unit};
 
 /// Cells that a captured shock is thick, and as many before it.
 const THICK: f64 = 5.0;
+
+/// Cells behind a body before the end of the box: of fewer the outlet feels the body.
+const BEHIND: f64 = 2.5;
 
 /// A mirrored corner may be off the surface by this part of the body's least extent: facets around a round body need not match.
 const MIRROR: f64 = 5e-3;
@@ -94,6 +99,8 @@ pub struct Flight {
     pub repairs: Vec<String>,
     /// Box of the flow.
     region: Bounds<3>,
+    /// Halvings of the spacing near body and shocks.
+    halvings: u8,
 }
 
 impl Flight {
@@ -133,7 +140,13 @@ impl Flight {
             Extent::Space(_) => silhouette::frontal_area(shape.as_ref(), &bounds),
         });
         let region = domain::around(&bounds, wishes.mach, [wishes.incidence, wishes.sideslip]);
+        let halvings = match (wishes.with_the_gas, &extent) {
+            (true, _) => 0,
+            (false, Extent::Meridian(_)) => 2,
+            (false, Extent::Space(_)) => 1,
+        };
         Ok(Self {
+            halvings,
             thinnest: thinnest_part(shape.as_ref(), &bounds),
             region,
             area,
@@ -157,10 +170,18 @@ impl Flight {
 
     /// Halvings of the spacing near body and shocks.
     pub fn halvings(&self) -> u8 {
-        match (self.wishes.with_the_gas, self.dimension()) {
-            (true, _) => 0,
-            (false, 2) => 2,
-            (false, _) => 1,
+        self.halvings
+    }
+
+    /// As many more halvings as let the coarsest run of a family down to `finest` be no finer than `look` away from body and shocks.
+    pub fn deepen(&mut self, finest: f64, look: f64) {
+        if self.wishes.with_the_gas {
+            return;
+        }
+        let coarser = Costs::new(self.dimension(), false).coarsest();
+        let first = |halvings: u8| finest * coarser * f64::from(1_u32 << halvings);
+        while self.halvings < Refine::DEEPEST && first(self.halvings + 1) <= look {
+            self.halvings += 1;
         }
     }
 
@@ -196,9 +217,13 @@ impl Flight {
         region
     }
 
-    /// Gives shocks ahead of the body room for their thickness at a spacing at which the box is that many cells.
+    /// Gives shocks ahead of the body room for their thickness at a spacing at which the box is that many cells, and the gas behind it a few
+    /// of these.
     pub fn widen(&mut self, cells: f64) {
-        self.region.min[0] -= THICK * self.spacing_of(cells) / f64::from(1_u32 << self.halvings());
+        let spacing = self.spacing_of(cells);
+        self.region.min[0] -= THICK * spacing / f64::from(1_u32 << self.halvings());
+        let least = self.bounds.max[0] + BEHIND * spacing;
+        self.region.max[0] = self.region.max[0].max(least);
     }
 
     /// A spacing at which the box is that many cells.

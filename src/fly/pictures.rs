@@ -11,8 +11,9 @@ use super::read::{self, Points};
 use super::section::{Plane, range};
 use super::skins;
 
-/// Columns of pixels of a plane.
+/// Columns of pixels of a plane, and pixels, at most: a wing's span is many times what is shown of its chord.
 const COLUMNS: usize = 760;
+const PIXELS: f64 = 2.5e5;
 
 /// Looks at a body: what it is called, degrees about the vertical and upwards, axes' names.
 const EYES: [(&str, f64, f64, [&str; 2]); 2] = [
@@ -121,11 +122,16 @@ pub(super) fn planes(flight: &Flight, level: &Level) -> Result<Vec<String>, FlyE
             at: 0.0,
             window: [[region.min[0], region.max[0]], up],
             mirrored,
-            columns: COLUMNS,
+            columns: columns([region.max[0] - region.min[0], up[1] - up[0]]),
         };
         found.extend(plane_figures(flight, &gas, &plane));
     }
     Ok(found)
+}
+
+/// Columns of pixels of a window so wide and high.
+fn columns([wide, high]: [f64; 2]) -> usize {
+    COLUMNS.min((PIXELS * wide / high).sqrt() as usize)
 }
 
 fn plane_figures(flight: &Flight, gas: &Points, plane: &Plane) -> Vec<String> {
@@ -137,12 +143,11 @@ fn plane_figures(flight: &Flight, gas: &Points, plane: &Plane) -> Vec<String> {
     let axes = [labels[0].as_str(), labels[1].as_str()];
     let angles = [0.0, flight.wishes.incidence, flight.wishes.sideslip].map(f64::to_radians);
     let stream = Some([1.0, angles[plane.axes[1]].tan()]);
-    let mach = plane.field(gas, "mach", is_plane, Some(shape));
-    let density = plane.field(gas, "density", is_plane, Some(shape));
-    let range = mach.range();
+    let field = plane.field(gas, ["mach", "density"], is_plane, Some(shape));
+    let range = field.range();
     vec![
         Figure {
-            picture: &mach.coloured(range),
+            picture: &field.coloured(range),
             window: plane.window,
             axes,
             bar: Some(("Mach number", range)),
@@ -151,7 +156,7 @@ fn plane_figures(flight: &Flight, gas: &Points, plane: &Plane) -> Vec<String> {
         }
         .html(),
         Figure {
-            picture: &density.schlieren(),
+            picture: &field.schlieren(),
             window: plane.window,
             axes,
             bar: None,
@@ -162,4 +167,18 @@ fn plane_figures(flight: &Flight, gas: &Points, plane: &Plane) -> Vec<String> {
         }
         .html(),
     ]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn windows_of_any_shape_take_so_many_pixels_at_most() {
+        assert_eq!(columns([4.0, 1.0]), COLUMNS);
+        for high in [2.0, 5.0, 40.0] {
+            let wide = columns([1.0, high]) as f64;
+            assert!(wide * wide * high <= PIXELS && wide > 50.0, "{wide}");
+        }
+    }
 }

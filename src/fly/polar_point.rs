@@ -2,12 +2,16 @@
 
 use serde::Serialize;
 
-use super::extrapolate::extrapolate;
+use super::extrapolate::{beyond, extrapolate};
 use super::flight::Flight;
 use super::level::{Coefficients, Level};
 
 /// Ratio of specific heats of air.
 const GAMMA: f64 = 1.4;
+
+/// Part of the surface behind which a body is thinner than two cells, above which no trend of its runs is believed: they are runs of as many
+/// bodies of other thicknesses.
+pub(super) const UNSEEN: f64 = 0.5;
 
 /// A value and where half the width of its band comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -89,15 +93,23 @@ pub struct Bands {
 }
 
 impl Point {
-    /// From runs, coarse to fine; none of no runs.
-    pub fn new(flight: &Flight, levels: &[Level]) -> Option<Self> {
+    /// From runs, coarse to fine, of a body that is thinner than two of the finest cells behind the part `thin` of its surface; none of
+    /// no runs.
+    pub fn new(flight: &Flight, levels: &[Level], thin: f64) -> Option<Self> {
         let last = levels.last()?;
+        let at_none = |runs: &[(f64, f64)]| {
+            if thin > UNSEEN {
+                beyond(runs)
+            } else {
+                extrapolate(runs)
+            }
+        };
         let banded = |of: fn(&Coefficients) -> f64, model: f64| {
             let runs: Vec<(f64, f64)> = levels
                 .iter()
                 .map(|l| (l.spacing, of(&l.coefficients)))
                 .collect();
-            let found = extrapolate(&runs);
+            let found = at_none(&runs);
             let settling = of(&last.swing).abs();
             let packing = last.open * found.value.abs();
             Banded {
@@ -124,7 +136,7 @@ impl Point {
             .iter()
             .filter_map(|level| Some((level.spacing, centre(flight, &level.coefficients)?)))
             .collect();
-        let centre = (centres.len() == levels.len()).then(|| extrapolate(&centres));
+        let centre = (centres.len() == levels.len()).then(|| at_none(&centres));
         let has_lift = flight.dimension() == 3 && bands.cl.value.abs() > 1e-6;
         Some(Self {
             mach,

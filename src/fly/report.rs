@@ -5,13 +5,17 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use super::body_view::Skin;
 use super::error::FlyError;
 use super::figure::escaped;
 use super::flight::Flight;
 use super::level::Level;
-use super::polar_point::{Banded, Point};
+use super::polar_point::{Banded, Point, UNSEEN};
 use super::{curves, pictures, skins};
 use crate::output::write_json;
+
+/// Part of the surface behind which the body may be thinner than two cells: edges of wings always are.
+const EDGES: f64 = 0.1;
 
 /// What came of a flight.
 #[derive(Clone, Debug, Serialize)]
@@ -32,6 +36,9 @@ pub struct Report {
     pub levels: Vec<Level>,
     /// What the user should know.
     pub warnings: Vec<String>,
+    /// The surface by how many of the finest cells lie across the body.
+    #[serde(skip)]
+    thickness: Skin,
 }
 
 impl Report {
@@ -45,7 +52,12 @@ impl Report {
         levels: Vec<Level>,
         mut warnings: Vec<String>,
     ) -> Result<Self, FlyError> {
-        let point = Point::new(flight, &levels);
+        let thickness = levels
+            .last()
+            .map(|level| skins::by_thickness(flight, level.finest))
+            .unwrap_or_default();
+        let [thin, _] = skins::thin_parts(&thickness);
+        let point = Point::new(flight, &levels, thin);
         let point = point
             .ok_or_else(|| FlyError::Files("no run came far enough to tell anything".into()))?;
         warnings.extend(
@@ -54,6 +66,19 @@ impl Report {
                 .into_iter()
                 .flat_map(|level| level.warnings.clone()),
         );
+        if let Some(level) = levels.last().filter(|_| thin > EDGES) {
+            let wide = if thin > UNSEEN {
+                "; bands are three times what all runs differ by, for none of them has seen its shape"
+            } else {
+                ""
+            };
+            warnings.push(format!(
+                "behind {:.0} % of the surface the body is thinner than two of the finest cells, {:.2e} m each: give more --minutes, or a \
+                 smaller --spacing{wide}",
+                100.0 * thin,
+                level.finest
+            ));
+        }
         for level in &levels {
             if !level.settled {
                 warnings.push(format!(
@@ -78,6 +103,7 @@ impl Report {
             moment_centre: flight.centre(),
             levels,
             warnings,
+            thickness,
         })
     }
 
@@ -220,8 +246,7 @@ fn page(flight: &Flight, report: &Report, folder: &Path) -> Result<String, FlyEr
             "Convergence",
             &format!("<figure>{curves}</figure>{}", runs(report)),
         );
-        let skin = skins::by_thickness(flight, level.finest);
-        let [two, four] = skins::thin_parts(&skin).map(|part| 100.0 * part);
+        let [two, four] = skins::thin_parts(&report.thickness).map(|part| 100.0 * part);
         let says = format!(
             "<p>Behind {two:.1} % of the surface the body is thinner than two of the finest cells, behind {four:.1} % than four; yellow is \
              {} and more.</p>",
@@ -229,7 +254,7 @@ fn page(flight: &Flight, report: &Report, folder: &Path) -> Result<String, FlyEr
         );
         part(
             "How finely thin parts are resolved",
-            &(says + &abreast(&pictures::thickness(&skin))),
+            &(says + &abreast(&pictures::thickness(&report.thickness))),
         );
     }
     page.push_str("</body></html>\n");

@@ -32,12 +32,12 @@ pub struct Plane {
     pub columns: usize,
 }
 
-/// Values at the pixels of a plane, and the sizes of their slopes.
+/// Values at the pixels of a plane, and the sizes of slopes.
 #[derive(Clone, Debug)]
 pub struct Field {
-    /// Values.
+    /// Values of one array.
     pub values: Raster,
-    /// Sizes of their gradients.
+    /// Sizes of the gradients of another one.
     pub slopes: Raster,
 }
 
@@ -56,25 +56,25 @@ impl Plane {
         }
     }
 
-    /// An array of `gas` in this plane, with what lies in `shape` masked.
+    /// The values of one array of `gas` in this plane and the slopes of another one, with what lies in `shape` masked.
     pub fn field(
         &self,
         gas: &Points,
-        array: &str,
+        arrays: [&str; 2],
         is_plane: bool,
         shape: Option<&dyn Shape<3>>,
     ) -> Field {
         if is_plane {
-            self.field_of::<2>(gas, array, shape)
+            self.field_of::<2>(gas, arrays, shape)
         } else {
-            self.field_of::<3>(gas, array, shape)
+            self.field_of::<3>(gas, arrays, shape)
         }
     }
 
     fn field_of<const D: usize>(
         &self,
         gas: &Points,
-        array: &str,
+        arrays: [&str; 2],
         shape: Option<&dyn Shape<3>>,
     ) -> Field {
         let column = |name: &str| gas.arrays.get(name).map_or(&[][..], Vec::as_slice);
@@ -87,7 +87,9 @@ impl Plane {
         };
         let vector = |place: &[f64; 3]| Vector::<D>::from_fn(|k, _| place[k]);
         let mut positions: Vec<Vector<D>> = gas.position.iter().map(vector).collect();
-        let mut values: Vec<[f64; 1]> = column(array).iter().map(|&value| [value]).collect();
+        let [shown, sloped] = arrays.map(column);
+        let pairs = shown.iter().zip(sloped);
+        let mut values: Vec<[f64; 2]> = pairs.map(|(&a, &b)| [a, b]).collect();
         for axis in (0..D).filter(|&axis| self.mirrored[axis]) {
             let count = positions.len().min(values.len()).min(spacing.len());
             for n in 0..count {
@@ -109,7 +111,7 @@ impl Plane {
             let near = cloud.at(&vector(&place));
             let found = near
                 .found
-                .map(|found| [found.values[0], found.slopes[0].norm()]);
+                .map(|found| [found.values[0], found.slopes[1].norm()]);
             (found.unwrap_or([f64::NAN; 2]), !near.is_solid)
         };
         let [values, slopes] = self.view().rasters(at);
@@ -171,7 +173,7 @@ mod tests {
             mirrored: [false, true, false],
             columns: 50,
         };
-        let field = plane.field(&gas, "mach", true, None);
+        let field = plane.field(&gas, ["mach", "mach"], true, None);
         assert_eq!(field.values.size, [50, 100]);
         // Rows 25 and 74 lie at y = 0.49 and -0.49.
         for row in [25, 74] {

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use serde::{Deserialize, Serialize};
 
+use super::same::is_same_line;
 use super::steady::Monitor;
 use super::swing::Swing;
 use super::tally::Sums;
@@ -87,12 +88,14 @@ fn difference(earlier: &str, now: &str, has_monitor: bool) -> Option<String> {
     let is_freed = has_monitor && now.lines().all(|line| line != WATCHED);
     let is_free =
         |line: &str| line.starts_with("end_time = ") || (is_freed && line.starts_with("stop = "));
-    let missing = |from: &str, other: &str| {
+    let missing = |from: &str, other: &str, same: fn(&str, &str) -> bool| {
         let mut lines = from.lines().filter(|line| !is_free(line));
-        let line = lines.find(|line| !other.lines().any(|l| l == *line));
+        let line = lines.find(|line| !other.lines().any(|l| same(line, l)));
         line.map(str::to_owned)
     };
-    match (missing(earlier, now), missing(now, earlier)) {
+    let gone = missing(earlier, now, is_same_line);
+    let new = missing(now, earlier, |now, earlier| is_same_line(earlier, now));
+    match (gone, new) {
         (None, None) => None,
         (Some(then), None) => Some(format!("the scene had `{then}` when it was made")),
         (None, Some(now)) => Some(format!("the scene had no `{now}` when it was made")),

@@ -43,7 +43,7 @@ impl Claim {
             Some((_, file)) => Some(file),
             None => None,
         };
-        if !destination.resume && !destination.overwrite && holds_another(folder, destination.scene)
+        if !destination.resume && !destination.overwrite && holds_another(folder, destination.noted)
         {
             return Err(RunError::Occupied(format!(
                 "`{}` holds the results of another run; give `--out` another folder, or `--overwrite`",
@@ -59,11 +59,11 @@ impl Claim {
     /// A folder that takes no files.
     pub(super) fn note(destination: &Destination<'_>) -> Result<(), OutputError> {
         let path = destination.folder.join(SCENE);
-        std::fs::write(&path, destination.scene).map_err(|error| OutputError::new(&path, error))
+        std::fs::write(&path, destination.noted).map_err(|error| OutputError::new(&path, error))
     }
 }
 
-/// True where the results in `folder` are those of `scene`, a line for each value.
+/// True where the results in `folder` are those of `scene`, a line for each value, its paths whole.
 pub fn is_of(folder: &Path, scene: &str) -> bool {
     std::fs::read_to_string(folder.join(SCENE)).ok().as_deref() == Some(scene)
 }

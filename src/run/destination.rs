@@ -9,6 +9,8 @@ pub struct Destination<'a> {
     pub folder: &'a Path,
     /// All values that the run depends on, one per line.
     pub scene: &'a str,
+    /// The same with whole paths, to be run again from anywhere.
+    pub noted: &'a str,
     /// Go on from the checkpoint, where there is one.
     pub resume: bool,
     /// Write over what a run of another scene has left.

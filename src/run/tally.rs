@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use super::{far_field, outlets, warmth};
+use super::{far_field, outlets, reach, warmth};
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
@@ -41,6 +41,8 @@ pub(super) struct Sums {
     /// Squares of the forces' components over time.
     square: Vec<[f64; 3]>,
     duration: f64,
+    /// Largest way of each body that the gas moves.
+    reach: Vec<f64>,
     /// When the means began; none before they do.
     from: Option<f64>,
     /// Spent by processes before this one.
@@ -89,6 +91,7 @@ impl Tally {
             turn: vec![[0.0; 3]; bodies.len()],
             square: vec![[0.0; 3]; bodies.len()],
             duration: 0.0,
+            reach: vec![0.0; bodies.len()],
             from: None,
             spent: Spent::default(),
         };
@@ -134,6 +137,7 @@ impl Tally {
 
     /// Adds a step of length `dt`.
     pub(super) fn add<const D: usize>(&mut self, simulation: &Flow<D>, dt: f64) {
+        reach::grow(&mut self.sums.reach, simulation);
         if simulation.time() < self.mean_from {
             return;
         }
@@ -171,6 +175,8 @@ impl Tally {
         let spent = self.spent();
         let statistics = simulation.statistics();
         let stepping = spent.stepping.max(f64::MIN_POSITIVE);
+        let names = problem.bodies.iter().map(|body| body.name.as_str());
+        let ways = names.zip(self.sums.reach.iter().copied());
         let loads = simulation.loads();
         let bodies = problem.bodies.iter().enumerate().map(|(number, body)| {
             let load = loads.get(number).copied().unwrap_or_default();
@@ -235,6 +241,7 @@ impl Tally {
                 .chain(far_field::warnings(problem, &loads))
                 .chain(outlets::warnings(problem, &frame))
                 .chain(warmth::warnings(problem, &frame))
+                .chain(reach::warnings(ways, problem.spacing))
                 .collect(),
         }
     }

@@ -1,9 +1,14 @@
 //! A scene as sorted lines `section.key = value`: what a checkpoint remembers of it, and what can be run again.
 
+use std::path::Path;
+
 use toml::Value;
 
 /// Keys on which no result depends.
 const IDLE: [&str; 2] = ["title", "output.checkpoint_seconds"];
+
+/// Ends of keys that hold paths, which start at the scene's folder where they are relative.
+const PATHS: [&str; 2] = [".file", ".frame"];
 
 /// The lines of a scene's text, which has been read as a scene before.
 pub(super) fn of(text: &str) -> String {
@@ -34,6 +39,20 @@ fn collect(path: &str, value: &Value, lines: &mut Vec<String>) {
         _ if IDLE.contains(&path) => {}
         _ => lines.push(format!("{path} = {value}\n")),
     }
+}
+
+/// Lines with the paths of a scene in `folder` whole: they can be run again from anywhere.
+pub(super) fn from_anywhere(lines: &str, folder: &Path) -> String {
+    let whole = |line: &str| {
+        let (key, value) = line.split_once(" = ")?;
+        PATHS.iter().find(|end| key.ends_with(*end))?;
+        let table = format!("path = {value}").parse::<toml::Table>().ok()?;
+        let path = std::path::absolute(folder.join(table.get("path")?.as_str()?)).ok()?;
+        Some(format!("{key} = {}", Value::from(path.to_str()?)))
+    };
+    let lines = lines.lines();
+    let lines = lines.map(|line| whole(line).unwrap_or_else(|| line.to_owned()) + "\n");
+    lines.collect()
 }
 
 /// The text of a scene that was written as lines: its numbered tables as lists again; none of any other text.
@@ -80,6 +99,16 @@ mod tests {
         assert_eq!(
             of(one),
             "body.0.name = \"b\"\ngas.gamma = 1.4\nspacing = 0.1\n"
+        );
+    }
+
+    #[test]
+    fn paths_are_whole_where_lines_go_elsewhere() {
+        let lines = "a.file = \"b/c.stl\"\nd.file = \"/e.stl\"\ninitial.frame = \"../f.vtp\"\nname = \"g.stl\"\n";
+        let whole = from_anywhere(lines, Path::new("/home/x"));
+        assert_eq!(
+            whole,
+            "a.file = \"/home/x/b/c.stl\"\nd.file = \"/e.stl\"\ninitial.frame = \"/home/x/../f.vtp\"\nname = \"g.stl\"\n"
         );
     }
 

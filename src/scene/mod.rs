@@ -161,6 +161,11 @@ impl Scene {
         lines::of(&self.text)
     }
 
+    /// The same with whole paths: what can be run from another folder.
+    pub fn lines_from_anywhere(&self) -> String {
+        lines::from_anywhere(&self.lines(), &self.folder)
+    }
+
     /// True where the scene says nothing of another start than the undisturbed stream.
     pub fn starts_in_the_free_stream(&self) -> bool {
         let initial = &self.file.initial;

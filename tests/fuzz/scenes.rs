@@ -74,6 +74,7 @@ pub fn try_scene(text: &str, setting: Option<&str>, folder: &Path) -> Result<Fat
     let place = Destination {
         folder,
         scene: "",
+        noted: "",
         resume: false,
         overwrite: true,
     };

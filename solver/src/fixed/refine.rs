@@ -122,10 +122,6 @@ impl Adaption {
     }
 }
 
-/// How far from the middle of a cell bends are looked for, in spacings: not at its faces, which may lie in a plane of symmetry, where rounding
-/// would say which side of a body is the nearer one.
-const ASIDE: f64 = 0.49;
-
 /// What bodies ask of the spacing of the points around them.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyNeeds {
@@ -165,7 +161,7 @@ impl BodyNeeds {
             return false;
         };
         let bend = if D > 1 {
-            shape_operator(plot.solids.shape(body), point, ASIDE * spacing).norm()
+            shape_operator(plot.solids.shape(body), point, 0.5 * spacing).norm()
         } else {
             0.0
         };

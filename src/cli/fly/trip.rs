@@ -1,15 +1,18 @@
 //! A flight's runs, coarse to fine, within its budget.
 
-use std::path::Path;
-use std::time::{Duration, Instant};
+use std::path::{Path, PathBuf};
+use std::time::Instant;
 
-use aero::fly::{self, Costs, Extent, FAMILY, Flight, Level, minutes};
-use aero::run::{Destination, RunError, Stopwatch, burst};
+use aero::fly::{self, Costs, FAMILY, Flight, Level, minutes};
+use aero::run::{Destination, Progress, RunError, Stopwatch, burst};
 use aero::scene::Scene;
 
 use super::super::CommandError;
 use super::super::interrupt::Interrupt;
 use super::super::scene::{checked, run_watched};
+use super::budget::{PATIENCE, Room, UNDER_WAY, for_runs, may_take};
+use super::family::{Family, next_spacing};
+use super::telling::{is_long, tell, tell_rest};
 
 /// Most cells of the finest box, refinement aside: memory.
 const MOST_CELLS: f64 = 1.5e6;
@@ -18,17 +21,11 @@ const MOST_CELLS: f64 = 1.5e6;
 const MINUTES: f64 = 10.0;
 
 /// Runs at most: what a cheap first one leaves of the budget goes to finer ones.
-const MOST_RUNS: usize = 6;
+const MOST_RUNS: usize = 8;
 
 /// So often a run that failed is tried on another lattice, this much finer.
 const TRIES: usize = 4;
 const ANOTHER: f64 = 0.93;
-
-/// Iterations after which a run that is cut short counts.
-const UNDER_WAY: u64 = 100;
-
-/// A run may take so many times its share of what is left: a coarse wake that never settles leaves time for the finer ones.
-const PATIENCE: f64 = 4.0;
 
 /// Seconds that the look may take, as a part of the budget.
 const LOOKING: f64 = 0.02;
@@ -41,29 +38,6 @@ enum Came {
     ToGrief(String),
     /// The budget was spent before.
     Late,
-}
-
-/// Spacings of runs that are planned.
-pub struct Family {
-    /// The coarsest.
-    first: f64,
-    ratio: f64,
-    /// True where there are just these: what is left of the budget makes no finer ones.
-    is_fixed: bool,
-    /// Seconds that the finest may take.
-    seconds: f64,
-}
-
-impl Family {
-    /// The finest that is planned.
-    pub fn finest(&self) -> f64 {
-        self.first / self.ratio.powi(FAMILY as i32 - 1)
-    }
-
-    /// Seconds that it may take.
-    pub fn seconds_of_finest(&self) -> f64 {
-        self.seconds
-    }
 }
 
 /// A flight with its budget.
@@ -99,8 +73,9 @@ impl<'a> Trip<'a> {
         }
     }
 
+    /// Seconds left for runs.
     fn left(&self) -> f64 {
-        self.budget - self.begun.elapsed().as_secs_f64()
+        for_runs(self.budget) - self.begun.elapsed().as_secs_f64()
     }
 
     fn scene_at(
@@ -118,7 +93,12 @@ impl<'a> Trip<'a> {
 
     /// Spacings that fit the budget, by a look from the spacing `look` at how fast it goes, or that are asked for; and what is
     /// told of them.
-    pub fn family(&self, mut look: f64) -> Result<(Family, String), CommandError> {
+    pub fn family(&self, look: f64) -> Result<(Family, String), CommandError> {
+        let halved = f64::from(1_u32 << self.flight.halvings());
+        let coarser = self.costs.coarsest();
+        let asked = self.wanted.map(|finest| finest * halved * coarser);
+        // What is asked for is looked at itself where it is no finer than what is looked at otherwise.
+        let mut look = asked.map_or(look, |first| first.max(look));
         let seconds = (LOOKING * self.budget).clamp(0.2, 5.0);
         let mut tries = 1;
         let seen = loop {
@@ -131,10 +111,8 @@ impl<'a> Trip<'a> {
             tries += 1;
         };
         let took = Costs::of_burst(seen.seconds_per_step, seen.steps_to_go, seen.settles);
-        let halved = f64::from(1_u32 << self.flight.halvings());
-        let coarser = self.costs.ratio.powi(FAMILY as i32 - 1);
-        let first = match self.wanted {
-            Some(finest) => finest * halved * coarser,
+        let first = match asked {
+            Some(first) => first,
             None => (look * self.costs.fit(took, self.left()))
                 .max(self.flight.spacing_of(MOST_CELLS) * coarser),
         };
@@ -155,6 +133,8 @@ impl<'a> Trip<'a> {
             .min(self.flight.bounds.size().min());
         let most = if self.budget.is_finite() {
             format!(", at most {}", minutes(self.left()))
+        } else if is_long(seconds) {
+            "; --minutes N beside --spacing ends it after N minutes, --minutes alone finds the spacings that fit into them".into()
         } else {
             String::new()
         };
@@ -178,25 +158,30 @@ impl<'a> Trip<'a> {
         let mut levels: Vec<Level> = Vec::new();
         let mut failures = Vec::new();
         let mut spacing = family.first;
+        let mut finest_took = 0.0;
         let most = if family.is_fixed { FAMILY } else { MOST_RUNS };
         for number in 1..=most {
             let begun = Instant::now();
             let to_come = FAMILY.saturating_sub(number);
-            let may_take = may_take(self.costs, self.left(), to_come);
+            let is_finest = levels.last().is_none_or(|last| spacing < last.spacing);
+            let room = Room {
+                seconds: may_take(self.costs, self.left(), to_come),
+                // Without the first there is nothing to tell.
+                most: self.left(),
+                is_first: levels.is_empty(),
+            };
             let folder = out.join(format!("spacing-{number}"));
-            let frame = levels
-                .last()
-                .and_then(|level| fly::last_file(&level.folder, "frame-"));
-            let mut frame = frame
-                .map(std::path::absolute)
-                .transpose()
-                .map_err(CommandError::failed)?;
+            let mut frame = start_of(&levels, spacing)?;
             let mut tries = 0;
             let level = loop {
                 // Those that are through go into the report.
                 interrupt.hold(!levels.is_empty());
                 note!("run {number}, spacing {spacing:.3e} m");
-                match self.run(spacing, frame.as_deref(), &folder, may_take, interrupt)? {
+                let scene = self.scene_at(spacing, frame.as_deref(), out)?;
+                if is_finest {
+                    self.write_scene(spacing, out)?;
+                }
+                match self.run(&scene, spacing, &folder, room, interrupt)? {
                     Came::Through(level) => break *level,
                     Came::Late => return Ok((levels, failures)),
                     Came::ToGrief(reason) => {
@@ -217,81 +202,79 @@ impl<'a> Trip<'a> {
                 spacing *= ANOTHER;
                 frame = None;
             };
-            say!(
-                "spacing {spacing:.3e}: cd {:.5}, cl {:.5}, cm {:.5}, {} points, {}, {}",
-                level.coefficients.cd,
-                level.coefficients.cl,
-                level.coefficients.cm,
-                level.points,
-                minutes(begun.elapsed().as_secs_f64()),
-                if level.settled {
-                    "settled"
-                } else {
-                    "NOT settled"
-                }
-            );
-            levels.push(level);
+            let seconds = begun.elapsed().as_secs_f64();
+            tell(&level, seconds);
+            let place = levels.partition_point(|other| other.spacing > level.spacing);
+            levels.insert(place, level);
             interrupt.hold(true);
             if interrupt.came() {
                 break;
             }
-            let seconds = begun.elapsed().as_secs_f64();
-            // One that was cut short says little of what the next will take.
-            let seconds = if seconds < may_take {
-                seconds
+            if is_finest {
+                // One that was cut short says little of what the next will take.
+                finest_took = if seconds < room.seconds {
+                    seconds
+                } else {
+                    seconds / PATIENCE
+                };
+            }
+            let next = if family.is_fixed {
+                tell_rest(self.costs, finest_took, to_come);
+                Some(spacing / family.ratio)
             } else {
-                seconds / PATIENCE
+                let ends = [&levels[0], &levels[levels.len() - 1]].map(|level| level.spacing);
+                next_spacing(self.costs, ends, levels.len(), finest_took, self.left())
             };
-            let more = to_come.max(1);
-            let ratio = if family.is_fixed {
-                Some(family.ratio)
-            } else {
-                self.costs.next_ratio(seconds, self.left(), more)
-            };
-            let Some(ratio) = ratio else {
+            let Some(next) = next else {
                 break;
             };
-            spacing /= ratio;
+            spacing = next;
         }
         Ok((levels, failures))
     }
 
-    /// One run, which is cut short after so many seconds.
-    fn run(
-        &self,
-        spacing: f64,
-        frame: Option<&Path>,
-        folder: &Path,
-        seconds: f64,
-        interrupt: &Interrupt,
-    ) -> Result<Came, CommandError> {
-        let out = folder.parent().unwrap_or(Path::new(""));
-        let scene = self.scene_at(spacing, frame, out)?;
+    /// Leaves the scene of the finest run so far where it is easily found.
+    fn write_scene(&self, spacing: f64, out: &Path) -> Result<(), CommandError> {
         let text = self
             .flight
             .scene(spacing, None)
             .map_err(CommandError::wrong)?;
-        std::fs::write(out.join("scene.toml"), text).map_err(CommandError::failed)?;
+        std::fs::write(out.join("scene.toml"), text).map_err(CommandError::failed)
+    }
+
+    /// One run, which is cut short where its room ends.
+    fn run(
+        &self,
+        scene: &Scene,
+        spacing: f64,
+        folder: &Path,
+        room: Room,
+        interrupt: &Interrupt,
+    ) -> Result<Came, CommandError> {
         let lines = scene.lines();
         let destination = Destination {
             folder,
             scene: &lines,
+            noted: &scene.lines_from_anywhere(),
             resume: false,
             overwrite: true,
         };
-        let deadline = Duration::try_from_secs_f64(seconds)
-            .ok()
-            .and_then(|seconds| Instant::now().checked_add(seconds));
-        let is_late = || deadline.is_some_and(|deadline| Instant::now() >= deadline);
-        let case = checked(&scene)?;
-        if is_late() {
+        let begun = Instant::now();
+        let is_late = |steps: u64| room.is_over(begun.elapsed().as_secs_f64(), steps);
+        let case = checked(scene)?;
+        if is_late(0) {
             return Ok(Came::Late);
         }
-        let result = run_watched(case, destination, Stopwatch::start(), interrupt, deadline);
+        let mut steps = 0;
+        let mut watch = |progress: Progress| {
+            steps = progress.steps;
+            is_late(steps)
+        };
+        let result = run_watched(case, destination, Stopwatch::start(), interrupt, &mut watch);
         let summary = match result {
             Ok(summary) => summary,
             Err(RunError::Stopped { reason, summary }) => {
-                if !interrupt.came() && !is_late() {
+                if !interrupt.came() && !is_late(steps) {
                     return Ok(Came::ToGrief(reason));
                 }
                 // Loads of a run that was cut short count once it was well under way.
@@ -308,63 +291,13 @@ impl<'a> Trip<'a> {
             .map(|level| Came::Through(Box::new(level)))
             .map_err(CommandError::failed)
     }
-
-    /// What of the flight as a whole is to be told.
-    pub fn warnings(&self, levels: &[Level]) -> Vec<String> {
-        let mut warnings = Vec::new();
-        let flight = self.flight;
-        if flight.attitude.is_guess && flight.dimension() == 3 {
-            warnings.push(format!(
-                "how the body lies was guessed: its nose points along {} of the file, up is {}; mend with --axis",
-                flight.attitude.nose, flight.attitude.up
-            ));
-        }
-        if let (Some(thin), Some(level)) = (flight.thinnest, levels.last())
-            && thin < 2.0 * level.finest
-        {
-            let mend = match self.wanted {
-                Some(_) => "a smaller --spacing",
-                None => "more --minutes",
-            };
-            warnings.push(format!(
-                "the thinnest part, {thin:.2e} m, is {:.1} of the finest cells across: give {mend}",
-                thin / level.finest
-            ));
-        }
-        if let Extent::Meridian(_) = flight.extent
-            && flight.wishes.roll != 0.0
-        {
-            warnings
-                .push("a roll makes no difference to a body of revolution along the stream".into());
-        }
-        warnings
-    }
 }
 
-/// Seconds that a run may take of those that are `left` for it and so many finer ones.
-fn may_take(costs: Costs, left: f64, finer: usize) -> f64 {
-    left * (PATIENCE * costs.share(finer)).min(1.0)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    /// In planes as in space: one that takes what it was thought to is not cut short, two that go on for ever leave more than half of
-    /// the budget, and the finest may take all that is left.
-    #[test]
-    fn coarse_runs_that_do_not_settle_leave_their_time_to_finer_ones() {
-        const BUDGET: f64 = 600.0;
-        for dimension in [2, 3] {
-            let costs = Costs::new(dimension, false);
-            let mut left = BUDGET;
-            for finer in [FAMILY - 1, FAMILY - 2] {
-                let seconds = may_take(costs, left, finer);
-                assert!(seconds > 2.0 * left * costs.share(finer), "{seconds}");
-                left -= seconds;
-            }
-            assert!(left > 0.5 * BUDGET, "{left} s in {dimension} dimensions");
-            assert_eq!(may_take(costs, left, 0), left);
-        }
-    }
+/// The last frame of the run whose spacing is nearest to `spacing` in the order coarse to fine, to start from.
+fn start_of(levels: &[Level], spacing: f64) -> Result<Option<PathBuf>, CommandError> {
+    let coarser = levels.iter().rev().find(|level| level.spacing > spacing);
+    let level = coarser.or(levels.first());
+    let frame = level.and_then(|level| fly::last_file(&level.folder, "frame-"));
+    let frame = frame.map(std::path::absolute).transpose();
+    frame.map_err(CommandError::failed)
 }

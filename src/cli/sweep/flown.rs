@@ -55,7 +55,7 @@ fn scene_of_body(args: &SweepArgs, points: usize) -> Result<Scene, CommandError>
         values.fold(0.0, |most: f64, value| most.max(value.abs()))
     };
     let stream = [slowest, largest(&args.incidence), largest(&args.sideslip)];
-    let (flight, look) = prepared(args.how.wishes(&args.scene.scene, stream))?;
+    let (flight, look) = prepared(args.how.wishes(&args.scene.scene, stream), args.how.spacing)?;
     for line in words(&flight) {
         say!("{line}");
     }

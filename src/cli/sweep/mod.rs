@@ -254,10 +254,11 @@ fn run(
     let destination = Destination {
         folder,
         scene: &lines,
+        noted: &scene.lines_from_anywhere(),
         resume: false,
         overwrite: true,
     };
-    match run_watched(case, destination, stopwatch, interrupt, None) {
+    match run_watched(case, destination, stopwatch, interrupt, &mut |_| false) {
         Ok(summary) => Ok((summary, true)),
         Err(RunError::Stopped { .. }) if interrupt.came() => Err(CommandError::failed(
             "interrupted; the same command goes on with the points that are left",

@@ -318,12 +318,12 @@ fn a_ramp_with_points_at_its_shock_settles_nearer_to_theory() {
 /// Sides that held the stream straight would take a fifth of the lift in the small box, and a tenth in the large one.
 #[test]
 fn lift_does_not_depend_on_how_far_away_the_sides_are() {
-    let lift = |cells: usize, incidence: f64| {
+    let lift = |cells: usize| {
         let spacing = 0.05;
         let mut flight = problem([cells; 2], spacing, [[Side::FreeStream; 2]; 2]);
         let middle = 0.5 * cells as f64 * spacing;
         flight.bodies = vec![slip_body(slender([middle; 2]))];
-        let (sine, cosine) = incidence.sin_cos();
+        let (sine, cosine) = 0.035_f64.sin_cos();
         flight.free_stream.velocity = Vector::<2>::new(cosine, sine) * 0.5;
         let mut flow =
             FixedSimulation::new(refined(flight, Time::Settle, Refine::Levels(3))).unwrap();
@@ -331,7 +331,6 @@ fn lift_does_not_depend_on_how_far_away_the_sides_are() {
         let force = flow.loads()[0].force;
         force[1] * cosine - force[0] * sine
     };
-    let [small, large, down] = [(48, 0.035), (96, 0.035), (48, -0.035)].map(|(n, a)| lift(n, a));
+    let [small, large] = [48, 96].map(lift);
     assert!((small / large - 1.0).abs() < 0.03, "{small} {large}");
-    assert!((small / down + 1.0).abs() < 0.01, "{small} {down}");
 }
