@@ -186,6 +186,9 @@ fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
         )
         .by_points(is_of_points, [1.5, 1.5]),
     ];
+    if is_of_points {
+        rows.push(before_the_corner(flow));
+    }
     if let Some(angle) = published::angle(flow.variant).filter(|_| !is_of_points) {
         let quantity = "shock angle by eq. (36) as published, deg";
         let source = "Villodi & Ramachandran 2024, table 1, against theory";
@@ -210,6 +213,19 @@ fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
     }
     rows.push(flow.no_leaks().always());
     Ok(rows)
+}
+
+/// The wall pressure up to the corner, where it is farthest off: the stream knows nothing of the ramp.
+fn before_the_corner(flow: &Flow<'_, Corner>) -> Row {
+    let exact = 1.0 / flow.variant.own.gamma;
+    let surface = &flow.outcome.surface;
+    let feet = surface.position.iter().zip(&surface.pressure);
+    let before = feet.filter(|(foot, _)| foot[0] < 0.0);
+    let found = before.map(|(_, pressure)| *pressure);
+    let off = |pressure: &f64| (pressure - exact).abs();
+    let farthest = found.max_by(|a, b| off(a).total_cmp(&off(b)));
+    let quantity = "wall pressure before the corner, farthest off";
+    Row::relative(quantity, THEORY, farthest.unwrap_or(f64::NAN), exact, 1.0).always()
 }
 
 /// The density of the gas, the wall and the theoretical shock.

@@ -222,6 +222,7 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     fn net(cells: &Cells<D>, problem: &Problem<D>) -> Result<Net<D>, String> {
+        problem.check_closed(cells)?;
         let beyond = beyond_faces(problem, cells)?;
         let sides = wall_sides(&problem.domain);
         let bodies = problem.bodies.len();

@@ -1,5 +1,6 @@
 //! What cannot be flown on points that stay where they are.
 
+use super::cells::{Cells, WallOwner};
 use crate::method::Time;
 use crate::problem::{Problem, Side};
 
@@ -52,6 +53,30 @@ impl<const D: usize> Problem<D> {
                 if kind.sticks() && !self.gas.is_viscous() {
                     return Err(sticks(&name));
                 }
+            }
+        }
+        Ok(())
+    }
+
+    /// Refuses a side that bodies are to close where none of them meets its `cells`.
+    ///
+    /// # Errors
+    /// Which side, where, and the remedy.
+    pub(super) fn check_closed(&self, cells: &Cells<D>) -> Result<(), String> {
+        for wall in &cells.walls {
+            let WallOwner::Side { axis, end } = wall.owner else {
+                continue;
+            };
+            let (axis, end) = (usize::from(axis), usize::from(end));
+            if self.domain.side_at(axis, end, &wall.foot) == Side::Body {
+                let place: Vec<String> = wall.foot.iter().map(|x| format!("{x:.4}")).collect();
+                return Err(format!(
+                    "side `{}_{}` is to be closed by a body, and there is none at ({}); let a body reach across the side, or say what is there, \
+                     `\"wall\"` for one",
+                    ["x", "y", "z"][axis],
+                    ["min", "max"][end],
+                    place.join(", ")
+                ));
             }
         }
         Ok(())
