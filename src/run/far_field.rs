@@ -38,14 +38,14 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, loads: &[Load]) -> 
     }
     let text = format!(
         "the stream is slower than sound, and what lift does to it is felt on its sides: held straight {away:.3} from a body {length:.3} \
-         long they take about {:.0} % of the lift; move them away, or settle about points that stay (`stop = \"steady\"`, \
+         long they take up to about {:.0} % of the lift; move them away, or settle about points that stay (`stop = \"steady\"`, \
          `scheme.motion = \"fixed\"`), where the stream beyond them turns with the lift",
         100.0 * part
     );
     vec![Warning::new(About::Scene, text)]
 }
 
-/// Part of the lift that sides `away` take of a thin body of this `length`: the vortex that is missing beyond them would have turned the
+/// Part of the lift that sides `away` take at most of a thin body of this `length`, which they do near the speed of sound: the vortex that is missing beyond them would have turned the
 /// stream up by `Gamma / (4 pi h U sqrt(1 - M^2))`, and thin bodies have `2 pi / sqrt(1 - M^2)` per radian.
 fn lost(mach: f64, length: f64, away: f64) -> f64 {
     length / (2.0 * away * (1.0 - mach * mach))

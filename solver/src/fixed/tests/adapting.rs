@@ -315,7 +315,7 @@ fn a_ramp_with_points_at_its_shock_settles_nearer_to_theory() {
     );
 }
 
-/// Sides that held the stream straight would take a fifth of the lift in the small box, and a tenth in the large one.
+/// Sides that held the stream straight would take a ninth of the lift in the small box, and half as much in the large one.
 #[test]
 fn lift_does_not_depend_on_how_far_away_the_sides_are() {
     let lift = |cells: usize| {
