@@ -4,34 +4,14 @@ use aero_geometry::Vector;
 
 use super::FixedSimulation;
 use super::cells::{Cells, SideFace};
-use super::far_field::FarField;
-use super::net::{BLOCK, Net};
+use super::net::BLOCK;
 use super::sides::Beyond;
 use crate::problem::{Given, Problem};
 use crate::sides::Place;
 
-/// What beyond the sides changes.
-#[derive(Clone, Debug)]
-pub struct Outside<const D: usize> {
-    /// Faces that gas in a given state is beyond.
-    given: Vec<GivenFace<D>>,
-    /// The stream that lift turns, if any.
-    pub far_field: Option<FarField<D>>,
-}
-
-impl<const D: usize> Outside<D> {
-    /// What is beyond the sides of `cells`, which stand in `net`.
-    pub fn of(problem: &Problem<D>, cells: &Cells<D>, net: &Net<D>) -> Self {
-        Self {
-            given: given_faces(problem, cells),
-            far_field: FarField::of(problem, cells, net),
-        }
-    }
-}
-
 /// A face that such gas is beyond.
 #[derive(Clone, Debug)]
-struct GivenFace<const D: usize> {
+pub struct GivenFace<const D: usize> {
     /// Block of its cell.
     block: usize,
     /// Its number there.
@@ -80,7 +60,7 @@ pub fn standing<const D: usize>(
 }
 
 /// The faces of `cells` that gas in a given state is beyond.
-fn given_faces<const D: usize>(problem: &Problem<D>, cells: &Cells<D>) -> Vec<GivenFace<D>> {
+pub fn given_faces<const D: usize>(problem: &Problem<D>, cells: &Cells<D>) -> Vec<GivenFace<D>> {
     let openings = &problem.domain.openings;
     if openings.iter().all(|opening| opening.given.is_none()) {
         return Vec::new();

@@ -211,21 +211,25 @@ mod tests {
         }
     }
 
+    fn wall(curvature: Matrix<2>) -> Wall<2> {
+        Wall {
+            i: 0,
+            image: image(),
+            owner: 0,
+            curvature,
+            foot: Vector::zeros(),
+            stick: None,
+            push: 0.0,
+        }
+    }
+
     /// Gas that parts at a plane, `v = 3 y`, has no speed at the plane, and its pressure is that of the cell.
     #[test]
     fn gas_that_parts_at_a_plane_presses_on_it_with_its_own_pressure() {
         let cell = cell([0.5, 0.3]);
         let mut slopes = Slopes::LEVEL;
         slopes.along[1].velocity[1] = 3.0;
-        let wall = Wall {
-            i: 0,
-            image: image(),
-            owner: 0,
-            curvature: Matrix::zeros(),
-            foot: Vector::zeros(),
-            stick: None,
-            push: 0.0,
-        };
+        let wall = wall(Matrix::zeros());
         let pressure = wall.pressure(&AIR, &cell, &slopes.along, 1.0);
         assert!((pressure - 0.8).abs() < 1e-15, "{pressure}");
         let side = Side {
@@ -246,15 +250,7 @@ mod tests {
         for bend in [1e-3, -1e-3] {
             let mut curvature = Matrix::zeros();
             curvature[(0, 0)] = bend;
-            let wall = Wall {
-                i: 0,
-                image: image(),
-                owner: 0,
-                curvature,
-                foot: Vector::zeros(),
-                stick: None,
-                push: 0.0,
-            };
+            let wall = wall(curvature);
             let pressure = wall.pressure(&AIR, &cell, &Slopes::LEVEL.along, 1.0);
             let expected = 0.8 - 0.1 * 1.2 * 4.0 * bend;
             assert!((pressure - expected).abs() < 1e-6, "{pressure} {expected}");
@@ -266,15 +262,7 @@ mod tests {
     fn gas_ahead_of_a_ramp_presses_with_its_own_pressure() {
         let mut slopes = Slopes::LEVEL;
         slopes.along[0].velocity[1] = 1.5;
-        let wall = Wall {
-            i: 0,
-            image: image(),
-            owner: 0,
-            curvature: Matrix::zeros(),
-            foot: Vector::zeros(),
-            stick: None,
-            push: 0.0,
-        };
+        let wall = wall(Matrix::zeros());
         for speed in [0.0, 0.1] {
             let pressure = wall.pressure(&AIR, &cell([2.0, speed]), &slopes.along, 0.5);
             let expected = AIR.wall_pressure(1.2, 0.8, -speed);
@@ -296,15 +284,7 @@ mod tests {
         let mut slopes = Slopes::LEVEL;
         slopes.along[1].velocity[1] = 3.0;
         slopes.along[0].velocity[1] = -1.5;
-        let wall = Wall {
-            i: 0,
-            image: image(),
-            owner: 0,
-            curvature: Matrix::zeros(),
-            foot: Vector::zeros(),
-            stick: None,
-            push: 0.0,
-        };
+        let wall = wall(Matrix::zeros());
         let resolved = wall.pressure(&AIR, &cell, &slopes.along, 1.0);
         assert!((resolved - 0.8).abs() < 1e-15, "{resolved}");
         let coarse = wall.pressure(&AIR, &cell, &slopes.along, 0.8);
