@@ -6,7 +6,7 @@ use support::Workplace;
 
 /// Each scene with what makes it small.
 const SMALL: [(&str, &[&str]); 43] = [
-    ("aerofoil", &["end_time=1e-3", "stop=end-time"]),
+    ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("backward-step", &["end_time=0.5"]),
