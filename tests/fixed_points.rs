@@ -167,7 +167,7 @@ fn what_points_that_stay_cannot_do_is_refused_by_name() {
 /// A third of a spacing is left between the wall and the side that it is to close.
 #[test]
 fn a_side_that_its_body_does_not_reach_is_refused() {
-    let lowered = wedge().replace("corner = [0.0, 0.0]", "corner = [0.0, -0.04]");
+    let lowered = wedge().replace("corner = [0.0, 0.0]", "corner = [0.0, -0.02]");
     assert_ne!(lowered, wedge());
     Workplace::new().run(&lowered, &[]).refuses(&[
         "side `y_min`",
