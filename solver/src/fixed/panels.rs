@@ -187,9 +187,7 @@ impl<const D: usize> Patch<D> {
     /// Pressure at a place on it, where that on the wall is `pressure`.
     fn pressure(&self, pressure: f64, place: &Vector<D>) -> f64 {
         let rise = self.fit.slope().dot(&(place - self.middle));
-        // As far up as down: the mean over the wall stays.
-        let held = |rise: f64| (self.fit.bounded(pressure, pressure + rise) - pressure).abs();
-        pressure + rise.signum() * held(rise).min(held(-rise))
+        self.fit.bounded(pressure, pressure + rise)
     }
 }
 
