@@ -159,6 +159,54 @@ impl Mesh {
             }
     }
 
+    /// Of the triangles that share a feature of `facet` the one that faces `direction` most: all are equally near to what
+    /// lies beyond a crease, and a body that is its own mirror image must be seen as one.
+    fn facing(&self, facet: u32, feature: Feature, direction: &Vector<3>) -> u32 {
+        let faces = |f: u32| normal(&self.corners(f)).dot(direction);
+        let mut best = (facet, faces(facet));
+        let mut meet = |other: u32| {
+            let faced = faces(other);
+            if faced > best.1 {
+                best = (other, faced);
+            }
+        };
+        match feature {
+            Feature::Face => {}
+            Feature::Edge(edge) => {
+                let other = self.across[facet as usize][edge];
+                if other != NONE {
+                    meet(other);
+                }
+            }
+            Feature::Vertex(corner) => self.for_each_around(facet, corner, meet),
+        }
+        best.0
+    }
+
+    /// Calls `visit` with the other triangles around a corner of `facet`, as far as they hang together.
+    fn for_each_around(&self, facet: u32, corner: usize, mut visit: impl FnMut(u32)) {
+        let vertex = self.facets[facet as usize][corner];
+        // Out over the edge that leaves the corner, then the other way round over the one that arrives.
+        for turn in [0, 2] {
+            let mut at = (facet, corner);
+            loop {
+                let next = self.across[at.0 as usize][(at.1 + turn) % 3];
+                if next == facet {
+                    return;
+                }
+                let Some(place) = self
+                    .facets
+                    .get(next as usize)
+                    .and_then(|corners| corners.iter().position(|&other| other == vertex))
+                else {
+                    break;
+                };
+                visit(next);
+                at = (next, place);
+            }
+        }
+    }
+
     /// The direction that tells the sides of a feature apart; not a unit vector.
     fn outward(&self, facet: u32, corners: &[Vector<3>; 3], feature: Feature) -> Vector<3> {
         match feature {
@@ -203,7 +251,8 @@ impl Shape<3> for Mesh {
         };
         let sign = if inside { -1.0 } else { 1.0 };
         let size = self.bounds.size().max();
-        let creased = self.smooth.on_crease(facet, on.feature) || aslant;
+        let on_crease = self.smooth.on_crease(facet, on.feature);
+        let creased = on_crease || aslant;
         let normal = if creased && length > 1e-9 * size {
             sign / length * offset
         } else if creased {
@@ -211,11 +260,16 @@ impl Shape<3> for Mesh {
         } else {
             self.smooth.normal_at(facet, &on)
         };
+        let facing = if on_crease {
+            self.facing(facet, on.feature, &(sign * offset))
+        } else {
+            facet
+        };
         Closest {
             point: on.point,
             distance: sign * length,
             normal,
-            face: self.smooth.patches[facet as usize],
+            face: self.smooth.patches[facing as usize],
         }
     }
 

@@ -147,7 +147,6 @@ impl Shape<2> for Outline {
 
     fn closest(&self, p: &Vector<2>) -> Closest<2> {
         let (index, foot) = self.nearest(p);
-        let face = self.faces[index];
         let joint = match foot.place {
             Place::Within => None,
             Place::Start => Some(self.ends[index][0]),
@@ -159,7 +158,7 @@ impl Shape<2> for Outline {
                 point: foot.point,
                 distance,
                 normal,
-                face,
+                face: self.faces[index],
             };
         };
         let offset = p - joint.point;
@@ -175,7 +174,7 @@ impl Shape<2> for Outline {
             point: joint.point,
             distance: sign * length,
             normal,
-            face,
+            face: self.faces[joint.nearer(&offset)],
         }
     }
 

@@ -118,7 +118,7 @@ impl Outline {
                 Ends::Closed => last,
                 Ends::Axis | Ends::Endless => continue,
             };
-            let joint = Joint::between(&self.pieces[before], &self.pieces[index]);
+            let joint = Joint::between(&self.pieces, [before, index]);
             self.ends[before][1] = self.joints.len() as u32;
             self.ends[index][0] = self.joints.len() as u32;
             self.joints.push(joint);
@@ -161,8 +161,18 @@ impl Outline {
         self.ends[first][0] = self.joints.len() as u32;
         self.ends[last][1] = self.joints.len() as u32 + 1;
         self.joints.extend([
-            Joint::new(self.pieces[first].start(), &mirrored(&after), &after),
-            Joint::new(self.pieces[last].end(), &before, &mirrored(&before)),
+            Joint::new(
+                self.pieces[first].start(),
+                &mirrored(&after),
+                &after,
+                [first, first],
+            ),
+            Joint::new(
+                self.pieces[last].end(),
+                &before,
+                &mirrored(&before),
+                [last, last],
+            ),
         ]);
     }
 }

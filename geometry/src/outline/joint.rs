@@ -26,11 +26,18 @@ pub(crate) struct Joint {
     pub turn: f64,
     /// Unit bisector of the two normals, out of the solid.
     pub bisector: Vector<2>,
+    /// The piece that ends here and the one that starts here; the same where a meridian meets its mirror image.
+    pub pieces: [usize; 2],
 }
 
 impl Joint {
-    /// The joint at `point` where the tangent changes from `before` to `after`.
-    pub fn new(point: Vector<2>, before: &Vector<2>, after: &Vector<2>) -> Self {
+    /// The joint of `pieces` at `point`, where the tangent changes from `before` to `after`.
+    pub fn new(
+        point: Vector<2>,
+        before: &Vector<2>,
+        after: &Vector<2>,
+        pieces: [usize; 2],
+    ) -> Self {
         let mut turn = cross(before, after).atan2(before.dot(after));
         if turn <= -PI {
             // A needle tip, not a slit, is what bodies have.
@@ -42,16 +49,24 @@ impl Joint {
             point,
             turn,
             bisector: Vector::<2>::new(cos * n.x - sin * n.y, sin * n.x + cos * n.y),
+            pieces,
         }
     }
 
-    /// The joint between two consecutive pieces.
-    pub fn between(before: &Piece, after: &Piece) -> Self {
+    /// The joint between two consecutive pieces of `all`.
+    pub fn between(all: &[Piece], [before, after]: [usize; 2]) -> Self {
         Self::new(
-            after.start(),
-            &before.tangent(before.range()[1]),
-            &after.tangent(after.range()[0]),
+            all[after].start(),
+            &all[before].tangent(all[before].range()[1]),
+            &all[after].tangent(all[after].range()[0]),
+            [before, after],
         )
+    }
+
+    /// The piece on whose side of the bisector `offset` (from the joint) lies, given that the joint is the closest point:
+    /// both are equally near then, and a body that is its own mirror image must be seen as one.
+    pub fn nearer(&self, offset: &Vector<2>) -> usize {
+        self.pieces[usize::from(cross(&self.bisector, offset) > 0.0)]
     }
 
     /// Which side of the surface `offset` (from the joint) lies on, given that the joint is the

@@ -4,7 +4,7 @@ use aero_geometry::Shape;
 use aero_geometry::bodies::{Capsule, cone, cuboid, sphere};
 use approx::assert_relative_eq;
 
-use super::{at, mesh, unit_block};
+use super::{at, mesh, prism, unit_block};
 
 #[test]
 fn a_sphere_of_triangles_is_close_to_the_exact_one() {
@@ -39,6 +39,28 @@ fn a_block_of_triangles_answers_like_the_exact_one() {
         if (a.point - b.point).norm() < 1e-12 {
             assert!((a.normal - b.normal).norm() < 1e-12);
         }
+    }
+}
+
+#[test]
+fn what_lies_beyond_an_edge_or_a_corner_sees_the_patch_that_faces_it() {
+    let diamond = mesh(prism(&[[0.0, 0.0], [1.0, -0.2], [2.0, 0.0], [1.0, 0.2]]));
+    let patch = |x: f64, y: f64, z: f64| diamond.closest(&at(x, y, z)).face;
+    let (below, above, end) = (
+        patch(0.9, -0.3, 0.5),
+        patch(0.9, 0.3, 0.5),
+        patch(1.0, 0.0, 1.1),
+    );
+    for y in [1e-3, 0.02, 0.1] {
+        for z in [0.1, 0.5, 0.9] {
+            assert_eq!(patch(-0.1, y, z), above);
+            assert_eq!(patch(-0.1, -y, z), below);
+        }
+        // Beyond the corner where both meet the end.
+        assert_eq!(patch(-0.01, y, 1.0 + 0.5 * y), above);
+        assert_eq!(patch(-0.01, -y, 1.0 + 0.5 * y), below);
+        assert_eq!(patch(-0.01, y, 1.0 + 2.0 * y), end);
+        assert_eq!(patch(-0.01, -y, 1.0 + 2.0 * y), end);
     }
 }
 

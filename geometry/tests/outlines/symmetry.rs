@@ -2,8 +2,8 @@
 
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use aero_geometry::bodies::biconvex;
-use aero_geometry::{Placed, Placement, Shape};
+use aero_geometry::bodies::{biconvex, polygon};
+use aero_geometry::{Outline, Placed, Placement, Shape};
 
 use super::{at, bodies};
 
@@ -46,4 +46,29 @@ fn a_quarter_turn_keeps_mirror_planes_and_an_eighth_drops_them() {
     let tilted = Placement::<2>::default().rotated(0.25 * PI);
     assert!(aerofoil.placed(&tilted).mirror_planes().is_empty());
     assert!(Placed::new(aerofoil, tilted).mirror_planes().is_empty());
+}
+
+#[test]
+fn what_lies_beyond_a_tip_sees_the_face_on_its_own_side() {
+    let tip = polygon(&[at(0.0, 0.0), at(1.0, -0.2), at(2.0, 0.0), at(1.0, 0.2)]).unwrap();
+    let notch = polygon(&[
+        at(0.5, 0.0),
+        at(0.0, -0.4),
+        at(2.0, -0.4),
+        at(2.0, 0.4),
+        at(0.0, 0.4),
+    ])
+    .unwrap();
+    let face = |body: &Outline, x: f64, y: f64| body.closest(&at(x, y)).face;
+    for y in [1e-3, 0.02, 0.1] {
+        assert_eq!(tip.closest(&at(-0.1, y)).point, at(0.0, 0.0));
+        assert_eq!(face(&tip, -0.1, y), face(&tip, 0.9, 0.3));
+        assert_eq!(face(&tip, -0.1, -y), face(&tip, 0.9, -0.3));
+        assert_eq!(face(&tip, 2.1, y), face(&tip, 1.1, 0.3));
+        assert_eq!(face(&tip, 2.1, -y), face(&tip, 1.1, -0.3));
+        // The same from inside, around the bottom of a notch.
+        assert_eq!(notch.closest(&at(0.7, y)).point, at(0.5, 0.0));
+        assert_eq!(face(&notch, 0.7, y), face(&notch, 0.2, 0.2));
+        assert_eq!(face(&notch, 0.7, -y), face(&notch, 0.2, -0.2));
+    }
 }

@@ -191,7 +191,7 @@ impl<const D: usize> Patch<D> {
     }
 }
 
-/// How the pressure on the walls around a `wall` rises at its `middle`.
+/// How the pressure on the walls around a `wall`, on the same smooth part of the surface, rises at its `middle`: it jumps where that bends.
 fn fit<const D: usize>(nearby: &Nearby<'_, D>, wall: &Wall<D>, middle: &Vector<D>) -> Fit<D> {
     let mut fit = Fit::new();
     let look = nearby.look();
@@ -199,7 +199,8 @@ fn fit<const D: usize>(nearby: &Nearby<'_, D>, wall: &Wall<D>, middle: &Vector<D
         let arm = other.foot - middle;
         let kernel = QuinticSpline::<D>::value(arm.norm(), look / SUPPORT);
         let facing = dot(&wall.image.normal, &other.image.normal);
-        if kernel > 0.0 && facing > ASKEW && other.owner == wall.owner {
+        let on_one = (other.owner, other.facet) == (wall.owner, wall.facet);
+        if kernel > 0.0 && facing > ASKEW && on_one {
             fit.add(kernel * other.image.size, &arm, *pressure);
         }
     });

@@ -19,6 +19,8 @@ pub struct Wall<const D: usize> {
     pub image: Image<D>,
     /// Number of what it belongs to: bodies first, wall sides after.
     pub owner: u32,
+    /// Number of the smooth part of its owner that it lies on.
+    pub facet: u32,
     /// Shape operator, 1/m.
     pub curvature: Matrix<D>,
     /// Where it is.
@@ -36,6 +38,7 @@ impl<const D: usize> Wall<D> {
             i: face.i,
             image: Image::new(&face.area, point, &face.foot),
             owner,
+            facet: face.facet,
             curvature: face.curvature,
             foot: face.foot,
             stick: None,
@@ -216,6 +219,7 @@ mod tests {
             i: 0,
             image: image(),
             owner: 0,
+            facet: 0,
             curvature,
             foot: Vector::zeros(),
             stick: None,

@@ -27,26 +27,27 @@ pub struct Held {
     place: Place,
     /// The pressure.
     pressure: f64,
-    /// `sigma / L`.
-    strength: f64,
+    /// `sigma / L`; none where nothing but the pressure counts.
+    strength: Option<f64>,
     gamma: f64,
     /// What comes back in.
     plenum: Plenum,
 }
 
 impl Held {
-    /// The outlet of `problem` at `place` that holds `pressure`; `relaxation` is `sigma`.
+    /// The outlet of `problem` at `place` that holds `pressure`; `relaxation` is `sigma`, none of one that holds it at once and lets no
+    /// sound out, as a flow does that goes to its steady state through states that none passes through.
     pub fn new<const D: usize>(
         problem: &Problem<D>,
         place: Place,
         pressure: f64,
-        relaxation: f64,
+        relaxation: Option<f64>,
     ) -> Self {
         let stream = &problem.free_stream;
         Self {
             place,
             pressure,
-            strength: relaxation / problem.domain.bounds.size()[place.axis],
+            strength: relaxation.map(|sigma| sigma / problem.domain.bounds.size()[place.axis]),
             gamma: problem.gas.ratio_at(stream.density, stream.pressure),
             plenum: Plenum::of_stream(problem).at(pressure),
         }
@@ -66,7 +67,8 @@ impl Held {
     fn rate(&self, gas: &Along) -> Option<f64> {
         let mach = gas.speed / gas.sound(self.gamma);
         let above = (gas.pressure - self.pressure) / gas.density;
-        (mach < 1.0).then(|| self.strength * (1.0 - mach * mach).max(0.0) * above)
+        let strength = self.strength.unwrap_or_default();
+        (mach < 1.0).then(|| strength * (1.0 - mach * mach).max(0.0) * above)
     }
 
     /// The wave that comes in after a `time` in which it rode along with such gas, at a place before which it rises by `slope` out
@@ -101,6 +103,23 @@ impl Held {
         })
     }
 
+    /// Gas slower than sound at the pressure itself, which the wave on its way out and the entropy reach it with; the same gas where
+    /// it is faster.
+    fn met(&self, gas: &Along, waves: &Waves) -> Along {
+        let gamma = self.gamma;
+        let sound = gas.sound(gamma);
+        if gas.speed >= sound {
+            return *gas;
+        }
+        let rise = self.pressure / gas.pressure;
+        let there = sound * rise.powf(0.5 * (gamma - 1.0) / gamma);
+        Along {
+            density: gas.density * rise.powf(1.0 / gamma),
+            speed: waves.ahead - 2.0 * there / (gamma - 1.0),
+            pressure: self.pressure,
+        }
+    }
+
     /// The state beyond a face whose cell is in state `gas` and has its mean at this `distance` before it: the wave that comes in
     /// crosses that at `c - u` and changes by what it would on its way, beside what the flow along the side takes off it there,
     /// `aside` per time. Faster than sound it is the cell's own. What comes back in comes from gas at rest at the pressure, as hot
@@ -116,8 +135,11 @@ impl Held {
         if let Some(behind) = self.shocked(gas) {
             return behind;
         }
-        let time = distance / (gas.sound(self.gamma) - gas.speed);
         let waves = gas.waves(self.gamma);
+        if self.strength.is_none() {
+            return self.met(gas, &waves);
+        }
+        let time = distance / (gas.sound(self.gamma) - gas.speed);
         let back = self
             .rate(gas)
             .map(|rate| waves.back + time * (rate + aside));
@@ -245,7 +267,7 @@ mod tests {
             face: 1.0,
             part: None,
         };
-        Held::new(&cube::<1>(8, Side::Outlet), place, pressure, 0.25)
+        Held::new(&cube::<1>(8, Side::Outlet), place, pressure, Some(0.25))
     }
 
     fn gas(mach: f64) -> Along {

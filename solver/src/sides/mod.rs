@@ -27,6 +27,7 @@ pub use rows::Rows;
 pub use waves::Along;
 pub use zone::Zone;
 
+use crate::method::Time;
 use crate::problem::{Given, Problem, Side, State};
 use held::{Held, HeldOutlet};
 use inlet::{Inlet, SoftInlet};
@@ -52,7 +53,7 @@ fn model_of<const D: usize>(
             pressure,
             relaxation,
         } => {
-            let held = Held::new(problem, place, pressure, relaxation);
+            let held = Held::new(problem, place, pressure, Some(relaxation));
             Some(Box::new(HeldOutlet::new(held, given)))
         }
         Side::Symmetry | Side::Axis | Side::Periodic | Side::Wall { .. } | Side::Body => None,
@@ -69,10 +70,13 @@ pub enum Answering {
 }
 
 impl Answering {
-    /// That of a kind of side; none of those that do not answer.
+    /// That of a kind of side; none of those that do not answer. A flow that settles has no time in which sound could leave: what is
+    /// to be held is held at once.
     pub fn of<const D: usize>(problem: &Problem<D>, side: Side, place: Place) -> Option<Self> {
+        let settles = problem.method.fixed().map(|points| points.time) == Some(Time::Settle);
         match side {
             Side::Reservoir { relaxation } => {
+                let relaxation = relaxation.filter(|_| !settles);
                 let reservoir = Reservoir::new(problem, place, relaxation);
                 Some(Self::Reservoir(reservoir))
             }
@@ -80,6 +84,7 @@ impl Answering {
                 pressure,
                 relaxation,
             } => {
+                let relaxation = Some(relaxation).filter(|_| !settles);
                 let held = Held::new(problem, place, pressure, relaxation);
                 Some(Self::Held(held))
             }
