@@ -5,7 +5,7 @@ mod support;
 use support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 43] = [
+const SMALL: [(&str, &[&str]); 44] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -20,6 +20,7 @@ const SMALL: [(&str, &[&str]); 43] = [
         ],
     ),
     ("blown-sphere", &["end_time=0.2", "spacing=0.2"]),
+    ("bump", &["end_time=0.3", "spacing=0.0625", "stop=end-time"]),
     ("cavity", &["end_time=0.02"]),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
     (

@@ -6,6 +6,7 @@
 mod aerofoil;
 mod apollo;
 pub mod biconvex;
+mod bump;
 mod comparison;
 pub mod cone;
 mod context;
@@ -51,13 +52,14 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 26] = [
+static CASES: [Case; 27] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
     ("nozzle", &[&nozzle::NOZZLE]),
     ("nozzle-back-pressure", &[&nozzle::BACK_PRESSURE]),
     ("duct", &[&duct::DUCT]),
+    ("bump", &[&bump::BUMP]),
     ("intake", &[&intake::INTAKE]),
     ("sound", &[&sound::SOUND]),
     ("mms", &[&mms::Manufactured]),

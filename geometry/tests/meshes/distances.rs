@@ -57,10 +57,10 @@ fn what_lies_beyond_an_edge_or_a_corner_sees_the_patch_that_faces_it() {
             assert_eq!(patch(-0.1, -y, z), below);
         }
         // Beyond the corner where both meet the end.
-        assert_eq!(patch(-0.01, y, 1.0 + 0.5 * y), above);
-        assert_eq!(patch(-0.01, -y, 1.0 + 0.5 * y), below);
-        assert_eq!(patch(-0.01, y, 1.0 + 2.0 * y), end);
-        assert_eq!(patch(-0.01, -y, 1.0 + 2.0 * y), end);
+        assert_eq!(patch(-0.1 * y, y, 1.0 + 0.5 * y), above);
+        assert_eq!(patch(-0.1 * y, -y, 1.0 + 0.5 * y), below);
+        assert_eq!(patch(-0.1 * y, y, 1.0 + 2.0 * y), end);
+        assert_eq!(patch(-0.1 * y, -y, 1.0 + 2.0 * y), end);
     }
 }
 

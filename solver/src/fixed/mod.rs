@@ -56,6 +56,7 @@ mod rebuild;
 mod reconstruction;
 pub mod refine;
 mod refusal;
+mod relax;
 mod rim;
 mod section;
 mod settle;
@@ -242,6 +243,11 @@ impl<const D: usize> FixedSimulation<D> {
             problem.domain.is_axisymmetric(),
         )?;
         viscous::stick(&mut net, problem)?;
+        if problem.method.settles() {
+            let least = problem.stream_mach();
+            let walls = net.blocks.iter_mut().flat_map(|block| &mut block.walls);
+            walls.for_each(|wall| wall.least_mach = least);
+        }
         net.add_bends(cells);
         Ok(net)
     }

@@ -1,9 +1,9 @@
 //! How long the steps towards the steady state are.
 //!
-//! Symmetric Gauss-Seidel sweeps over slopes that its left-hand side does not know are not stable at any Courant number: waves of a few cells
-//! grow by a thousandth in each step and more (von Neumann's analysis, on a lattice). A fast stream carries them out of the domain before they count; a
-//! slow one lets them swing to and fro. Steps are therefore shortened where the residual grows [after the switched evolution relaxation of Mulder &
-//! van Leer 1985, J. Comput. Phys. 59, 232-246].
+//! Symmetric Gauss-Seidel sweeps over slopes that its left-hand side does not know are not stable at any Courant number ([`super::relax`]). A fast
+//! stream carries what grows out of the domain before it counts; a slow one lets it swing to and fro. Where the residual grows steps therefore go on
+//! in two stages, and are shortened should it still grow [after the switched evolution relaxation of Mulder & van Leer 1985, J. Comput. Phys. 59,
+//! 232-246].
 
 use serde::{Deserialize, Serialize};
 
@@ -33,6 +33,9 @@ pub struct Pace {
     window: (f64, u32),
     /// The least of the windows before, as a mean square.
     least: Option<f64>,
+    /// True once the residual has grown.
+    #[serde(default)]
+    is_staged: bool,
 }
 
 impl Default for Pace {
@@ -41,11 +44,17 @@ impl Default for Pace {
             fastest: FASTEST,
             window: (0.0, 0),
             least: None,
+            is_staged: false,
         }
     }
 }
 
 impl Pace {
+    /// True where steps go in two stages.
+    pub fn is_staged(&self) -> bool {
+        self.is_staged
+    }
+
     /// Courant number of the next iteration, `calm` iterations after the gas was far from rest.
     pub fn courant(&self, calm: u64) -> f64 {
         (1.0 + RAMP * calm as f64).min(self.fastest)
@@ -67,9 +76,10 @@ impl Pace {
         let mean = sum / f64::from(count);
         let least = self.least.unwrap_or(mean);
         let has_grown = mean > GROWN * GROWN * least;
-        if has_grown {
+        if has_grown && self.is_staged {
             self.fastest = (0.5 * self.fastest).max(SLOWEST);
         }
+        self.is_staged |= has_grown;
         self.least = Some(if has_grown { mean } else { mean.min(least) });
     }
 }
@@ -78,20 +88,21 @@ impl Pace {
 mod tests {
     use super::*;
 
-    fn after(residual: impl Fn(f64) -> f64) -> f64 {
+    fn after(residual: impl Fn(f64) -> f64) -> (f64, bool) {
         let mut pace = Pace::default();
         for calm in 0..400 {
             pace.go_by(residual(calm as f64), calm);
         }
-        pace.courant(400)
+        (pace.courant(400), pace.is_staged())
     }
 
     #[test]
-    fn steps_are_shortened_where_the_residual_grows_and_not_where_it_falls_or_cycles() {
-        assert_eq!(after(|k| (-0.01 * k).exp()), FASTEST);
-        assert_eq!(after(|k| 1.0 + 0.3 * (0.07 * k).sin()), FASTEST);
-        assert_eq!(after(|k| (0.003 * k).exp()), 0.5 * FASTEST);
-        assert_eq!(after(|k| (0.1 * k).exp()), SLOWEST);
+    fn steps_are_parted_then_shortened_where_the_residual_grows_and_not_where_it_falls_or_cycles() {
+        assert_eq!(after(|k| (-0.01 * k).exp()), (FASTEST, false));
+        assert_eq!(after(|k| 1.0 + 0.3 * (0.07 * k).sin()), (FASTEST, false));
+        assert_eq!(after(|k| (0.003 * k).exp()), (FASTEST, true));
+        assert_eq!(after(|k| (0.006 * k).exp()), (0.5 * FASTEST, true));
+        assert_eq!(after(|k| (0.1 * k).exp()), (SLOWEST, true));
     }
 
     #[test]

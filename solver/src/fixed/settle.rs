@@ -62,7 +62,7 @@ pub struct Settling {
     /// The first residual; the largest of the first ones of viscous gas.
     first: f64,
     #[serde(default)]
-    pace: Pace,
+    pub(super) pace: Pace,
     /// Circulation that the stream far away goes around the bodies with, clockwise; none before the first iteration.
     #[serde(default)]
     pub(super) circulation: Option<f64>,
@@ -93,7 +93,7 @@ impl<const D: usize> FixedSimulation<D> {
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
         self.turn_far_field();
         let courant = self.settling.pace.courant(self.settling.calm);
-        let residual = self.sweep(courant)?;
+        let residual = self.implicit_step(courant)?;
         self.tally.steps += 1;
         self.tally.updates += self.awake_cells();
         let (watched, measures) = self.watched().into_iter().unzip();

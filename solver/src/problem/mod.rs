@@ -49,6 +49,13 @@ pub struct Problem<const D: usize> {
 }
 
 impl<const D: usize> Problem<D> {
+    /// Mach number of the free stream.
+    pub fn stream_mach(&self) -> f64 {
+        let stream = &self.free_stream;
+        let sound = self.gas.sound_speed_at(stream.density, stream.pressure);
+        stream.velocity.norm() / sound
+    }
+
     /// True where all gas that comes in has the total enthalpy of the free stream, and nothing gives it more on its way.
     pub fn has_one_enthalpy(&self) -> bool {
         let mut openings = self.domain.openings.iter();

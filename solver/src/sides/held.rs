@@ -9,27 +9,20 @@
 //! Faster than sound nothing comes in but, where points stay, the shock of a pressure that the gas cannot pass; particles that left
 //! faster than sound take none back.
 
-use aero_geometry::Vector;
-
-use super::model::{OpenModel, Place};
-use super::particle::OpenParticle;
+use super::model::Place;
 use super::plenum::Plenum;
-use super::upstream::Upstream;
 use super::waves::{Along, Waves};
-use crate::diffusive::Gradients;
-use crate::particles::Particle;
-use crate::problem::{Given, Problem, State};
-use crate::rings::Rings;
+use crate::problem::Problem;
 
 /// An outlet that holds a pressure.
 #[derive(Clone, Copy, Debug)]
 pub struct Held {
-    place: Place,
+    pub(super) place: Place,
     /// The pressure.
     pressure: f64,
     /// `sigma / L`; none where nothing but the pressure counts.
     strength: Option<f64>,
-    gamma: f64,
+    pub(super) gamma: f64,
     /// What comes back in.
     plenum: Plenum,
 }
@@ -75,7 +68,7 @@ impl Held {
     /// of the domain. As seen from the side it has come against the gas, and changes by `u` times its slope more: by `M` that which
     /// it would have if it changed there as it should, `(rate + aside) / (c - u)`, and by `1 - M` the one that it has, which tells
     /// what else there is. All of that near the speed of sound would send back what it hears.
-    fn ridden(&self, gas: &Along, time: f64, slope: f64, aside: f64) -> Option<f64> {
+    pub(super) fn ridden(&self, gas: &Along, time: f64, slope: f64, aside: f64) -> Option<f64> {
         let sound = gas.sound(self.gamma);
         let mach = (gas.speed / sound).max(0.0);
         let rate = self.rate(gas)?;
@@ -146,109 +139,6 @@ impl Held {
         let there = back.and_then(|back| Waves { back, ..waves }.state(self.gamma));
         there.unwrap_or(*gas)
     }
-}
-
-/// The outlet of particles.
-#[derive(Clone, Debug)]
-pub struct HeldOutlet<const D: usize> {
-    held: Held,
-    /// The pressure, where it is not the same everywhere and at all times.
-    given: Option<Given<D>>,
-}
-
-impl<const D: usize> HeldOutlet<D> {
-    /// One like `held`, whose pressure may be `given`.
-    pub fn new(held: Held, given: Option<&Given<D>>) -> Self {
-        Self {
-            held,
-            given: given.cloned(),
-        }
-    }
-
-    /// That of a place and time.
-    fn at(&self, position: &Vector<D>, time: f64) -> Held {
-        let given = self.given.as_ref();
-        given.map_or(self.held, |given| {
-            self.held.at(given.at(position, time).pressure)
-        })
-    }
-}
-
-impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
-    fn inflow(&self, _problem: &Problem<D>) -> Option<State<D>> {
-        None
-    }
-
-    fn goes_on(&self) -> bool {
-        true
-    }
-
-    /// The wave on its way out goes through the particles, `dR+/dt = -c dR+/dn`; entropy and the velocity along the side ride
-    /// with them.
-    fn go_on(
-        &self,
-        problem: &Problem<D>,
-        fluid: &[Particle<D>],
-        gone: &mut [OpenParticle<D>],
-        [before, now]: [f64; 2],
-    ) {
-        let Held { place, gamma, .. } = self.held;
-        let (axis, outward, step) = (place.axis, -place.inward(), now - before);
-        let along = |particle: &Particle<D>| Along {
-            density: particle.density,
-            speed: outward * particle.velocity[axis],
-            pressure: problem.gas.pressure(particle.density, particle.energy),
-        };
-        let waves = |particle: &Particle<D>| {
-            let Waves { ahead, back, .. } = along(particle).waves(gamma);
-            [ahead, back]
-        };
-        let rings = Rings::new(problem);
-        let mut upstream = Upstream::new(place, problem.spacing);
-        let reach = upstream.reach();
-        let near = fluid
-            .iter()
-            .filter(|particle| -place.depth(&particle.position) < reach);
-        let all = near.chain(gone.iter().map(|open| &open.particle));
-        for particle in all {
-            upstream.add(particle.position, waves(particle));
-        }
-        upstream.sort();
-        for open in gone {
-            let particle = &mut open.particle;
-            let gas = along(particle);
-            let held = self.at(&particle.position, now);
-            let waves = gas.waves(gamma);
-            let slopes = upstream.slopes(&particle.position, [waves.ahead, waves.back]);
-            // Rings grow, whichever way they leave.
-            let parting = parting(axis, &open.gradients) + rings.growth(particle);
-            let parting = gas.sound(gamma) * parting;
-            let next = held
-                .ridden(&gas, step, slopes[1], -parting)
-                .and_then(|back| {
-                    let ahead = waves.ahead - step * (gas.sound(gamma) * slopes[0] + parting);
-                    let next = Waves {
-                        ahead,
-                        back,
-                        ..waves
-                    };
-                    next.state(gamma)
-                });
-            let Some(next) = next else {
-                continue;
-            };
-            let wider = (particle.density / next.density).powf(1.0 / D as f64);
-            particle.smoothing_length *= wider;
-            particle.density = next.density;
-            particle.energy = next.pressure / ((gamma - 1.0) * next.density);
-            particle.velocity[axis] = outward * next.speed;
-        }
-    }
-}
-
-/// How fast gas parts across `axis` by its gradients.
-fn parting<const D: usize>(axis: usize, gradients: &Gradients<D>) -> f64 {
-    gradients.velocity.trace() - gradients.velocity[(axis, axis)]
 }
 
 #[cfg(test)]
@@ -331,41 +221,27 @@ mod tests {
     }
 
     #[test]
-    fn gas_parts_across_the_side_alone() {
-        let mut gradients = Gradients::<3>::zeros();
-        gradients.velocity[(0, 0)] = -3.0;
-        gradients.velocity[(1, 1)] = 2.0;
-        gradients.velocity[(2, 2)] = 0.5;
-        gradients.velocity[(0, 1)] = 7.0;
-        let parts = [0, 1, 2].map(|axis| parting(axis, &gradients));
-        assert_eq!(parts, [2.5, -2.5, -1.0]);
-    }
-
-    /// Gas that left and goes on parting at a rate `a`: the wave on its way out falls by `c a` per time, `dR+/dt = -c div_t v`.
-    #[test]
-    fn gas_that_left_and_parts_slows_the_wave_that_it_sends_out() {
-        let problem = cube::<2>(8, Side::Outlet);
-        let mut particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
-        particle.velocity = [0.5, 0.1].into();
-        let mut gone = [OpenParticle::of_lattice(particle, 1, None)];
-        gone[0].gradients.velocity[(1, 1)] = 0.3;
-        let gas = |particle: &Particle<2>| Along {
-            density: particle.density,
-            speed: particle.velocity[0],
-            pressure: (GAMMA - 1.0) * particle.density * particle.energy,
-        };
-        let before = gas(&particle);
-        HeldOutlet::new(outlet(1.0), None).go_on(&problem, &[], &mut gone, [0.0, 0.01]);
-        let after = gas(&gone[0].particle).waves(GAMMA).ahead;
-        let change = (after - before.waves(GAMMA).ahead) / 0.01;
-        assert_relative_eq!(change, -0.3 * before.sound(GAMMA), epsilon = 1e-12);
-    }
-
-    #[test]
     fn what_comes_back_comes_from_rest() {
         let beyond = outlet(1.2 / GAMMA).beyond(&gas(-0.2), 0.1, 0.0);
         let rise = (1.2 / GAMMA / beyond.pressure).powf((GAMMA - 1.0) / GAMMA);
         let mach = -beyond.speed / beyond.sound(GAMMA);
         assert_relative_eq!(rise, 1.0 + 0.2 * mach * mach, epsilon = 1e-12);
+    }
+
+    /// The pressure held, the wave that goes out and the entropy make the state, and gas faster than sound takes none of it.
+    #[test]
+    fn a_pressure_held_at_once_is_that_beyond_the_side() {
+        let outlet = Held {
+            strength: None,
+            ..outlet(0.9 / GAMMA)
+        };
+        let inside = gas(0.5);
+        let beyond = outlet.beyond(&inside, 0.1, -0.3);
+        let [before, after] = [inside, beyond].map(|gas| gas.waves(GAMMA));
+        assert_relative_eq!(beyond.pressure, 0.9 / GAMMA, epsilon = 1e-14);
+        assert_relative_eq!(after.ahead, before.ahead, epsilon = 1e-13);
+        assert_relative_eq!(after.entropy, before.entropy, epsilon = 1e-13);
+        assert!(beyond.speed > inside.speed);
+        assert_eq!(outlet.beyond(&gas(2.0), 0.1, -0.3), gas(2.0));
     }
 }

@@ -7,6 +7,7 @@
 mod buffers;
 pub mod closed;
 mod held;
+mod held_outlet;
 mod inlet;
 mod model;
 mod outlet;
@@ -29,7 +30,8 @@ pub use zone::Zone;
 
 use crate::method::Time;
 use crate::problem::{Given, Problem, Side, State};
-use held::{Held, HeldOutlet};
+use held::Held;
+use held_outlet::HeldOutlet;
 use inlet::{Inlet, SoftInlet};
 use model::OpenModel;
 use outlet::Outlet;
