@@ -204,7 +204,13 @@ mod tests {
     /// A ramp of 15 degrees, and a thin diamond: a stream meets their corners, not a curve as wide as a cell.
     #[test]
     fn shallow_corners_of_a_few_straight_edges_part_faces() {
-        let ramp = [[-1.0, 0.0], [0.0, 0.0], [3.0, 0.8], [3.0, -1.0], [-1.0, -1.0]];
+        let ramp = [
+            [-1.0, 0.0],
+            [0.0, 0.0],
+            [3.0, 0.8],
+            [3.0, -1.0],
+            [-1.0, -1.0],
+        ];
         let diamond = [[0.0, 0.0], [0.5, -0.05], [1.0, 0.0], [0.5, 0.05]];
         for (list, count) in [(&ramp[..], 5), (&diamond[..], 4)] {
             let outline = polygon(&points(list)).unwrap();
