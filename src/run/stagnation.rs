@@ -7,11 +7,14 @@ use aero_solver::method::{Method, Time};
 use aero_solver::problem::{Problem, Side};
 
 /// Part of the pressure that may be missing without a word.
-const WORTH: f64 = 0.03;
+const WORTH: f64 = 0.05;
 
-/// Mach number below which the gas that presses most has come to rest before a body, and above which a stream has a bow shock.
+/// Mach number below which gas has come to rest, and above which a stream has a bow shock.
 const AT_REST: f64 = 0.3;
 const FAST: f64 = 1.2;
+
+/// Gas at rest with less than this part of the pressure circles behind a body.
+const BEFORE: f64 = 0.5;
 
 /// What there is to say of the stagnation pressure of a steady flow as it stands in `frame`.
 pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> Vec<Warning> {
@@ -29,19 +32,23 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
     if !is_asked || gas.transport.is_some() || mach < FAST {
         return Vec::new();
     }
-    let fluid = (0..frame.kind.len()).filter(|&i| frame.kind[i] == Kind::Fluid as u8);
-    let Some(most) = fluid.max_by(|&a, &b| frame.pressure[a].total_cmp(&frame.pressure[b])) else {
+    // No steady shocks cost a stream more than a normal one: whatever comes to rest has at least what is left behind that.
+    let pressure = stream.pressure * pitot(mach, gas.gamma);
+    let is_before = |&i: &usize| {
+        frame.kind[i] == Kind::Fluid as u8
+            && frame.mach[i] < AT_REST
+            && frame.pressure[i] > BEFORE * pressure
+    };
+    let left = |i: usize| frame.pressure[i] * at_rest(frame.mach[i], gas.gamma) / pressure;
+    let before = (0..frame.kind.len()).filter(is_before);
+    let Some(least) = before.min_by(|&a, &b| left(a).total_cmp(&left(b))) else {
         return Vec::new();
     };
-    if frame.mach[most] > AT_REST {
-        return Vec::new();
-    }
-    let left = frame.pressure[most] * at_rest(frame.mach[most], gas.gamma)
-        / (stream.pressure * pitot(mach, gas.gamma));
+    let left = left(least);
     if left > 1.0 - WORTH {
         return Vec::new();
     }
-    let place: Vec<String> = frame.position[most][..D]
+    let place: Vec<String> = frame.position[least][..D]
         .iter()
         .map(|x| format!("{x:.4}"))
         .collect();

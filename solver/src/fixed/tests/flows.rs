@@ -244,15 +244,14 @@ fn rings_next_to_the_axis_have_their_image_for_a_neighbour() {
 #[test]
 fn walls_of_rings_are_as_long_as_the_curve_that_they_follow() {
     let flow = ball(3.0, 20.0);
-    let walls = flow
-        .walls()
-        .map(|(wall, _)| wall)
-        .filter(|wall| wall.owner == 0);
-    let length: f64 = walls.clone().map(|wall| wall.image.share).sum();
+    let each = flow.walls().map(|(wall, _)| wall);
+    let walls: Vec<_> = each.filter(|wall| wall.owner == 0).collect();
+    let length: f64 = walls.iter().map(|wall| wall.image.share).sum();
     let quarter = std::f64::consts::FRAC_PI_2;
     assert!((length / quarter - 1.0).abs() < 5e-4, "{length}");
     // On the axis the middle of a wall from there is half its length away.
     let first = walls
+        .iter()
         .min_by(|a, b| a.foot[1].total_cmp(&b.foot[1]))
         .unwrap();
     let off = first.foot[1] / (0.5 * first.image.share) - 1.0;
