@@ -168,11 +168,15 @@ fn fans_are_alike_in_a_mirror_and_when_turned() {
         assert!(away(found) < 1e-6);
         *pressure
     };
-    // The walls of the tips themselves are slivers.
-    let walls = flow.iter().filter(|([x, _], _)| x.abs() < 0.39);
+    // The walls of the tips themselves are slivers, and so is what rounding leaves at the ridge, on an edge of cells, of the face beyond.
+    let walls = flow
+        .iter()
+        .filter(|([x, _], _)| (1e-6..0.39).contains(&x.abs()));
     for ([x, y], pressure) in walls {
-        assert!((at(&flow, [*x, -y]) / pressure - 1.0).abs() < 1e-6);
-        assert!((at(&turned, [*x, *y]) / pressure - 1.0).abs() < 1e-6);
+        let off = at(&flow, [*x, -y]) / pressure - 1.0;
+        assert!(off.abs() < 1e-6, "mirror, ({x}, {y}): {off}");
+        let off = at(&turned, [*x, *y]) / pressure - 1.0;
+        assert!(off.abs() < 1e-6, "turned, ({x}, {y}): {off}");
     }
     // Behind an oblique shock and a fan of twice the angle, over the first cells behind the ridge (NACA Report 1135).
     let behind = flow.iter().filter(|([x, _], _)| (0.02..0.1).contains(x));
