@@ -7,6 +7,7 @@ mod assemble;
 mod check;
 mod chords;
 mod copies;
+mod creases;
 mod crossing;
 mod foot;
 mod joint;
@@ -17,6 +18,7 @@ mod symmetry;
 
 use std::ops::Range;
 
+use creases::Pieces;
 use foot::{Foot, Place};
 pub use joint::Corner;
 pub(crate) use joint::Joint;
@@ -63,8 +65,8 @@ pub struct Outline {
     bounds: Bounds<2>,
     /// The size of the finite part, by which tolerances are measured.
     size: f64,
-    /// Turns sharper than this (radians) separate smooth faces.
-    crease: f64,
+    /// What its pieces stand for, and so which joints separate smooth faces.
+    stand_for: Pieces,
     search: Option<Search>,
 }
 

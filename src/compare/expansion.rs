@@ -69,6 +69,9 @@ pub const EXPANSION: Comparison<Corner> = Comparison {
             coarse.with(of(1.2)).both(),
             coarse.with(of(5.0 / 3.0)).both(),
             coarse.with(corner(4.0, 10.0, [0.5, 0.5])).both(),
+            coarse.with(corner(6.0, 10.0, [0.0; 2])).both(),
+            coarse.with(corner(6.0, 10.0, [0.3, 0.4])).both(),
+            coarse.with(corner(10.0, 5.0, [0.0; 2])).both(),
             // Farther on not all of these are within the bounds.
             coarse.with(corner(3.0, 20.0, [0.0; 2])).shown().both(),
             coarse.with(corner(3.0, 30.0, [0.0; 2])).shown().both(),

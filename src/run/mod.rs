@@ -16,6 +16,7 @@ mod reach;
 mod recorder;
 mod same;
 mod settle;
+mod stagnation;
 mod steady;
 mod stopwatch;
 mod swing;

@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use super::{far_field, outlets, reach, warmth};
+use super::{far_field, outlets, reach, stagnation, warmth};
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
@@ -241,6 +241,7 @@ impl Tally {
                 .chain(far_field::warnings(problem, &loads))
                 .chain(outlets::warnings(problem, &frame))
                 .chain(warmth::warnings(problem, &frame))
+                .chain(stagnation::warnings(problem, &frame))
                 .chain(reach::warnings(ways, problem.spacing))
                 .collect(),
         }

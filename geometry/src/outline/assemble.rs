@@ -4,14 +4,11 @@ use parry2d::bounding_volume::Aabb;
 use parry2d::partitioning::{Bvh, BvhBuildStrategy};
 
 use super::check;
+use super::creases::Pieces;
 use super::piece::{Piece, cross};
 use super::{Chain, Corner, Ends, FEW_PIECES, Joint, NO_JOINT, Outline, Search, measure, symmetry};
 use crate::error::GeometryError;
 use crate::{Bounds, Placement, Vector};
-
-/// A tangent that turns less than this (radians) is smooth: arcs and lines made to be tangent
-/// are so to rounding.
-const SMOOTH_TURN: f64 = 1e-6;
 
 impl Outline {
     /// An outline from chains of pieces, each closed or endless, with the solid to the left of
@@ -21,18 +18,18 @@ impl Outline {
     /// # Errors
     /// Pieces that are not finite, do not meet, cross or touch.
     pub fn new(chains: Vec<Vec<Piece>>) -> Result<Self, GeometryError> {
-        Self::checked(chains, false, SMOOTH_TURN)
+        Self::checked(chains, false, Pieces::Exact)
     }
 
-    /// An outline whose joints that turn less than `crease` (radians) do not separate faces.
-    pub(crate) fn with_crease(chains: Vec<Vec<Piece>>, crease: f64) -> Result<Self, GeometryError> {
-        Self::checked(chains, false, crease)
+    /// An outline whose joints separate faces where these are not samples of a curve.
+    pub(crate) fn sampled(chains: Vec<Vec<Piece>>) -> Result<Self, GeometryError> {
+        Self::checked(chains, false, Pieces::Samples)
     }
 
     /// The meridian of a body of revolution about `y = 0`: one chain in `y >= 0`, either closed
     /// or from the axis to the axis.
     pub(crate) fn meridian(pieces: Vec<Piece>) -> Result<Self, GeometryError> {
-        let outline = Self::checked(vec![pieces], true, SMOOTH_TURN)?;
+        let outline = Self::checked(vec![pieces], true, Pieces::Exact)?;
         if outline.bounds.min.y < -check::SAME_POINT * outline.size {
             return Err(GeometryError::Curve(
                 "a meridian must not pass below the axis y = 0".into(),
@@ -45,10 +42,14 @@ impl Outline {
     #[must_use]
     pub fn placed(&self, placement: &Placement<2>) -> Self {
         let pieces = self.pieces.iter().map(|p| p.placed(placement)).collect();
-        Self::assemble(pieces, self.chains.clone(), self.crease)
+        Self::assemble(pieces, self.chains.clone(), self.stand_for)
     }
 
-    fn checked(chains: Vec<Vec<Piece>>, axis: bool, crease: f64) -> Result<Self, GeometryError> {
+    fn checked(
+        chains: Vec<Vec<Piece>>,
+        axis: bool,
+        stand_for: Pieces,
+    ) -> Result<Self, GeometryError> {
         let alone = chains.len() == 1;
         let mut pieces: Vec<Piece> = Vec::new();
         let mut runs = Vec::new();
@@ -77,12 +78,12 @@ impl Outline {
         if pieces.is_empty() {
             return Err(GeometryError::Curve("has no pieces".into()));
         }
-        let outline = Self::assemble(pieces, runs, crease);
+        let outline = Self::assemble(pieces, runs, stand_for);
         outline.refuse_crossings()?;
         Ok(outline)
     }
 
-    fn assemble(pieces: Vec<Piece>, chains: Vec<Chain>, crease: f64) -> Self {
+    fn assemble(pieces: Vec<Piece>, chains: Vec<Chain>, stand_for: Pieces) -> Self {
         let extent = finite_bounds(&pieces);
         let size = extent.size().max();
         let mut outline = Self {
@@ -96,7 +97,7 @@ impl Outline {
             search: search(&pieces),
             pieces,
             chains,
-            crease,
+            stand_for,
         };
         for index in 0..outline.chains.len() {
             let range = outline.chains[index].pieces.clone();
@@ -111,7 +112,8 @@ impl Outline {
     fn join(&mut self, chain: usize) {
         let Chain { pieces, ends, .. } = self.chains[chain].clone();
         let (first, last) = (pieces.start, pieces.end - 1);
-        let mut creased = vec![true; pieces.len()];
+        let mut turns = vec![None; pieces.len()];
+        let mut joints = Vec::new();
         for index in pieces.clone() {
             let before = match ends {
                 _ if index > first => index - 1,
@@ -122,11 +124,19 @@ impl Outline {
             self.ends[before][1] = self.joints.len() as u32;
             self.ends[index][0] = self.joints.len() as u32;
             self.joints.push(joint);
-            creased[index - first] = joint.turn.abs() > self.crease;
-            if creased[index - first] {
+            turns[index - first] = Some(joint.turn);
+            joints.push(joint);
+        }
+        let lengths: Vec<f64> = self.pieces[pieces.clone()]
+            .iter()
+            .map(Piece::length)
+            .collect();
+        let creased = self.stand_for.creases(&turns, &lengths);
+        for joint in joints {
+            if creased[joint.pieces[1] - first] {
                 self.corners.push(Corner {
                     point: joint.point,
-                    pieces: [before, index],
+                    pieces: joint.pieces,
                     interior_angle: std::f64::consts::PI - joint.turn,
                     bisector: joint.bisector,
                 });

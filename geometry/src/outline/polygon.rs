@@ -7,15 +7,12 @@ use super::piece::Piece;
 use crate::Vector;
 use crate::error::GeometryError;
 
-/// Joints of a polygon that turn less than this (radians; 30 degrees) are taken for the sampling
-/// of a smooth curve, not for creases.
-const CREASE: f64 = std::f64::consts::FRAC_PI_6;
-
 /// Points that lie this close, relative to the polygon's extent, are one point.
 const SAME_POINT: f64 = 1e-8;
 
 /// A closed polygon through `points`, in either order. Consecutive duplicates are merged, and the
-/// first point may be repeated at the end. Corners that turn by 30 degrees or more are creases.
+/// first point may be repeated at the end. Corners are creases;
+/// four and more in a row that bend alike, by less than 30 degrees each, are the samples of a curve.
 ///
 /// # Errors
 /// Fewer than three distinct points, no area, edges that cross or touch, and numbers that are not
@@ -57,7 +54,7 @@ pub fn polygon(points: &[Vector<2>]) -> Result<Outline, GeometryError> {
     let edges = (0..distinct.len())
         .map(|k| Piece::segment(distinct[k], distinct[(k + 1) % distinct.len()]))
         .collect();
-    Outline::with_crease(vec![edges], CREASE)
+    Outline::sampled(vec![edges])
 }
 
 /// Reads the points of a polygon: `x y` per line, in metres; a comma may part them, `#` starts a
@@ -202,5 +199,24 @@ mod tests {
         let half_disc = polygon(&points(&list)).unwrap();
         assert_eq!(half_disc.face_count(), 2);
         assert_eq!(half_disc.corners().len(), 2);
+    }
+
+    /// A ramp of 15 degrees, and a thin diamond: a stream meets their corners, not a curve as wide as a cell.
+    #[test]
+    fn shallow_corners_of_a_few_straight_edges_part_faces() {
+        let ramp = [
+            [-1.0, 0.0],
+            [0.0, 0.0],
+            [3.0, 0.8],
+            [3.0, -1.0],
+            [-1.0, -1.0],
+        ];
+        let diamond = [[0.0, 0.0], [0.5, -0.05], [1.0, 0.0], [0.5, 0.05]];
+        for (list, count) in [(&ramp[..], 5), (&diamond[..], 4)] {
+            let outline = polygon(&points(list)).unwrap();
+            assert_eq!(outline.face_count(), count);
+            let place = crate::Placement::default().rotated(0.3);
+            assert_eq!(outline.placed(&place).corners().len(), count);
+        }
     }
 }

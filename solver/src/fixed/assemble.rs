@@ -84,7 +84,7 @@ impl<const D: usize> Builder<'_, D> {
             points: positions,
             volumes,
             faces: folded_faces(all.faces, self.plot.spacing),
-            walls: folded_walls(all.walls),
+            walls: folded_walls(all.walls, self.about_axis),
             sides: folded_sides(all.sides),
         };
         let mut findings = Findings {

@@ -34,8 +34,8 @@ pub struct BentFace<const D: usize> {
     pub normal: [f64; D],
     /// Area.
     pub size: f64,
-    /// From one next to the bend to zero.
-    pub weight: f64,
+    /// How far that is from the bend, in spacings.
+    pub away: f64,
 }
 
 /// A wall near a bend; all places as seen from there.
@@ -47,8 +47,8 @@ pub struct BentWall<const D: usize> {
     pub point: [f64; D],
     /// Middle of the wall.
     pub middle: [f64; D],
-    /// From one next to the bend to zero.
-    pub weight: f64,
+    /// How far that is from the bend, in spacings.
+    pub away: f64,
 }
 
 /// What of a block lies around a bend.

@@ -5,13 +5,8 @@ use aero_geometry::Vector;
 use super::bend::{BentFace, BentWall, Surroundings, turned};
 use super::cells::Cells;
 use super::chain::Chain;
+use super::fan::FARTHEST;
 use super::net::{Face, Net};
-
-/// Up to here from a bend, in spacings, a fan is too narrow for cells to see.
-const NEAR: f64 = 6.0;
-
-/// From here on they do see it.
-const FAR: f64 = 8.0;
 
 impl<const D: usize> Net<D> {
     /// Finds the sharp bends of the walls of `cells`, in the plane, and what lies around them.
@@ -30,19 +25,15 @@ impl<const D: usize> Net<D> {
         };
         for number in 0..self.blocks.len() {
             for (bend, at) in bends.iter().zip(&places) {
-                let weight = |middle: &Vector<D>| {
+                let away = |middle: &Vector<D>| {
                     let away = middle.norm() / bend.unit;
                     let is_own = || is_nearest(at, &(middle + at), bend.unit);
-                    if away < FAR && is_own() {
-                        ((FAR - away) / (FAR - NEAR)).min(1.0)
-                    } else {
-                        0.0
-                    }
+                    (away < FARTHEST && is_own()).then_some(away)
                 };
                 let block = &self.blocks[number];
                 let faces = block.faces.iter();
                 let faces = faces.enumerate().filter_map(|(number, face)| {
-                    let seen = self.bent_face(cells, at, face, weight)?;
+                    let seen = self.bent_face(cells, at, face, away)?;
                     Some(BentFace {
                         face: number,
                         ..seen
@@ -50,12 +41,11 @@ impl<const D: usize> Net<D> {
                 });
                 let walls = block.walls.iter().enumerate().filter_map(|(wall, known)| {
                     let middle = known.foot - at;
-                    let weight = weight(&middle);
-                    (weight > 0.0).then(|| BentWall {
+                    Some(BentWall {
                         wall,
                         point: (cells.points[known.i as usize] - at).into(),
                         middle: middle.into(),
-                        weight,
+                        away: away(&middle)?,
                     })
                 });
                 let around = Surroundings {
@@ -76,16 +66,16 @@ impl<const D: usize> Net<D> {
         cells: &Cells<D>,
         at: &Vector<D>,
         face: &Face,
-        weight: impl Fn(&Vector<D>) -> f64,
+        away: impl Fn(&Vector<D>) -> Option<f64>,
     ) -> Option<BentFace<D>> {
         let shape = &self.face_shapes[face.shape as usize];
         let apart = Vector::<D>::from(shape.apart);
         let [first, second] = [face.i, face.j].map(|i| cells.points[i as usize] - at);
         let middle = first + apart * 0.5 + Vector::from(shape.skew);
-        let weight = weight(&middle);
+        let away = away(&middle)?;
         // Faces to periodic images lie elsewhere.
         let is_there = (second - first - apart).norm() < 1e-6 * apart.norm();
-        if weight <= 0.0 || !is_there {
+        if !is_there {
             return None;
         }
         let normal = shape.area.map(|part| part / shape.size);
@@ -98,7 +88,7 @@ impl<const D: usize> Net<D> {
             half: half.into(),
             normal,
             size: shape.size,
-            weight,
+            away,
         })
     }
 }

@@ -88,15 +88,18 @@ impl<const D: usize> BentFace<D> {
         flow: Flow<'_, D>,
         usual: impl FnOnce(&Face) -> Conserved<D>,
     ) -> Option<Conserved<D>> {
-        let ends = self.points.map(|point| fan.elevation(&point));
+        let near = fan.nearness(self.away);
+        if near <= 0.0 {
+            return None;
+        }
         let places = GAUSS.map(|(part, _)| {
             let mut place = self.middle;
             for k in 0..D {
                 place[k] += part * self.half[k];
             }
-            fan.elevation(&place)
+            place
         });
-        if fan.is_even(ends.iter().chain(&places).copied()) {
+        if fan.is_even(self.points.iter().chain(&places)) {
             return None;
         }
         let cells = [face.i as usize, face.j as usize];
@@ -105,15 +108,15 @@ impl<const D: usize> BentFace<D> {
             return None;
         }
         let own = cells.map(|i| &flow.states[i]);
-        let known = ends.map(|end| fan.state(end));
+        let known = self.points.map(|point| fan.state(fan.elevation(&point)));
         let agreement = |k: usize| fan.agreement(gas, own[k], &known[k]);
-        let weight = self.weight * fan.share * agreement(0).min(agreement(1));
+        let weight = near * fan.share * agreement(0).min(agreement(1));
         if weight <= 0.0 {
             return None;
         }
         let mut flux = Conserved::ZERO;
         for (place, (_, part)) in places.iter().zip(GAUSS) {
-            let there = fan.state(*place);
+            let there = fan.state(fan.elevation(place));
             let [left, right] = [0, 1].map(|k| shifted(own[k], &known[k], &there));
             let jump = Jump::new(gas, left, right, self.normal);
             flux = flux.plus(part * self.size, &jump.hllc());
@@ -134,12 +137,13 @@ impl<const D: usize> BentWall<D> {
         usual: f64,
     ) -> f64 {
         let i = wall.i as usize;
-        if flow.slopes[i].calmness < 0.0 {
+        let near = fan.nearness(self.away);
+        if near <= 0.0 || flow.slopes[i].calmness < 0.0 {
             return usual;
         }
         let own = &flow.states[i];
         let [from, to] = [&self.point, &self.middle].map(|x| fan.state(fan.elevation(x)));
-        let weight = self.weight * fan.share * fan.agreement(gas, own, &from);
+        let weight = near * fan.share * fan.agreement(gas, own, &from);
         let there = shifted(own, &from, &to);
         let speed = dot(&there.velocity, &wall.image.normal);
         let pressure = gas.wall_pressure(there.density, there.pressure, speed);

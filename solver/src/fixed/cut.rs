@@ -49,6 +49,7 @@ impl<const D: usize> Whole<'_, D> {
                     body,
                     facet: closest.face,
                     area,
+                    size: 1.0,
                     centre,
                 }),
                 None => part.add_face(PartFace {
@@ -89,6 +90,7 @@ impl<const D: usize> Whole<'_, D> {
                         body,
                         facet,
                         area: face.area,
+                        size: stretch.length(),
                         centre: face.centre,
                     }),
                 }
@@ -170,6 +172,7 @@ impl<const D: usize> Whole<'_, D> {
                 body,
                 facet,
                 area,
+                size: area.norm(),
                 centre,
             });
         }

@@ -19,6 +19,18 @@ const STEEP: f64 = 0.25 * std::f64::consts::PI;
 /// Turn from which on there is no saying where the gas goes, radians.
 const STEEPEST: f64 = 5.0 / 18.0 * std::f64::consts::PI;
 
+/// Change of the logarithm of the pressure from one cell to the next, across a fan, up to which cells see it: a third of the pressure.
+const SEEN: f64 = 0.4;
+
+/// Up to here from its bend, in spacings, at least, a fan is too narrow for cells to see.
+const NEAREST: f64 = 6.0;
+
+/// Cells see it wholly so much farther from where they begin to.
+const FARTHER: f64 = 4.0 / 3.0;
+
+/// No fan is looked for farther than this from its bend, in spacings.
+pub const FARTHEST: f64 = 48.0;
+
 /// Halvings after which an angle is known to the last bits.
 const HALVINGS: u32 = 52;
 
@@ -43,8 +55,12 @@ pub struct Fan<const D: usize> {
     aside: [f64; D],
     /// Elevation of its first and last ray above the gas's way.
     rays: [f64; 2],
+    /// Cosines and sines of these.
+    ways: [[f64; 2]; 2],
     /// Logarithm of the pressure in front over that behind.
     strength: f64,
+    /// Up to here from the bend, in spacings, cells are too coarse for it.
+    near: f64,
     /// How much of it there is: from none of gas that is slower than sound to one.
     pub share: f64,
 }
@@ -89,13 +105,18 @@ impl<const D: usize> Fan<D> {
             onwards,
             aside,
             rays: [0.0; 2],
+            ways: [[1.0, 0.0]; 2],
             strength: 0.0,
+            near: 0.0,
             share,
         };
         let last = slope_of(start + turn, slope, slowness);
         fan.rays = [(1.0 / slope).atan(), (1.0 / last).atan() - turn];
         fan.rear = fan.turned(last);
+        fan.ways = fan.rays.map(|ray| [ray.cos(), ray.sin()]);
         fan.strength = (front.pressure / fan.rear.pressure).ln();
+        let width = fan.rays[0] - fan.rays[1];
+        fan.near = (fan.strength / (SEEN * width)).clamp(NEAREST, FARTHEST / FARTHER);
         Some(fan)
     }
 
@@ -129,11 +150,21 @@ impl<const D: usize> Fan<D> {
         }
     }
 
-    /// True where all these elevations are in front of the fan, or all behind it: the gas there is the same.
-    pub fn is_even(&self, mut elevations: impl Iterator<Item = f64> + Clone) -> bool {
-        let [first, last] = self.rays;
-        elevations.clone().all(|elevation| elevation >= first)
-            || elevations.all(|elevation| elevation <= last)
+    /// From one up to where cells begin to see it to zero where they do: so far, in spacings, from the bend.
+    pub fn nearness(&self, away: f64) -> f64 {
+        1.0 - rise(away, self.near, FARTHER * self.near)
+    }
+
+    /// True where all these places, as seen from the bend, are in front of the fan, or all behind it: the gas there is the same.
+    pub fn is_even<'a>(&self, places: impl Iterator<Item = &'a [f64; D]> + Clone) -> bool {
+        let [first, last] = self.ways;
+        let seen = places.map(|place| [dot(place, &self.onwards), dot(place, &self.aside)]);
+        let is_above = |place: &[f64; 2], way: [f64; 2]| place[1] * way[0] >= place[0] * way[1];
+        seen.clone()
+            .all(|place| place[0] < 0.0 || is_above(&place, first))
+            || seen
+                .clone()
+                .all(|place| place[0] >= 0.0 && !is_above(&place, last))
     }
 
     /// The state at an elevation: within the fan that ray is a Mach line, `elevation = mu - (nu - nu_1)`, and
@@ -260,6 +291,36 @@ mod tests {
                 fan.rear.pressure,
                 epsilon = 1e-6
             );
+        }
+    }
+
+    /// A thin one of a fast stream, whose pressure falls to a quarter within six degrees, four times as far as one of Mach 2.
+    #[test]
+    fn a_fan_is_known_as_far_as_cells_are_too_coarse_for_it() {
+        let near = |mach, degrees| fan(mach, degrees, 0.0, 1.0).unwrap().near;
+        assert_relative_eq!(near(1.5, 10.0), NEAREST);
+        assert_relative_eq!(near(2.0, 15.0), NEAREST);
+        assert_relative_eq!(near(6.0, 10.0), 1.6911 / (0.4 * 0.2139), epsilon = 0.05);
+        assert_relative_eq!(near(10.0, 12.0), FARTHEST / FARTHER);
+        let fan = fan(6.0, 10.0, 0.0, 1.0).unwrap();
+        assert_eq!(fan.nearness(fan.near), 1.0);
+        assert_relative_eq!(fan.nearness(fan.near * 7.0 / 6.0), 0.5, epsilon = 1e-12);
+        assert_eq!(fan.nearness(FARTHER * fan.near), 0.0);
+    }
+
+    #[test]
+    fn gas_is_even_in_front_of_a_fan_and_behind_it_alone() {
+        for (way, side) in [(0.3, 1.0), (2.0, -1.0)] {
+            let fan = fan(2.0, 20.0, way, side).unwrap();
+            let place = |elevation: f64| -> [f64; 2] {
+                let (sine, cosine) = elevation.sin_cos();
+                std::array::from_fn(|k| 3.0 * (cosine * fan.onwards[k] + sine * fan.aside[k]))
+            };
+            let is_even = |elevations: [f64; 2]| fan.is_even(elevations.map(place).iter());
+            let [first, last] = fan.rays;
+            assert!(is_even([first + 1e-6, 3.0]) && is_even([last - 1e-6, -0.4]));
+            assert!(!is_even([first - 1e-6, 3.0]) && !is_even([last + 1e-6, -0.4]));
+            assert!(!is_even([2.0, -0.3]) && !is_even([first - 0.1, last + 0.1]));
         }
     }
 

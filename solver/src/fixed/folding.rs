@@ -2,7 +2,7 @@
 
 use rayon::slice::ParallelSliceMut;
 
-use super::cells::{Face, SideFace, WallFace, WallOwner};
+use super::cells::{Face, RADIAL, SideFace, WallFace, WallOwner};
 
 /// Sorts the faces and adds up those between the same points.
 pub fn folded_faces<const D: usize>(mut faces: Vec<Face<D>>, spacing: f64) -> Vec<Face<D>> {
@@ -25,8 +25,20 @@ pub fn folded_faces<const D: usize>(mut faces: Vec<Face<D>>, spacing: f64) -> Ve
     kept
 }
 
-/// Sorts the walls and adds up those of one smooth face in one cell.
-pub fn folded_walls<const D: usize>(mut walls: Vec<WallFace<D>>) -> Vec<WallFace<D>> {
+/// Sorts the walls and adds up those of one smooth face in one cell. Their foot is the middle of their sizes, which are lengths in the plane of rings, as
+/// those grow with the radius.
+pub fn folded_walls<const D: usize>(
+    mut walls: Vec<WallFace<D>>,
+    about_axis: bool,
+) -> Vec<WallFace<D>> {
+    let size = |wall: &WallFace<D>| {
+        let radius = if about_axis {
+            wall.foot[RADIAL % D].max(f64::MIN_POSITIVE)
+        } else {
+            1.0
+        };
+        wall.area.norm() / radius
+    };
     let key = |wall: &WallFace<D>| match wall.owner {
         WallOwner::Body(body) => (wall.i, body, wall.facet),
         WallOwner::Side { axis, end } => (wall.i, u32::MAX, u32::from(2 * axis + end)),
@@ -36,7 +48,7 @@ pub fn folded_walls<const D: usize>(mut walls: Vec<WallFace<D>>) -> Vec<WallFace
     for wall in walls {
         match kept.last_mut() {
             Some(known) if key(known) == key(&wall) => {
-                let (a, b) = (known.area.norm(), wall.area.norm());
+                let (a, b) = (size(known), size(&wall));
                 known.foot += (wall.foot - known.foot) * (b / (a + b));
                 known.area += wall.area;
             }

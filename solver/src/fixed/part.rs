@@ -37,6 +37,8 @@ pub struct PartWall<const D: usize> {
     pub facet: u32,
     /// Area vector, out of the gas.
     pub area: Vector<D>,
+    /// Its size; in the plane of rings, whose area grows with the radius, its length there.
+    pub size: f64,
     /// Middle, from the cell's point.
     pub centre: Vector<D>,
 }
@@ -63,22 +65,22 @@ impl<const D: usize> Part<D> {
         let same = |w: &&mut PartWall<D>| w.body == wall.body && w.facet == wall.facet;
         let known = self.walls.iter_mut().find(same);
         if let Some(known) = known {
-            (known.area, known.centre) =
-                together((known.area, known.centre), (wall.area, wall.centre));
+            known.centre = middle((known.size, known.centre), (wall.size, wall.centre));
+            known.area += wall.area;
+            known.size += wall.size;
         } else {
             self.walls.push(wall);
         }
     }
 }
 
-/// Two areas and the middle of both.
-fn together<const D: usize>(
-    (area, centre): (Vector<D>, Vector<D>),
-    (more, middle): (Vector<D>, Vector<D>),
-) -> (Vector<D>, Vector<D>) {
-    let (a, b) = (area.norm(), more.norm());
+/// The middle of two walls of these sizes and middles.
+fn middle<const D: usize>(
+    (a, centre): (f64, Vector<D>),
+    (b, other): (f64, Vector<D>),
+) -> Vector<D> {
     let weight = if a + b > 0.0 { b / (a + b) } else { 0.5 };
-    (area + more, centre + (middle - centre) * weight)
+    centre + (other - centre) * weight
 }
 
 /// Own pieces become one, the first; where no piece is seen, the largest is the cell's own.

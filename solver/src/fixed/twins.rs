@@ -186,6 +186,7 @@ mod tests {
             body: 0,
             facet: (1000.0 * centre[1]) as u32,
             area: area.into(),
+            size: Vector::from(area).norm(),
             centre: centre.into(),
         }
     }

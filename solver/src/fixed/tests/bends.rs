@@ -97,6 +97,23 @@ fn wall_pressure_is_right_from_the_first_cell_behind_a_sharp_bend() {
     }
 }
 
+/// A fast stream's fan lies close to the wall, and cells see it late: at Mach 10 and 5 degrees within six of them at thirty spacings.
+#[test]
+fn wall_pressure_is_right_as_far_as_cells_are_too_coarse_for_the_fan() {
+    for (mach, degrees, fan) in [(6.0, 10.0, 0.184_274), (10.0, 5.0, 0.257_960)] {
+        for moved in [[0.0; 2], [0.26, 0.42]] {
+            let corner = Corner {
+                moved,
+                ..Corner::new(mach, degrees)
+            };
+            let mut flow = FixedSimulation::new(corner.problem()).unwrap();
+            assert!(flow.settle(300).unwrap().is_settled);
+            let off = corner.off(&flow, fan, [4.0, 15.0]);
+            assert!(off < 0.03, "Mach {mach}, {degrees} degrees: {off}");
+        }
+    }
+}
+
 #[test]
 fn a_march_comes_to_the_same_fan() {
     let corner = Corner::new(2.0, 20.0);
@@ -151,11 +168,15 @@ fn fans_are_alike_in_a_mirror_and_when_turned() {
         assert!(away(found) < 1e-6);
         *pressure
     };
-    // The walls of the tips themselves are slivers.
-    let walls = flow.iter().filter(|([x, _], _)| x.abs() < 0.39);
+    // The walls of the tips themselves are slivers, and so is what rounding leaves at the ridge, on an edge of cells, of the face beyond.
+    let walls = flow
+        .iter()
+        .filter(|([x, _], _)| (1e-6..0.39).contains(&x.abs()));
     for ([x, y], pressure) in walls {
-        assert!((at(&flow, [*x, -y]) / pressure - 1.0).abs() < 1e-6);
-        assert!((at(&turned, [*x, *y]) / pressure - 1.0).abs() < 1e-6);
+        let off = at(&flow, [*x, -y]) / pressure - 1.0;
+        assert!(off.abs() < 1e-6, "mirror, ({x}, {y}): {off}");
+        let off = at(&turned, [*x, *y]) / pressure - 1.0;
+        assert!(off.abs() < 1e-6, "turned, ({x}, {y}): {off}");
     }
     // Behind an oblique shock and a fan of twice the angle, over the first cells behind the ridge (NACA Report 1135).
     let behind = flow.iter().filter(|([x, _], _)| (0.02..0.1).contains(x));

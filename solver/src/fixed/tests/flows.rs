@@ -239,6 +239,25 @@ fn rings_next_to_the_axis_have_their_image_for_a_neighbour() {
     }
 }
 
+/// A wall counts as long as it is in the plane of rings, whatever pieces it is put together from: next to the axis, where the outer piece goes
+/// much farther around than the inner one, surfaces showed a twentieth less than pressed there.
+#[test]
+fn walls_of_rings_are_as_long_as_the_curve_that_they_follow() {
+    let flow = ball(3.0, 20.0);
+    let each = flow.walls().map(|(wall, _)| wall);
+    let walls: Vec<_> = each.filter(|wall| wall.owner == 0).collect();
+    let length: f64 = walls.iter().map(|wall| wall.image.share).sum();
+    let quarter = std::f64::consts::FRAC_PI_2;
+    assert!((length / quarter - 1.0).abs() < 5e-4, "{length}");
+    // On the axis the middle of a wall from there is half its length away.
+    let first = walls
+        .iter()
+        .min_by(|a, b| a.foot[1].total_cmp(&b.foot[1]))
+        .unwrap();
+    let off = first.foot[1] / (0.5 * first.image.share) - 1.0;
+    assert!(off.abs() < 1e-3, "{off}");
+}
+
 /// A disc in a stream, whole or above a symmetry plane at `y = 3`; moments refer to a point off the plane.
 fn disc(is_half: bool) -> FixedSimulation<2> {
     let place = Placement::default().moved(Vector::<2>::new(0.05, 3.0));
