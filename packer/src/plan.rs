@@ -197,6 +197,12 @@ impl<'a, const D: usize> Plan<'a, D> {
         has_room(self.shape, place, layer, self.options.spacing)
     }
 
+    /// `place` where that is on the particles' side of the surface, else `home`.
+    pub fn on_side(&self, place: &Vector<D>, home: &Vector<D>) -> Vector<D> {
+        let depth = self.sign() * self.shape.signed_distance(place);
+        *(if depth >= 0.0 { place } else { home })
+    }
+
     /// The pieces of the parts of rows: centres and volumes.
     pub fn row_bits(&self) -> Vec<Bit<D>> {
         let cells = self.cut_band.iter().filter(|cell| self.is_of_rows(cell));

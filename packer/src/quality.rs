@@ -267,8 +267,9 @@ fn particles<const D: usize>(set: &Ghosts<D>) -> impl Iterator<Item = (Vector<D>
 /// Standard deviation and largest absolute value, in per cent.
 fn spread(errors: &[f64]) -> (f64, f64) {
     let count = errors.len().max(1) as f64;
-    let mean = errors.iter().sum::<f64>() / count;
-    let variance = errors.iter().map(|e| (e - mean).powi(2)).sum::<f64>() / count;
+    // From zero: the empty sum of floats is -0.
+    let mean = errors.iter().fold(0.0, |sum, e| sum + e) / count;
+    let variance = errors.iter().fold(0.0, |sum, e| sum + (e - mean).powi(2)) / count;
     let largest = errors.iter().fold(0.0, |l: f64, e| l.max(e.abs()));
     (100.0 * variance.sqrt(), 100.0 * largest)
 }

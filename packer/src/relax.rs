@@ -40,7 +40,7 @@ const MOST_NEWTON_STEPS: usize = 30;
 /// Steps between new evaluations of the wanted gradient, which is smooth, in the plane and in space.
 const STEPS_BETWEEN_TARGETS: [usize; 2] = [1, 5];
 
-/// Place and normal of a particle after a step, and its place again where that is known to be on its level.
+/// Place and normal of a particle after a step, and its place again where that is known to be on its level, or inside.
 type Moved<const D: usize> = (Vector<D>, Vector<D>, Option<Vector<D>>);
 
 /// One run of relaxation.
@@ -72,7 +72,7 @@ pub(crate) fn relax<const D: usize>(
     let reach = SUPPORT * smoothing;
     let mut wanted = vec![Vector::zeros(); cloud.len()];
     let mut normals = normals_of_locked(shape, cloud);
-    // Where each was last on its level: a level may end, and what drifts past its end returns.
+    // Where each was last on its level, or inside: a level may end, and what drifts past its end returns.
     let mut homes = cloud.position.clone();
     for step in 0..run.steps {
         plan.options.watch.show(run.stage, step, run.steps);
@@ -106,11 +106,13 @@ pub(crate) fn relax<const D: usize>(
                         let nearest = CLEARANCE * plan.level(0);
                         let distance = shape.signed_distance(&moved);
                         let inside = if distance * nearest.signum() < nearest.abs() {
-                            onto_level(shape, mirrors, &moved, nearest, sizes).unwrap_or(point)
+                            let on = onto_level(shape, mirrors, &moved, nearest, sizes);
+                            // There may be no such place: next to corners and edges.
+                            on.unwrap_or_else(|| plan.on_side(&point, &homes[n]))
                         } else {
                             moved
                         };
-                        (inside, normals[n], None)
+                        (inside, normals[n], Some(inside))
                     }
                     // Those next to the wall layer must not slip through it.
                     Lock::Free if settle != Settle::Not && cloud.layer[n] == 1 => {
@@ -118,7 +120,15 @@ pub(crate) fn relax<const D: usize>(
                         let distance = shape.signed_distance(&moved);
                         let is_near = distance * nearest.signum() < nearest.abs();
                         let may_not = is_near || !plan.may_stand(&moved, plan.level(1));
-                        (if may_not { point } else { moved }, normals[n], None)
+                        let place = if may_not {
+                            plan.on_side(&point, &homes[n])
+                        } else {
+                            moved
+                        };
+                        (place, normals[n], Some(place))
+                    }
+                    Lock::Free if settle == Settle::Exactly => {
+                        (plan.on_side(&moved, &homes[n]), normals[n], None)
                     }
                     _ => (moved, normals[n], None),
                 }

@@ -175,7 +175,12 @@ fn lines(file: &PackFile, files: &[PathBuf]) -> String {
         if report.thin > 0 {
             let _ = writeln!(
                 text,
-                "  {} ghosts in parts too thin for the layers of both sides",
+                "  {}{} ghosts in parts too thin for the layers of both sides",
+                if report.thin == report.ghosts {
+                    "all "
+                } else {
+                    ""
+                },
                 report.thin
             );
         }

@@ -20,6 +20,12 @@ const SLENDER: f64 = 1.5;
 /// Extents that differ by less than this part are the same.
 const ALIKE: f64 = 0.01;
 
+/// A body whose two extents across its length differ by this much flies on its flat side, wings to the left and right.
+const FLAT: f64 = 1.5;
+
+/// A body is round where so much of it is still itself after an eighth of a turn.
+const ROUND: f64 = 0.9;
+
 /// A direction of the file: an axis and a sign.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Way {
@@ -107,11 +113,8 @@ impl Attitude {
     /// A turn that is no number.
     pub fn new(shape: &dyn Shape<3>, axes: Option<Axes>, roll: f64) -> Result<Self, FlyError> {
         let nose = axes.map_or_else(|| nose(shape), |axes| axes.nose);
-        let usual = Way {
-            axis: if nose.axis == 2 { 1 } else { 2 },
-            is_negative: false,
-        };
-        let up = axes.and_then(|axes| axes.up).unwrap_or(usual);
+        let told = axes.and_then(|axes| axes.up);
+        let up = told.unwrap_or_else(|| up(shape, nose));
         let [x, y] = [-nose.vector(), up.vector()];
         let z = x.cross(&y);
         let rows = Matrix3::from_rows(&[x.transpose(), y.transpose(), z.transpose()]);
@@ -127,7 +130,7 @@ impl Attitude {
         let mut attitude = Self {
             nose,
             up,
-            is_guess: axes.is_none(),
+            is_guess: told.is_none(),
             roll,
             turn,
             shift: Vector::zeros(),
@@ -225,10 +228,11 @@ fn nose(shape: &dyn Shape<3>) -> Way {
         let [a, b] = [(k + 1) % 3, (k + 2) % 3].map(|j| size[j]);
         size[*k] > SLENDER * a.max(b) && a.max(b) < SLENDER * a.min(b)
     };
-    // A body of revolution is as wide as it is high.
+    // A body of revolution is as wide as it is high, and so is a wing as wide as its fuselage is long.
     let round = |k: &usize| {
         let [a, b] = [(k + 1) % 3, (k + 2) % 3].map(|j| size[j]);
-        (a - b).abs() < ALIKE * a && (size[*k] - a).abs() > ALIKE * a
+        let alike = (a - b).abs() < ALIKE * a && (size[*k] - a).abs() > ALIKE * a;
+        alike && (size[*k] > a || stays(shape, *k) > ROUND)
     };
     let axis = (0..3).find(round).or_else(|| (0..3).find(slender));
     let axis = axis.unwrap_or(0);
@@ -238,6 +242,47 @@ fn nose(shape: &dyn Shape<3>) -> Way {
         // Of two like ends the lower one is the nose.
         is_negative: low <= high * 1.02,
     }
+}
+
+/// The direction up: the shorter extent across the length where a body is flat, else z, or y of one that flies along z.
+fn up(shape: &dyn Shape<3>, nose: Way) -> Way {
+    let size = shape.bounds().size();
+    let usual = if nose.axis == 2 { 1 } else { 2 };
+    let other = 3 - nose.axis - usual;
+    let axis = if size[usual] > FLAT * size[other] {
+        other
+    } else {
+        usual
+    };
+    Way {
+        axis,
+        is_negative: false,
+    }
+}
+
+/// Part of the middle section across `axis` that is solid still after an eighth of a turn about the box's middle.
+fn stays(shape: &dyn Shape<3>, axis: usize) -> f64 {
+    let bounds = shape.bounds();
+    let [a, b] = [(axis + 1) % 3, (axis + 2) % 3];
+    let middle = 0.5 * (bounds.min + bounds.max);
+    let half = 0.5 * bounds.size();
+    let is_solid = |u: f64, v: f64| {
+        let mut point = middle;
+        point[a] += u;
+        point[b] += v;
+        shape.signed_distance(&point) < 0.0
+    };
+    let (mut solid, mut both) = (0, 0);
+    for n in 0..ACROSS * ACROSS {
+        let place = |n: usize| (2.0 * n as f64 + 1.0) / ACROSS as f64 - 1.0;
+        let [u, v] = [half[a] * place(n % ACROSS), half[b] * place(n / ACROSS)];
+        if is_solid(u, v) {
+            solid += 1;
+            let turn = std::f64::consts::FRAC_1_SQRT_2;
+            both += i32::from(is_solid(turn * (u - v), turn * (u + v)));
+        }
+    }
+    f64::from(both) / f64::from(solid.max(1))
 }
 
 /// Part of the box's section that is solid.
@@ -270,6 +315,52 @@ mod tests {
         for (text, words) in [("w", "no direction"), ("x,-x", "same axis")] {
             assert!(text.parse::<Axes>().unwrap_err().contains(words));
         }
+    }
+
+    /// A fuselage and its wings.
+    #[derive(Debug)]
+    struct Aircraft(bodies::Cuboid, bodies::Cuboid);
+
+    impl Shape<3> for Aircraft {
+        fn bounds(&self) -> Bounds<3> {
+            let (a, b) = (self.0.bounds(), self.1.bounds());
+            Bounds::new(a.min.inf(&b.min), a.max.sup(&b.max))
+        }
+
+        fn closest(&self, point: &Vector<3>) -> aero_geometry::Closest<3> {
+            let (a, b) = (self.0.closest(point), self.1.closest(point));
+            if a.distance <= b.distance { a } else { b }
+        }
+    }
+
+    #[test]
+    fn an_aircraft_as_wide_as_long_flies_along_its_length_on_its_flat_side() {
+        let body = Aircraft(
+            bodies::cuboid([1.0, 0.1, 0.1]).unwrap(),
+            bodies::cuboid([0.3, 1.0, 0.02]).unwrap(),
+        );
+        let attitude = Attitude::new(&body, None, 0.0).unwrap();
+        assert_eq!((attitude.nose.axis, attitude.up.axis), (0, 2));
+        // The same with wings along z.
+        let body = Aircraft(
+            bodies::cuboid([1.0, 0.1, 0.1]).unwrap(),
+            bodies::cuboid([0.3, 0.02, 1.0]).unwrap(),
+        );
+        let attitude = Attitude::new(&body, None, 0.0).unwrap();
+        assert_eq!((attitude.nose.axis, attitude.up.axis), (0, 1));
+        assert!(attitude.is_guess);
+    }
+
+    #[test]
+    fn a_round_body_shorter_than_wide_flies_along_its_axis() {
+        let shield = bodies::cone(60.0, 0.5).unwrap();
+        let attitude = Attitude::new(&shield, None, 0.0).unwrap();
+        assert_eq!((attitude.nose.axis, attitude.nose.is_negative), (0, true));
+        let turned = Placement::default()
+            .rotated_about(&Vector::<3>::z(), std::f64::consts::FRAC_PI_2)
+            .unwrap();
+        let attitude = Attitude::new(&Placed::new(shield, turned), None, 0.0).unwrap();
+        assert_eq!((attitude.nose.axis, attitude.nose.is_negative), (1, true));
     }
 
     #[test]

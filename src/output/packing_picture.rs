@@ -1,6 +1,7 @@
 //! Pictures of a packing: in the plane all particles; in space a slice across the shortest extent and
 //! the wall layer as seen along it.
 
+use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
 use aero_packer::{Ghosts, Packing};
@@ -11,6 +12,12 @@ use super::error::OutputError;
 
 /// Diameter of the discs in spacings: small enough to see each by itself.
 const DISC: f64 = 0.7;
+
+/// Half of a slice, in spacings: rows half a spacing to either side of the middle are in it, whatever round-off says.
+const HALF: f64 = 0.501;
+
+/// What is this much higher, in spacings, stands above another.
+const ABOVE: f64 = 0.25;
 
 /// The particles that a picture shows.
 #[derive(Default)]
@@ -65,6 +72,30 @@ impl Set {
     }
 }
 
+/// The wall ghosts that an eye far up an axis sees: those that face it, and of the others, such as stand mid-way between the faces
+/// of a thin part, those that none which faces it stands above.
+fn in_sight<const D: usize>(ghosts: &Ghosts<D>, spacing: f64, across: usize) -> Vec<bool> {
+    let faces = |n: usize| ghosts.layer[n] == 0 && ghosts.normal[n][across] > 0.0;
+    let cell = |n: usize| -> [i64; 2] {
+        let p = ghosts.position[n];
+        [1, 2].map(|k| (p[(across + k) % D] / spacing).floor() as i64)
+    };
+    let mut highest: HashMap<[i64; 2], f64> = HashMap::new();
+    for n in (0..ghosts.position.len()).filter(|&n| faces(n)) {
+        let height = highest.entry(cell(n)).or_insert(f64::NEG_INFINITY);
+        *height = height.max(ghosts.position[n][across]);
+    }
+    let is_hidden = |n: usize| {
+        let [a, b] = cell(n);
+        let above = ghosts.position[n][across] + ABOVE * spacing;
+        let mut around = (-1..=1).flat_map(|i| (-1..=1).map(move |j| [a + i, b + j]));
+        around.any(|place| highest.get(&place).is_some_and(|height| *height > above))
+    };
+    (0..ghosts.position.len())
+        .map(|n| ghosts.layer[n] == 0 && (faces(n) || !is_hidden(n)))
+        .collect()
+}
+
 /// Draws the packing of `bodies` into `STEM-pack.png`, or `STEM-slice.png` and `STEM-wall.png`;
 /// returns the files.
 pub(super) fn draw<const D: usize>(
@@ -106,7 +137,7 @@ pub(super) fn draw<const D: usize>(
 
     let title = format!("{name}: slice");
     let widest = all.diameter.iter().fold(0.0, |a: f64, &b| a.max(b));
-    let half = 0.5 / DISC * widest;
+    let half = HALF / DISC * widest;
     let slice = ParticlePicture {
         axes,
         axis_labels,
@@ -122,9 +153,8 @@ pub(super) fn draw<const D: usize>(
     let mut wall = Set::default();
     for (_, packing) in bodies {
         let ghosts = &packing.ghosts;
-        wall.add(ghosts, packing.report.spacing, |n| {
-            ghosts.layer[n] == 0 && ghosts.normal[n][across] > 0.0
-        });
+        let shown = in_sight(ghosts, packing.report.spacing, across);
+        wall.add(ghosts, packing.report.spacing, |n| shown[n]);
     }
     // What is nearer to the eye is drawn later.
     let mut order: Vec<usize> = (0..wall.position.len()).collect();
@@ -146,4 +176,24 @@ pub(super) fn draw<const D: usize>(
     };
     save(&seen, "wall")?;
     Ok(files)
+}
+
+#[cfg(test)]
+mod tests {
+    use aero_geometry::bodies;
+    use aero_packer::{PackOptions, pack};
+
+    use super::*;
+
+    #[test]
+    fn the_wall_layer_of_a_thin_plate_is_seen_whole_and_of_a_thick_one_the_upper_face() {
+        for thickness in [1.0, 1.4, 8.0] {
+            let plate = bodies::cuboid([12.0, 10.0, thickness]).unwrap();
+            let ghosts = pack(&plate, &PackOptions::new(1.0)).unwrap().ghosts;
+            let shown = in_sight(&ghosts, 1.0, 2);
+            let seen = shown.iter().filter(|&&s| s).count();
+            // A ghost per square spacing, whichever face it belongs to.
+            assert!((110..=135).contains(&seen), "{thickness}: {seen}");
+        }
+    }
 }

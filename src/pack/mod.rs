@@ -107,7 +107,9 @@ pub fn pack_mesh(entry: &StlEntry, wishes: &PackWishes) -> Result<AnyPacked, Sce
 fn odd_size(size: f64, unit: Option<Unit>) -> Option<Warning> {
     let text = match unit {
         None if size > LARGE => {
-            format!("the body is {size:.0} m long: if its file is in millimetres, say `--unit mm`")
+            format!(
+                "the body is {size:.0} m long: if its file is in millimetres or inches, say `--unit mm` or `--unit in`"
+            )
         }
         Some(Unit::Mm | Unit::In) if size < SMALL => {
             format!("the body is {size:.1e} m long: if its file is in metres, leave out `--unit`")

@@ -65,10 +65,15 @@ impl Mesh {
         self.hidden = buried;
         self.exposed = exposed;
         self.simple = false;
-        self.repairs.push(format!(
-            "ignored {number} triangles inside of the solid, and parts of those that cross; \
-             overlapping parts are united"
-        ));
+        let ignored = match number {
+            0 => "ignored what lies inside of the solid of triangles that cross".to_owned(),
+            1 => "ignored 1 triangle inside of the solid, and parts of those that cross".to_owned(),
+            _ => format!(
+                "ignored {number} triangles inside of the solid, and parts of those that cross"
+            ),
+        };
+        self.repairs
+            .push(format!("{ignored}; overlapping parts are united"));
         Ok(())
     }
 

@@ -125,7 +125,8 @@ fn apply(
         ));
     }
     if cavities > 0 {
-        repairs.push(format!("kept {cavities} cavities inside of the solid"));
+        let what = if cavities == 1 { "cavity" } else { "cavities" };
+        repairs.push(format!("kept {cavities} {what} inside of the solid"));
     }
     if dropped > 0 {
         let mut fate = part_of.iter().map(|&number| fates[number as usize]);

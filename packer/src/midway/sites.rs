@@ -4,6 +4,7 @@ use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 
 use super::ball::{chord, climbed};
+use crate::level::project;
 use crate::nearest::Nearest;
 use crate::plan::{Bit, Plan};
 use crate::room_inside::layers_with_room;
@@ -23,6 +24,9 @@ const REACH: f64 = 2.0;
 
 /// So far from the middle of the ball that touches a rim, in spacings, its faces are nearer than the rim.
 const INWARDS: f64 = 0.1;
+
+/// What would stand outside next to a sharp edge stands so deep inside, in spacings.
+const INSIDE: f64 = 0.05;
 
 /// Sine of the angle between a rim and its faces above which these are told apart.
 const SQUARE: f64 = 0.8;
@@ -115,8 +119,15 @@ fn site<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Site<D
         Some(middle) => beside_rim(plan, (&middle, &below, sample), 0.25 * left),
         None => (below, sample.normal),
     };
+    let place = plan.mirrors.snapped(place, ON_PLANE * spacing);
+    // Right at a sharp edge the ball that fits is as good as none, and its middle may be outside.
+    let place = if plan.shape.signed_distance(&place) < 0.0 {
+        place
+    } else {
+        project(plan.shape, &place, -INSIDE * spacing, plan.tolerance)?
+    };
     Some(Site {
-        place: plan.mirrors.snapped(place, ON_PLANE * spacing),
+        place,
         normal,
         thickness: if is_paired { 0.5 * left } else { left },
         whole,

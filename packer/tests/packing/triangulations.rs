@@ -62,3 +62,20 @@ fn fans_and_rings_are_packed_alike() {
         assert!((counts - 1.0).abs() < 5e-3, "{around}: {counts}");
     }
 }
+
+/// Four triangles: three corners of 45 degrees, at which most layers have no room.
+#[test]
+fn a_corner_cut_off_a_cube_has_a_place_for_all_of_its_ghosts() {
+    let ends = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vector::<3>::from);
+    let facets = [[0, 2, 1], [0, 1, 3], [0, 3, 2], [1, 2, 3]];
+    let mesh = Mesh::from_facets(facets.map(|facet| facet.map(|end| ends[end])).to_vec()).unwrap();
+    for spacing in [0.05, 0.04, 0.03] {
+        let report = pack(&mesh, &PackOptions::new(spacing)).unwrap().report;
+        assert!(report.warnings.is_empty(), "{spacing}: {report:?}");
+        assert!(report.wall_offset_max < 0.05, "{spacing}: {report:?}");
+        assert!(
+            report.volume_error_percent.abs() < 0.1,
+            "{spacing}: {report:?}"
+        );
+    }
+}

@@ -59,7 +59,8 @@ impl Nodes {
         face: &PartFace<D>,
     ) -> Option<(usize, usize)> {
         let cell = &cut[k];
-        let link = &cell.links[(face.label as usize).checked_sub(2 * D)?];
+        // A face within a body has nobody beyond it.
+        let link = cell.links.get((face.label as usize).checked_sub(2 * D)?)?;
         let other = self.place[link.to as usize] as usize;
         let beyond = cut.get(other)?;
         if beyond.parts.len() < 2 {
@@ -155,7 +156,7 @@ fn taker<const D: usize>(
 #[cfg(test)]
 mod tests {
     use super::super::part::Part;
-    use super::super::voronoi::Link;
+    use super::super::voronoi::{IN_BODY, Link};
     use super::*;
 
     /// A piece with faces to other cells of this row, each so long.
@@ -239,6 +240,25 @@ mod tests {
             let target = targets.of_parts[k][1].unwrap();
             assert_eq!((target.cell, target.offset.x), (2, 2.0 - k as f64));
         }
+    }
+
+    #[test]
+    fn a_piece_that_ends_within_a_body_goes_to_the_neighbour_beside_it() {
+        // As in a gap much narrower than a cell, both of whose walls are cut by the plane that bounds cells within bodies.
+        let mut hidden = piece(false, 1, &[(0, 0.1)]);
+        hidden.add_face(PartFace {
+            label: IN_BODY,
+            area: Vector::from([0.0, 0.8]),
+            centre: Vector::from([0.0, -0.4]),
+        });
+        let cut = [
+            cell(0, vec![piece(true, 0, &[(1, 0.1)])]),
+            cell(1, vec![piece(true, 1, &[(0, 0.9), (2, 0.9)]), hidden]),
+            cell(2, vec![piece(true, 2, &[(1, 0.9)])]),
+        ];
+        let targets = owners(&cut);
+        assert_eq!((targets.given, targets.lost), (1, 0));
+        assert_eq!(targets.of_parts[1][1].unwrap().cell, 0);
     }
 
     #[test]
