@@ -1,6 +1,7 @@
 //! `aero fly`: a body from its file to drag, lift and a report, in one command.
 
 mod budget;
+mod closer;
 mod family;
 mod telling;
 pub mod trip;
@@ -70,6 +71,7 @@ pub fn prepared(wishes: Wishes, spacing: Option<f64>) -> Result<(Flight, f64), C
     if let Some(finest) = spacing {
         flight.deepen(finest, look);
     }
+    closer::resolve(&mut flight, look, cells)?;
     Ok((flight, look))
 }
 

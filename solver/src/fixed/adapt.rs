@@ -179,7 +179,7 @@ impl<const D: usize> FixedSimulation<D> {
         let Some(ground) = &self.ground else {
             return vec![self.points.len()];
         };
-        let mut counts = vec![0; usize::from(ground.most()) + 1];
+        let mut counts = vec![0; usize::from(ground.deepest()) + 1];
         for point in 0..self.points.len() {
             counts[usize::from(ground.level(point))] += 1;
         }

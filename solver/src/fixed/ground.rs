@@ -51,6 +51,8 @@ pub struct Ground<const D: usize> {
     /// What bodies ask for, which stays.
     kept: Levels<D>,
     adaption: Adaption,
+    /// How often cells may be split, be it for the flow or for bodies.
+    deepest: u8,
     /// Points at most.
     limit: Option<u64>,
     settles: bool,
@@ -71,7 +73,7 @@ impl<const D: usize> Ground<D> {
         let points = problem.method.fixed().copied().unwrap_or_default();
         let limit = match points.refine {
             Refine::Points(limit) => Some(limit),
-            Refine::Levels(_) => None,
+            Refine::Levels(_) | Refine::Apart { .. } => None,
         };
         let settles = points.time == Time::Settle;
         let around = if settles {
@@ -81,7 +83,8 @@ impl<const D: usize> Ground<D> {
         };
         let most = points.refine.levels();
         let plot = plot(problem, &solids, corner(problem));
-        let (kept, cloud) = around_bodies(&plot, most, limit, problem.disorder)?;
+        let (kept, cloud) =
+            around_bodies(&plot, points.refine.of_bodies(), limit, problem.disorder)?;
         let earlier = match &problem.initial {
             Initial::Earlier(earlier) if settles => as_earlier(earlier, &kept, &plot, most),
             _ => None,
@@ -102,7 +105,11 @@ impl<const D: usize> Ground<D> {
             },
             levels,
             cloud,
-            adaption: Adaption { most, around },
+            adaption: Adaption {
+                most: points.refine.of_flow(),
+                around,
+            },
+            deepest: most,
             limit,
             settles,
             solids,
@@ -110,9 +117,9 @@ impl<const D: usize> Ground<D> {
         Ok((ground, built.cells))
     }
 
-    /// True where points may come.
+    /// True where points are of more than one spacing, or may come to be.
     pub fn may_change(&self) -> bool {
-        self.adaption.most > 0
+        self.deepest > 0
     }
 
     /// True where the points are those of an earlier flow.
@@ -120,9 +127,14 @@ impl<const D: usize> Ground<D> {
         self.starts_settled
     }
 
-    /// How often cells may be split.
+    /// How often the flow may have cells split.
     pub fn most(&self) -> u8 {
         self.adaption.most
+    }
+
+    /// How often they may be split, be it for bodies.
+    pub fn deepest(&self) -> u8 {
+        self.deepest
     }
 
     /// The same with cells split as [`Levels::numbers`] of an earlier one said.

@@ -139,9 +139,9 @@ impl<'a> Trip<'a> {
             String::new()
         };
         let told = format!(
-            "{FAMILY} runs{}, down to a spacing of {finest:.3e} m, {:.1} across the thinnest part; this will take about {} on {} threads{most}",
+            "{FAMILY} runs{}, down to a spacing of {finest:.3e} m near shocks, {:.1} across the thinnest part; this will take about {} on {} threads{most}",
             if family.is_fixed { "" } else { " or more" },
-            across / finest,
+            across / (family.finest() / f64::from(1_u32 << self.flight.body_halvings())),
             minutes(seconds),
             rayon::current_num_threads(),
         );
