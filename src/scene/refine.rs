@@ -91,7 +91,7 @@ impl<'de> Visitor<'de> for Either {
                 minutes: Some(minutes),
             } => Ok(RefineEntry::Minutes(minutes.get())),
             _ => Err(A::Error::custom(
-                "give `points = N`, `minutes = T`, or both `flow = N` and `bodies = M`",
+                "give one of `points = N` and `minutes = T`, or both `flow = N` and `bodies = M`",
             )),
         }
     }

@@ -103,7 +103,7 @@ impl<const D: usize> FixedSimulation<D> {
         let cloud = Cloud::lattice_after(&plot, &levels, disorder, Some(&ground.cloud));
         let Built {
             cells, cut, same, ..
-        } = if carry == Carry::Roughly {
+        } = if !ground.keeps_cells() {
             built(&plot, &cloud)
         } else {
             let before = std::mem::take(&mut ground.cut);
@@ -137,7 +137,7 @@ impl<const D: usize> FixedSimulation<D> {
         };
         let new = cloud.places.iter().filter(is_new).count();
         self.replace_cells(cells, held)?;
-        if carry != Carry::Roughly {
+        if ground.keeps_cells() {
             ground.cut = cut;
         }
         ground.cloud = cloud;

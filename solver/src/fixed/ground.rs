@@ -98,10 +98,10 @@ impl<const D: usize> Ground<D> {
         let ground = Self {
             kept,
             starts_settled,
-            cut: if settles || most == 0 {
-                Vec::new()
-            } else {
+            cut: if keeps_cells::<D>(settles) && most > 0 {
                 built.cut
+            } else {
+                Vec::new()
             },
             levels,
             cloud,
@@ -115,6 +115,11 @@ impl<const D: usize> Ground<D> {
             solids,
         };
         Ok((ground, built.cells))
+    }
+
+    /// True where cells that were cut out one by one are kept for the next adaption.
+    pub fn keeps_cells(&self) -> bool {
+        keeps_cells::<D>(self.settles)
     }
 
     /// True where points are of more than one spacing, or may come to be.
@@ -144,7 +149,7 @@ impl<const D: usize> Ground<D> {
         self.levels = Levels::on(&plot).with_numbers(numbers);
         self.cloud = Cloud::lattice(&plot, &self.levels, problem.disorder);
         let built = built(&plot, &self.cloud);
-        if !self.settles {
+        if self.keeps_cells() {
             self.cut = built.cut;
         }
         (self, built.cells)
@@ -221,6 +226,11 @@ impl<const D: usize> Ground<D> {
         let before = each * self.levels.len() as u64;
         (self.cloud.places.len() as u64 + each * levels.len() as u64).saturating_sub(before)
     }
+}
+
+/// A flow in space that settles has few adaptions, and its cells are large: they would take more memory than they save time.
+fn keeps_cells<const D: usize>(settles: bool) -> bool {
+    D < 3 || !settles
 }
 
 /// The plot of `problem`, with its bodies as one and the first corner of its lattice.

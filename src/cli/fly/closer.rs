@@ -9,6 +9,12 @@ use aero::scene::Scene;
 use super::super::CommandError;
 use super::super::scene::checked;
 
+/// Cells across a part of which fewer do not show its shape.
+const SEEN: f64 = 2.0;
+
+/// So many times the points are worth it where the thinnest part is not seen.
+const UNSEEN_IS_WORTH: f64 = 3.0;
+
 /// Gives the body as many halvings of its own as make no more points, at the spacing of the look, than all of the box would hold if it had the
 /// flow's finest `cells` everywhere: its share shrinks as spacings do.
 ///
@@ -16,14 +22,20 @@ use super::super::scene::checked;
 /// A scene that makes no sense; a flow that fails at once has the halvings that went before.
 pub(super) fn resolve(flight: &mut Flight, look: f64, cells: f64) -> Result<(), CommandError> {
     let each = f64::from(1_u32 << flight.halvings()).powi(flight.dimension() as i32);
-    while flight.come_closer() {
+    loop {
+        let finest = look / f64::from(1_u32 << flight.body_halvings());
+        let is_seen = flight.thinnest.is_none_or(|thin| thin > SEEN * finest);
+        let worth = if is_seen { 1.0 } else { UNSEEN_IS_WORTH };
+        if !flight.come_closer() {
+            return Ok(());
+        }
         let text = flight.scene(look, None).map_err(CommandError::wrong)?;
-        let scene = Scene::parse(&text, &flight.name, Path::new(".")).map_err(CommandError::wrong)?;
+        let scene =
+            Scene::parse(&text, &flight.name, Path::new(".")).map_err(CommandError::wrong)?;
         let points = burst(checked(&scene)?, 0.0).map(|seen| seen.gas as f64);
-        if !points.is_ok_and(|points| points <= each * cells) {
+        if !points.is_ok_and(|points| points <= worth * each * cells) {
             flight.stand_back();
-            break;
+            return Ok(());
         }
     }
-    Ok(())
 }
