@@ -130,7 +130,7 @@ impl<const D: usize> FixedSimulation<D> {
             },
             change,
             is_settled: is_still
-                && settling.since >= look.window as u64
+                && settling.since >= WINDOW as u64
                 && (settling.has_points || self.ground.is_none()),
         };
         let is_near = self.settling.last_change() < NEAR;
