@@ -166,3 +166,24 @@ fn who_reads_no_further_breaks_nothing() {
     let said = String::from_utf8(output.stderr).unwrap();
     assert!(output.status.success() && said.is_empty(), "{said}");
 }
+
+/// What the scene shows before the run, and what only its end shows.
+#[test]
+fn bodies_that_overlap_and_a_wake_that_reaches_the_outlet_are_told_in_terminal_and_summary() {
+    let place = Workplace::new();
+    let bodies = block("near", [0.5, 0.9], [0.0, 0.4]) + &block("far", [0.4, 0.6], [0.2, 0.4]);
+    let scene = scene(ON_A_WALL, &bodies).replace(
+        "end_time = 0.1",
+        "stop = \"steady\"\n\n[scheme]\nmotion = \"fixed\"",
+    );
+    place.write("scene.toml", &scene);
+    let ran = place.aero(&["run", "scene.toml"]);
+    ran.succeeds();
+    let summary = place.json("out/scene/summary.json");
+    let warnings = summary["warnings"].as_array().unwrap();
+    for words in ["`near` and `far` overlap near (0.5", "a wake reaches it"] {
+        let told = |w: &serde_json::Value| w.as_str().is_some_and(|w| w.contains(words));
+        assert!(warnings.iter().any(told), "`{words}` in {warnings:?}");
+        assert!(ran.out.contains(words), "`{words}` in {}", ran.out);
+    }
+}

@@ -132,6 +132,18 @@ fn minutes_are_turned_into_points_once() {
     Workplace::new()
         .run(&wedge(), &both)
         .refuses(&["scheme.refine", "one of"]);
+    for (table, word) in [
+        ("{flow=1}", "both `flow = N` and `bodies = M`"),
+        (
+            "{flow=1, bodies=7}",
+            "7 is not a number of halvings from 0 to 6",
+        ),
+    ] {
+        let setting = format!("scheme.refine={table}");
+        Workplace::new()
+            .run(&wedge(), &["--set", &setting])
+            .refuses(&["scheme.refine", word]);
+    }
 }
 
 #[test]

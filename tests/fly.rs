@@ -27,6 +27,61 @@ fn cone(around: usize) -> String {
     text + "endsolid cone\n"
 }
 
+/// A cylinder with a cone before it and a groove around it, its tip at the origin, along z, as ASCII STL.
+fn grooved(around: usize) -> String {
+    let line = [
+        [0.0, 0.0],
+        [1.0, 0.5],
+        [1.4, 0.5],
+        [1.4, 0.4],
+        [1.6, 0.4],
+        [1.6, 0.5],
+        [1.8, 0.5],
+        [1.8, 0.0],
+    ];
+    let at = |[z, radius]: [f64; 2], k: usize| {
+        let (s, c) = (TAU * k as f64 / around as f64).sin_cos();
+        format!("vertex {} {} {z}\n", radius * c, radius * s)
+    };
+    let mut text = "solid grooved\n".to_owned();
+    for pair in line.windows(2) {
+        for k in 0..around {
+            let [a, b, c, d] = [
+                at(pair[0], k),
+                at(pair[0], k + 1),
+                at(pair[1], k + 1),
+                at(pair[1], k),
+            ];
+            let mut facet = |corners: String| {
+                text += &format!("facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n");
+            };
+            if pair[1][1] > 0.0 {
+                facet(format!("{a}{c}{d}"));
+            }
+            if pair[0][1] > 0.0 {
+                facet(format!("{a}{b}{c}"));
+            }
+        }
+    }
+    text + "endsolid grooved\n"
+}
+
+/// What faces away in a groove has the body behind it: its drag goes with that of the groove's other side.
+#[test]
+fn only_what_has_no_body_behind_it_is_base_and_grooves_get_points_of_their_own() {
+    let place = Workplace::new();
+    place.write("grooved.stl", grooved(48));
+    let flight = ["fly", "grooved.stl", "--mach", "2", "--spacing", "0.03"];
+    place.aero(&flight).succeeds();
+    let found = place.json("out/grooved-fly/fly.json");
+    for level in found["levels"].as_array().expect("runs") {
+        let number = |key: &str| level[key].as_f64().unwrap_or_else(|| panic!("{key}"));
+        // The groove has 0.36 of the frontal area.
+        assert!((number("base_area") - 1.0).abs() < 0.01, "{level}");
+        assert!(number("finest") < 0.2 * number("spacing"), "{level}");
+    }
+}
+
 const FLIGHT: [&str; 8] = [
     "fly",
     "cone.stl",
@@ -144,7 +199,8 @@ fn a_spacing_far_below_the_body_is_halved_down_to_and_its_time_is_one_that_can_b
             let whole = value.as_integer().map(|n| n as f64);
             whole.or(value.as_float()).expect("a number")
         };
-        let halvings = number(&scene["scheme"]["refine"]);
+        let halvings = number(&scene["scheme"]["refine"]["flow"]);
+        assert!(number(&scene["scheme"]["refine"]["bodies"]) > halvings);
         let finest = number(&scene["spacing"]) / 2_f64.powf(halvings);
         let asked: f64 = spacing.parse().expect("a number");
         assert!((finest / asked - 1.0).abs() < 1e-9, "{finest}");

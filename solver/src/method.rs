@@ -62,6 +62,13 @@ pub enum Time {
 pub enum Refine {
     /// To this many halvings of the scene's spacing; zero for points all alike.
     Levels(u8),
+    /// To so many halvings where the gas asks for them, and to others around thin and bent parts of bodies.
+    Apart {
+        /// Of the flow.
+        flow: u8,
+        /// Of bodies.
+        bodies: u8,
+    },
     /// As far as this number of points allows.
     Points(u64),
 }
@@ -78,8 +85,21 @@ impl Refine {
 
     /// Halvings of the scene's spacing at most.
     pub fn levels(self) -> u8 {
+        self.of_flow().max(self.of_bodies())
+    }
+
+    /// Halvings at most where the gas asks.
+    pub fn of_flow(self) -> u8 {
         match self {
-            Self::Levels(levels) => levels,
+            Self::Levels(levels) | Self::Apart { flow: levels, .. } => levels,
+            Self::Points(_) => Self::DEEPEST,
+        }
+    }
+
+    /// Halvings at most where bodies ask.
+    pub fn of_bodies(self) -> u8 {
+        match self {
+            Self::Levels(levels) | Self::Apart { bodies: levels, .. } => levels,
             Self::Points(_) => Self::DEEPEST,
         }
     }

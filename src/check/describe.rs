@@ -5,7 +5,7 @@ use aero_solver::panels::Panels;
 use aero_solver::problem::{Opening, Problem};
 
 use super::layer::reynolds_per_length;
-use super::side_name;
+use super::{shortened, side_name};
 use crate::case::{AnyCase, Case};
 
 /// Nearer than this, in spacings, is touching.
@@ -132,8 +132,8 @@ fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize)
             .iter()
             .filter(|panel| panel.owner as usize == number)
             .count(),
-        body.reference_area,
-        body.reference_length,
+        shortened(body.reference_area),
+        shortened(body.reference_length),
         super::place(&body.moment_centre)
     )];
     if let Some(free) = &body.motion.free {

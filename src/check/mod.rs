@@ -19,6 +19,11 @@ use aero_solver::panels::Panels;
 
 use crate::case::{AnyCase, Case, warnings};
 
+/// A number for people: without what round-off leaves behind its sixth digit.
+pub fn shortened(number: f64) -> f64 {
+    format!("{number:.5e}").parse().unwrap_or(number)
+}
+
 /// What was found.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct Check {

@@ -1,6 +1,7 @@
 //! `aero fly`: a body from its file to drag, lift and a report, in one command.
 
 mod budget;
+mod closer;
 mod family;
 mod telling;
 pub mod trip;
@@ -12,11 +13,12 @@ use aero::fly::{self, Flight, Report, Wishes, minutes};
 use aero::output::make_folder;
 use clap::{Args, ValueEnum};
 
+use self::budget::for_runs;
 use super::body::{BodyArgs, angle};
 use super::interrupt::Interrupt;
 use super::scene::folder;
 use super::{CommandError, on_threads};
-use trip::Trip;
+use trip::{Trip, budget};
 
 /// What `aero fly` takes.
 #[derive(Args, Debug)]
@@ -60,9 +62,14 @@ enum MotionWord {
 /// Cells of the box at which the first look is taken.
 const LOOK: [f64; 2] = [1_200.0, 5_000.0];
 
-/// A flight with room for its shocks, with the halvings that the finest `spacing` asks for where one is given; and the spacing at which a
+/// A flight with room for its shocks, with the halvings that the finest `spacing` asks for where one is given, and those that its body is worth within
+/// so many minutes; and the spacing at which a
 /// first look is taken.
-pub fn prepared(wishes: Wishes, spacing: Option<f64>) -> Result<(Flight, f64), CommandError> {
+pub fn prepared(
+    wishes: Wishes,
+    minutes: Option<f64>,
+    spacing: Option<f64>,
+) -> Result<(Flight, f64), CommandError> {
     let mut flight = Flight::new(wishes).map_err(CommandError::wrong)?;
     let cells = LOOK[usize::from(flight.dimension() == 3)];
     flight.widen(cells);
@@ -70,6 +77,8 @@ pub fn prepared(wishes: Wishes, spacing: Option<f64>) -> Result<(Flight, f64), C
     if let Some(finest) = spacing {
         flight.deepen(finest, look);
     }
+    let seconds = for_runs(budget(minutes, spacing));
+    closer::resolve(&mut flight, look, cells, seconds)?;
     Ok((flight, look))
 }
 
@@ -83,7 +92,7 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
             .how
             .wishes(&args.body, [args.mach, args.incidence, args.sideslip])
     };
-    let (flight, look) = prepared(wishes, args.how.spacing)?;
+    let (flight, look) = prepared(wishes, args.how.minutes, args.how.spacing)?;
     let words = words(&flight);
     for line in &words {
         say!("{line}");

@@ -57,6 +57,7 @@ pub fn turned_into_points(mut scene: Scene, earlier: Option<&Path>) -> Result<Sc
 fn words(refine: Refine) -> String {
     match refine {
         Refine::Levels(levels) => levels.to_string(),
+        Refine::Apart { flow, bodies } => format!("{{ flow = {flow}, bodies = {bodies} }}"),
         Refine::Points(points) => format!("{{ points = {points} }}"),
     }
 }

@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use aero::case::AnyCase;
+use aero::check::shortened;
 use aero::output::{BodySummary, CHECKPOINT, Summary, can_be_prolonged};
 use aero::run::{Destination, RunError, Stopwatch, is_of};
 use clap::Args;
@@ -176,7 +177,9 @@ fn loads(name: &str, body: &BodySummary) -> String {
         let _ = write!(
             text,
             "\n  of {} pressure, area {}, length {}, moments about {x} {y} {z}",
-            body.coefficients, body.reference_area, body.reference_length
+            body.coefficients,
+            shortened(body.reference_area),
+            shortened(body.reference_length)
         );
     }
     if let Some(motion) = &body.motion {

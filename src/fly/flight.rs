@@ -101,6 +101,9 @@ pub struct Flight {
     region: Bounds<3>,
     /// Halvings of the spacing near body and shocks.
     halvings: u8,
+    /// Halvings beyond these around thin and bent parts of the body: grooves and fins that fall between cells give each run another body, and
+    /// values that scatter by all of what such a part adds.
+    closer: u8,
 }
 
 impl Flight {
@@ -147,6 +150,7 @@ impl Flight {
         };
         Ok(Self {
             halvings,
+            closer: 0,
             thinnest: thinnest_part(shape.as_ref(), &bounds),
             region,
             area,
@@ -171,6 +175,23 @@ impl Flight {
     /// Halvings of the spacing near body and shocks.
     pub fn halvings(&self) -> u8 {
         self.halvings
+    }
+
+    /// The same around thin and bent parts of the body.
+    pub fn body_halvings(&self) -> u8 {
+        self.halvings + self.closer
+    }
+
+    /// One more of these, if there may be.
+    pub fn come_closer(&mut self) -> bool {
+        let may = !self.wishes.with_the_gas && self.body_halvings() < Refine::DEEPEST;
+        self.closer += u8::from(may);
+        may
+    }
+
+    /// One less.
+    pub fn stand_back(&mut self) {
+        self.closer = self.closer.saturating_sub(1);
     }
 
     /// As many more halvings as let the coarsest run of a family down to `finest` be no finer than `look` away from body and shocks.
@@ -282,8 +303,9 @@ impl Flight {
         say("stop = \"steady\"\n");
         if !w.with_the_gas {
             say(&format!(
-                "[scheme]\nmotion = \"fixed\"\nrefine = {}\n",
-                self.halvings()
+                "[scheme]\nmotion = \"fixed\"\nrefine = {{ flow = {}, bodies = {} }}\n",
+                self.halvings(),
+                self.body_halvings()
             ));
         }
         say(&format!("[free_stream]\nmach = {:?}", w.mach));

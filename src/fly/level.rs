@@ -2,6 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
+use aero_geometry::Vector;
+use aero_geometry::parallel::prelude::*;
 use serde::Serialize;
 
 use super::error::FlyError;
@@ -9,8 +11,8 @@ use super::flight::Flight;
 use super::read::{self, Cells};
 use crate::output::Summary;
 
-/// What faces away from the stream by more than so many degrees is base: real gas does not follow such a turn, and what an inviscid
-/// one does there has no exact answer.
+/// What faces away from the stream by more than so many degrees, with nothing of the body behind it, is base: real gas does not follow such a
+/// turn, and what an inviscid one does there has no exact answer. The front of a groove belongs to its back.
 pub const BASE: f64 = 25.0;
 
 /// Rows of the history, at its end, over which loads are looked at.
@@ -165,12 +167,19 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
     let images = f64::from(1_u32 << flight.mirrors().len());
     let (mut forebody, mut base_area, mut sum, mut total) = (0.0, 0.0, 0.0, 0.0);
     let steep = BASE.to_radians().sin();
+    let is_open: Vec<bool> = (0..area.len())
+        .into_par_iter()
+        .map(|n| {
+            let along: f64 = (0..3).map(|k| normal[3 * n + k] * way[k]).sum();
+            along > steep && is_open_behind(flight, &surface.corners[n], &normal[3 * n..], &way)
+        })
+        .collect();
     for n in 0..area.len() {
         if body.get(n).is_some_and(|number| *number != 0.0) {
             continue;
         }
         let along: f64 = (0..3).map(|k| normal[3 * n + k] * way[k]).sum();
-        if along > steep {
+        if is_open[n] {
             base_area += images * area[n] * along / flight.area;
         } else {
             forebody -= images * cp[n] * along * area[n] / flight.area;
@@ -183,6 +192,28 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
         base_area,
         open: (sum / f64::max(total, f64::MIN_POSITIVE)).abs(),
     }
+}
+
+/// True where a way along the stream from a cell of the surface meets no more of the body: by steps as long as the distance from it.
+fn is_open_behind(flight: &Flight, corners: &[[f64; 3]], normal: &[f64], way: &[f64; 3]) -> bool {
+    /// Off the surface at first, and least step, in lengths of the body.
+    const NEAR: [f64; 2] = [1e-5, 1e-3];
+    let [off, least] = NEAR.map(|part| part * flight.length());
+    let mut point = Vector::<3>::from_fn(|k, _| {
+        let sum: f64 = corners.iter().map(|corner| corner[k]).sum();
+        sum / corners.len() as f64 + off * normal[k]
+    });
+    let mut left = flight.bounds.size().norm();
+    while left > 0.0 {
+        let distance = flight.shape.signed_distance(&point);
+        if distance < 0.0 {
+            return false;
+        }
+        let step = distance.max(least);
+        point += Vector::from(*way) * step;
+        left -= step;
+    }
+    true
 }
 
 /// Half the range of the last rows.

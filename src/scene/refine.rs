@@ -1,4 +1,4 @@
-//! `scheme.refine`: a number of halvings, `{ points = N }` or `{ minutes = T }`.
+//! `scheme.refine`: a number of halvings, `{ flow = N, bodies = M }`, `{ points = N }` or `{ minutes = T }`.
 
 use std::fmt;
 
@@ -17,12 +17,33 @@ pub enum RefineEntry {
     Minutes(f64),
 }
 
-/// The table form: one of the two.
+/// The table form: one of the three.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
-struct Budget {
+struct Table {
+    flow: Option<Halvings>,
+    bodies: Option<Halvings>,
     points: Option<Count>,
     minutes: Option<Positive>,
+}
+
+/// So often is a spacing halved.
+#[derive(Clone, Copy, Deserialize)]
+#[serde(try_from = "i64")]
+struct Halvings(u8);
+
+impl TryFrom<i64> for Halvings {
+    type Error = String;
+
+    fn try_from(value: i64) -> Result<Self, String> {
+        match u8::try_from(value) {
+            Ok(halvings) if halvings <= Refine::DEEPEST => Ok(Self(halvings)),
+            _ => Err(format!(
+                "{value} is not a number of halvings from 0 to {}",
+                Refine::DEEPEST
+            )),
+        }
+    }
 }
 
 impl<'de> Deserialize<'de> for RefineEntry {
@@ -39,33 +60,38 @@ impl<'de> Visitor<'de> for Either {
     fn expecting(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             formatter,
-            "a number of halvings from 0 to {}, `{{ points = N }}` or `{{ minutes = T }}`",
+            "a number of halvings from 0 to {}, `{{ flow = N, bodies = M }}`, `{{ points = N }}` or `{{ minutes = T }}`",
             Refine::DEEPEST
         )
     }
 
     fn visit_i64<E: Error>(self, value: i64) -> Result<RefineEntry, E> {
-        match u8::try_from(value) {
-            Ok(levels) if levels <= Refine::DEEPEST => Ok(RefineEntry::To(Refine::Levels(levels))),
-            _ => Err(E::custom(format!(
-                "{value} is not a number of halvings from 0 to {}",
-                Refine::DEEPEST
-            ))),
-        }
+        let Halvings(halvings) = value.try_into().map_err(E::custom)?;
+        Ok(RefineEntry::To(Refine::Levels(halvings)))
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<RefineEntry, A::Error> {
-        match Budget::deserialize(MapAccessDeserializer::new(map))? {
-            Budget {
+        match Table::deserialize(MapAccessDeserializer::new(map))? {
+            Table {
+                flow: Some(Halvings(flow)),
+                bodies: Some(Halvings(bodies)),
+                points: None,
+                minutes: None,
+            } => Ok(RefineEntry::To(Refine::Apart { flow, bodies })),
+            Table {
+                flow: None,
+                bodies: None,
                 points: Some(points),
                 minutes: None,
             } => Ok(RefineEntry::To(Refine::Points(points.get() as u64))),
-            Budget {
+            Table {
+                flow: None,
+                bodies: None,
                 points: None,
                 minutes: Some(minutes),
             } => Ok(RefineEntry::Minutes(minutes.get())),
             _ => Err(A::Error::custom(
-                "give one of `points = N` and `minutes = T`",
+                "give one of `points = N` and `minutes = T`, or both `flow = N` and `bodies = M`",
             )),
         }
     }

@@ -103,7 +103,7 @@ impl<const D: usize> FixedSimulation<D> {
         let cloud = Cloud::lattice_after(&plot, &levels, disorder, Some(&ground.cloud));
         let Built {
             cells, cut, same, ..
-        } = if carry == Carry::Roughly {
+        } = if !ground.keeps_cells() {
             built(&plot, &cloud)
         } else {
             let before = std::mem::take(&mut ground.cut);
@@ -137,7 +137,7 @@ impl<const D: usize> FixedSimulation<D> {
         };
         let new = cloud.places.iter().filter(is_new).count();
         self.replace_cells(cells, held)?;
-        if carry != Carry::Roughly {
+        if ground.keeps_cells() {
             ground.cut = cut;
         }
         ground.cloud = cloud;
@@ -179,7 +179,7 @@ impl<const D: usize> FixedSimulation<D> {
         let Some(ground) = &self.ground else {
             return vec![self.points.len()];
         };
-        let mut counts = vec![0; usize::from(ground.most()) + 1];
+        let mut counts = vec![0; usize::from(ground.deepest()) + 1];
         for point in 0..self.points.len() {
             counts[usize::from(ground.level(point))] += 1;
         }

@@ -51,6 +51,8 @@ pub struct Ground<const D: usize> {
     /// What bodies ask for, which stays.
     kept: Levels<D>,
     adaption: Adaption,
+    /// How often cells may be split, be it for the flow or for bodies.
+    deepest: u8,
     /// Points at most.
     limit: Option<u64>,
     settles: bool,
@@ -71,7 +73,7 @@ impl<const D: usize> Ground<D> {
         let points = problem.method.fixed().copied().unwrap_or_default();
         let limit = match points.refine {
             Refine::Points(limit) => Some(limit),
-            Refine::Levels(_) => None,
+            Refine::Levels(_) | Refine::Apart { .. } => None,
         };
         let settles = points.time == Time::Settle;
         let around = if settles {
@@ -81,7 +83,8 @@ impl<const D: usize> Ground<D> {
         };
         let most = points.refine.levels();
         let plot = plot(problem, &solids, corner(problem));
-        let (kept, cloud) = around_bodies(&plot, most, limit, problem.disorder)?;
+        let (kept, cloud) =
+            around_bodies(&plot, points.refine.of_bodies(), limit, problem.disorder)?;
         let earlier = match &problem.initial {
             Initial::Earlier(earlier) if settles => as_earlier(earlier, &kept, &plot, most),
             _ => None,
@@ -95,14 +98,18 @@ impl<const D: usize> Ground<D> {
         let ground = Self {
             kept,
             starts_settled,
-            cut: if settles || most == 0 {
-                Vec::new()
-            } else {
+            cut: if keeps_cells::<D>(settles) && most > 0 {
                 built.cut
+            } else {
+                Vec::new()
             },
             levels,
             cloud,
-            adaption: Adaption { most, around },
+            adaption: Adaption {
+                most: points.refine.of_flow(),
+                around,
+            },
+            deepest: most,
             limit,
             settles,
             solids,
@@ -110,9 +117,14 @@ impl<const D: usize> Ground<D> {
         Ok((ground, built.cells))
     }
 
-    /// True where points may come.
+    /// True where cells that were cut out one by one are kept for the next adaption.
+    pub fn keeps_cells(&self) -> bool {
+        keeps_cells::<D>(self.settles)
+    }
+
+    /// True where points are of more than one spacing, or may come to be.
     pub fn may_change(&self) -> bool {
-        self.adaption.most > 0
+        self.deepest > 0
     }
 
     /// True where the points are those of an earlier flow.
@@ -120,9 +132,14 @@ impl<const D: usize> Ground<D> {
         self.starts_settled
     }
 
-    /// How often cells may be split.
+    /// How often the flow may have cells split.
     pub fn most(&self) -> u8 {
         self.adaption.most
+    }
+
+    /// How often they may be split, be it for bodies.
+    pub fn deepest(&self) -> u8 {
+        self.deepest
     }
 
     /// The same with cells split as [`Levels::numbers`] of an earlier one said.
@@ -132,7 +149,7 @@ impl<const D: usize> Ground<D> {
         self.levels = Levels::on(&plot).with_numbers(numbers);
         self.cloud = Cloud::lattice(&plot, &self.levels, problem.disorder);
         let built = built(&plot, &self.cloud);
-        if !self.settles {
+        if self.keeps_cells() {
             self.cut = built.cut;
         }
         (self, built.cells)
@@ -209,6 +226,11 @@ impl<const D: usize> Ground<D> {
         let before = each * self.levels.len() as u64;
         (self.cloud.places.len() as u64 + each * levels.len() as u64).saturating_sub(before)
     }
+}
+
+/// A flow in space that settles has few adaptions, and its cells are large: they would take more memory than they save time.
+fn keeps_cells<const D: usize>(settles: bool) -> bool {
+    D < 3 || !settles
 }
 
 /// The plot of `problem`, with its bodies as one and the first corner of its lattice.

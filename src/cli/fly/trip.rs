@@ -30,6 +30,16 @@ const ANOTHER: f64 = 0.93;
 /// Seconds that the look may take, as a part of the budget.
 const LOOKING: f64 = 0.02;
 
+/// Seconds that a flight may take: without end where a spacing is given and no time.
+pub fn budget(minutes: Option<f64>, spacing: Option<f64>) -> f64 {
+    let otherwise = if spacing.is_some() {
+        f64::INFINITY
+    } else {
+        MINUTES
+    };
+    60.0 * minutes.unwrap_or(otherwise)
+}
+
 /// What became of a run.
 enum Came {
     /// It has loads.
@@ -44,7 +54,7 @@ enum Came {
 pub struct Trip<'a> {
     flight: &'a Flight,
     costs: Costs,
-    /// Seconds; without end where a spacing is given and no time.
+    /// Seconds.
     budget: f64,
     /// The finest spacing that is asked for, near body and shocks.
     wanted: Option<f64>,
@@ -59,15 +69,10 @@ impl<'a> Trip<'a> {
         minutes: Option<f64>,
         spacing: Option<f64>,
     ) -> Self {
-        let otherwise = if spacing.is_some() {
-            f64::INFINITY
-        } else {
-            MINUTES
-        };
         Self {
             flight,
             costs: Costs::new(flight.dimension(), flight.wishes.with_the_gas),
-            budget: 60.0 * minutes.unwrap_or(otherwise),
+            budget: budget(minutes, spacing),
             wanted: spacing,
             begun,
         }
@@ -139,9 +144,9 @@ impl<'a> Trip<'a> {
             String::new()
         };
         let told = format!(
-            "{FAMILY} runs{}, down to a spacing of {finest:.3e} m, {:.1} across the thinnest part; this will take about {} on {} threads{most}",
+            "{FAMILY} runs{}, down to a spacing of {finest:.3e} m near shocks, {:.1} across the thinnest part; this will take about {} on {} threads{most}",
             if family.is_fixed { "" } else { " or more" },
-            across / finest,
+            across / (family.finest() / f64::from(1_u32 << self.flight.body_halvings())),
             minutes(seconds),
             rayon::current_num_threads(),
         );

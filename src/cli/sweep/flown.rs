@@ -55,14 +55,15 @@ fn scene_of_body(args: &SweepArgs, points: usize) -> Result<Scene, CommandError>
         values.fold(0.0, |most: f64, value| most.max(value.abs()))
     };
     let stream = [slowest, largest(&args.incidence), largest(&args.sideslip)];
-    let (flight, look) = prepared(args.how.wishes(&args.scene.scene, stream), args.how.spacing)?;
-    for line in words(&flight) {
-        say!("{line}");
-    }
     let each = match (args.how.minutes, args.how.spacing) {
         (None, Some(_)) => None,
         (minutes, _) => Some(minutes.unwrap_or(MINUTES) / points as f64),
     };
+    let wishes = args.how.wishes(&args.scene.scene, stream);
+    let (flight, look) = prepared(wishes, each, args.how.spacing)?;
+    for line in words(&flight) {
+        say!("{line}");
+    }
     let (family, _) = Trip::new(&flight, begun, each, args.how.spacing).family(look)?;
     say!(
         "{points} points at a spacing of {:.3e} m, finer near body and shocks; this will take about {}",

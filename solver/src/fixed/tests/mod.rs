@@ -13,6 +13,7 @@ use super::solids::Solids;
 use crate::problem::{Domain, Side};
 
 mod adapting;
+mod apart;
 mod bends;
 pub(super) mod flows;
 mod jumps;

@@ -1,0 +1,54 @@
+//! How much finer thin and bent parts of a body are resolved than the flow.
+
+use std::path::Path;
+
+use aero::fly::{Costs, Flight};
+use aero::run::burst;
+use aero::scene::Scene;
+
+use super::super::CommandError;
+use super::super::scene::checked;
+
+/// Cells across a part of which fewer do not show its shape.
+const SEEN: f64 = 2.0;
+
+/// So many times the points are worth it where the thinnest part is not seen.
+const UNSEEN_IS_WORTH: f64 = 3.0;
+
+/// The coarsest run is no coarser than the look by more than this: its box is still a few cells wide.
+const COARSEST: f64 = 2.0;
+
+/// Gives the body as many halvings of its own as make no more points, at the spacing of the look, than all of the box would hold if it had the
+/// flow's finest `cells` everywhere: its share shrinks as spacings do; and as
+/// leave `seconds` enough for a family whose coarsest run still shows the flow.
+///
+/// # Errors
+/// A scene that makes no sense; a flow that fails at once has the halvings that went before.
+pub(super) fn resolve(
+    flight: &mut Flight,
+    look: f64,
+    cells: f64,
+    seconds: f64,
+) -> Result<(), CommandError> {
+    let costs = Costs::new(flight.dimension(), false);
+    let each = f64::from(1_u32 << flight.halvings()).powi(flight.dimension() as i32);
+    loop {
+        let finest = look / f64::from(1_u32 << flight.body_halvings());
+        let is_seen = flight.thinnest.is_none_or(|thin| thin > SEEN * finest);
+        let worth = if is_seen { 1.0 } else { UNSEEN_IS_WORTH };
+        if !flight.come_closer() {
+            return Ok(());
+        }
+        let text = flight.scene(look, None).map_err(CommandError::wrong)?;
+        let scene =
+            Scene::parse(&text, &flight.name, Path::new(".")).map_err(CommandError::wrong)?;
+        let is_worth_it = burst(checked(&scene)?, 0.0).is_ok_and(|seen| {
+            let took = Costs::of_burst(seen.seconds_per_step, seen.steps_to_go, seen.settles);
+            seen.gas as f64 <= worth * each * cells && costs.fit(took, seconds) <= COARSEST
+        });
+        if !is_worth_it {
+            flight.stand_back();
+            return Ok(());
+        }
+    }
+}
