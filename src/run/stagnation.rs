@@ -22,7 +22,7 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
         return Vec::new();
     };
     let stream = &problem.free_stream;
-    let mach = stream.velocity.norm() / problem.gas.sound_speed_at(stream.density, stream.pressure);
+    let mach = problem.stream_mach();
     let is_one_stream = problem.domain.openings.is_empty()
         && !problem
             .domain
