@@ -5,6 +5,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use super::bend::Bend;
 use super::gas::Gas;
+use super::prandtl_meyer::{angle, slope_of};
 use super::state::{Primitive, dot};
 
 /// Square of the Mach number towards the bend below which gas knows of it, and no fan stands at it.
@@ -30,9 +31,6 @@ const FARTHER: f64 = 4.0 / 3.0;
 
 /// No fan is looked for farther than this from its bend, in spacings.
 pub const FARTHEST: f64 = 48.0;
-
-/// Halvings after which an angle is known to the last bits.
-const HALVINGS: u32 = 52;
 
 /// A fan.
 #[derive(Clone, Debug)]
@@ -195,25 +193,6 @@ impl<const D: usize> Fan<D> {
 /// From zero at `low` to one at `high`.
 fn rise(value: f64, low: f64, high: f64) -> f64 {
     ((value - low) / (high - low)).clamp(0.0, 1.0)
-}
-
-/// Prandtl and Meyer's angle of `slope = sqrt(M^2 - 1)`.
-fn angle(slope: f64, slowness: f64) -> f64 {
-    slowness * (slope / slowness).atan() - slope.atan()
-}
-
-/// The `sqrt(M^2 - 1)` above `least` that has this angle.
-fn slope_of(wanted: f64, least: f64, slowness: f64) -> f64 {
-    let (mut low, mut high) = (least.atan(), FRAC_PI_2);
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        if angle(middle.tan(), slowness) < wanted {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    low.tan()
 }
 
 #[cfg(test)]

@@ -50,6 +50,7 @@ mod passes;
 mod pieces;
 mod plot;
 mod polytope;
+mod prandtl_meyer;
 mod quiet;
 mod real;
 mod rebuild;
