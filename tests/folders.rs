@@ -79,6 +79,17 @@ fn a_run_that_stops_when_it_is_steady_needs_no_end() {
         .refuses(&["end_time", "stop = \"steady\""]);
 }
 
+/// Before the first run, not after the last.
+#[test]
+fn a_scene_without_a_body_is_refused_a_study_before_it_runs() {
+    let place = Workplace::new();
+    place.write("box.toml", BOX);
+    place
+        .aero(&["converge", "box.toml", "--out", "study"])
+        .refuses(&["no body in a stream"]);
+    assert!(!place.path("study").exists());
+}
+
 #[test]
 fn a_scene_converges_to_oblique_shock_theory() {
     let place = Workplace::new();

@@ -51,10 +51,17 @@ struct Row {
     found: Extrapolated,
 }
 
+/// What is said of a scene without coefficients.
+const NOTHING: &str =
+    "the scene has no body in a stream, so no coefficients: nothing here is known to converge";
+
 /// Runs the scene at all spacings, coarse to fine.
 pub fn converge(args: &ConvergeArgs) -> Result<(), CommandError> {
     let interrupt = Interrupt::listen()?;
     let scene = args.scene.load()?;
+    if scene.file().body.is_empty() {
+        return Err(CommandError::wrong(NOTHING));
+    }
     let out = folder(args.out.as_ref(), &format!("{}-converge", scene.name()));
     let steps = (0..i32::from(args.spacings)).rev();
     let factors: Vec<f64> = steps.map(|n| args.ratio.powi(n)).collect();
@@ -87,9 +94,7 @@ pub fn converge(args: &ConvergeArgs) -> Result<(), CommandError> {
         }
         let rows = rows(&summaries);
         if rows.is_empty() {
-            return Err(CommandError::wrong(
-                "the scene has no body in a stream, so no coefficients: nothing here is known to converge",
-            ));
+            return Err(CommandError::wrong(NOTHING));
         }
         say_all!("{}", text(&rows));
         for summary in summaries.iter().filter(|summary| !came_to_rest(summary)) {
