@@ -45,6 +45,14 @@ impl Rings {
         }
     }
 
+    /// The same of a surface, which has no gas to keep off the axis: however near that it is.
+    pub fn surface<const D: usize>(&self, position: &Vector<D>) -> f64 {
+        match self.narrowest {
+            Some(_) => TAU * position[RADIAL].max(0.0),
+            None => 1.0,
+        }
+    }
+
     /// True in an axisymmetric flow.
     pub fn are_real(&self) -> bool {
         self.narrowest.is_some()
@@ -95,5 +103,27 @@ impl Rings {
             rates.energy -= heating;
             rates.by_pressure.heating -= heating;
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gas_near_the_axis_counts_as_far_as_the_innermost_ring_and_a_surface_as_it_is() {
+        let rings = Rings {
+            narrowest: Some(0.5),
+        };
+        let places = [[3.0, 0.1], [3.0, 2.0]].map(Vector::<2>::from);
+        assert_eq!(
+            places.map(|at| rings.circumference(&at)),
+            [0.5, 2.0].map(|r| TAU * r)
+        );
+        assert_eq!(
+            places.map(|at| rings.surface(&at)),
+            [0.1, 2.0].map(|r| TAU * r)
+        );
+        assert_eq!(Rings { narrowest: None }.surface(&places[0]), 1.0);
     }
 }

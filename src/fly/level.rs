@@ -1,6 +1,5 @@
 //! What one run of a flight has shown.
 
-use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
 
 use aero_geometry::Vector;
@@ -159,12 +158,11 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
     let [up, aside] = [flight.wishes.incidence, flight.wishes.sideslip].map(f64::to_radians);
     let way = [up.cos() * aside.cos(), up.sin() * aside.cos(), aside.sin()];
     let column = |name: &str| surface.arrays.get(name).map_or(&[][..], Vec::as_slice);
-    let (cp, normal) = (column("pressure_coefficient"), column("normal"));
-    let area = if flight.dimension() == 2 {
-        surface.corners.iter().map(|ends| ring(ends)).collect()
-    } else {
-        column("area").to_vec()
-    };
+    let (cp, area, normal) = (
+        column("pressure_coefficient"),
+        column("area"),
+        column("normal"),
+    );
     let body = column("body");
     let images = f64::from(1_u32 << flight.mirrors().len());
     let (mut forebody, mut base_area, mut sum, mut total) = (0.0, 0.0, 0.0, 0.0);
@@ -194,15 +192,6 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
         base_area,
         open: (sum / f64::max(total, f64::MIN_POSITIVE)).abs(),
     }
-}
-
-/// Area of the ring that a segment of the meridian stands for. What runs write counts none as narrower than half a spacing of the lattice, which
-/// doubles the smallest of points that are finer.
-fn ring(ends: &[[f64; 3]]) -> f64 {
-    let [[x, r, _], [to, other, _]] = ends else {
-        return 0.0;
-    };
-    PI * (r + other) * (to - x).hypot(other - r)
 }
 
 /// True where a way along the stream from a cell of the surface meets no more of the body: by steps as long as the distance from it.

@@ -73,7 +73,7 @@ impl<const D: usize> Panels<D> {
             frame
                 .normal
                 .push(pad(&pose.direction(&panel.normal)).into());
-            frame.area.push(panel.size * rings.circumference(&centre));
+            frame.area.push(panel.size * rings.surface(&centre));
             frame.pressure.push(pressed.pressure);
             let over = pressed.pressure - stream.pressure;
             frame.pressure_coefficient.push(if dynamic_pressure > 0.0 {

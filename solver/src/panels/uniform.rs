@@ -32,7 +32,7 @@ impl<const D: usize> Panels<D> {
             .iter()
             .filter(|panel| is_shown(&problem.domain, &panel.centre));
         for panel in shown {
-            let around = rings.circumference(&panel.centre);
+            let around = rings.surface(&panel.centre);
             let (reflections, centre) = &places[panel.owner as usize];
             let load = &mut loads[panel.owner as usize];
             for (sign, shift) in reflections {
