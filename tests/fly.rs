@@ -53,7 +53,9 @@ fn grooved(around: usize) -> String {
                 at(pair[1], k),
             ];
             let mut facet = |corners: String| {
-                text += &format!("facet normal 0 0 0\nouter loop\n{corners}endloop\nendfacet\n");
+                text += "facet normal 0 0 0\nouter loop\n";
+                text += &corners;
+                text += "endloop\nendfacet\n";
             };
             if pair[1][1] > 0.0 {
                 facet(format!("{a}{c}{d}"));

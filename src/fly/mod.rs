@@ -20,6 +20,7 @@ mod report;
 mod section;
 mod silhouette;
 mod skins;
+mod written;
 
 pub use attitude::Axes;
 pub use error::FlyError;

@@ -103,11 +103,11 @@ impl<const D: usize> FixedSimulation<D> {
         let cloud = Cloud::lattice_after(&plot, &levels, disorder, Some(&ground.cloud));
         let Built {
             cells, cut, same, ..
-        } = if !ground.keeps_cells() {
-            built(&plot, &cloud)
-        } else {
+        } = if ground.keeps_cells() {
             let before = std::mem::take(&mut ground.cut);
             rebuilt(&plot, &cloud, &ground.cloud, before)
+        } else {
+            built(&plot, &cloud)
         };
         let held = match carry {
             Carry::Afresh => {

@@ -244,8 +244,9 @@ impl<const D: usize> FixedSimulation<D> {
             problem.domain.is_axisymmetric(),
         )?;
         viscous::stick(&mut net, problem)?;
-        if problem.method.settles() {
-            let least = problem.stream_mach();
+        let least = problem.stream_mach();
+        // Without a stream nothing tells how fast the gas is to be.
+        if problem.method.settles() && least > 0.0 {
             let walls = net.blocks.iter_mut().flat_map(|block| &mut block.walls);
             walls.for_each(|wall| wall.least_mach = least);
         }
