@@ -32,7 +32,7 @@ const STAND_OFF: f64 = 10.0;
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     // The nose alone: what is beside it does not reach it faster than sound.
     let (cells, halvings, how, allowed) = match context.level {
-        Level::Quick => (40, 1, "halved once", STATE[0]),
+        Level::Quick => (50, 1, "halved once", STATE[0]),
         Level::Full => (80, 0, "everywhere", STATE[1]),
     };
     let ahead = at_60_km()?;
