@@ -13,6 +13,7 @@ use super::net::{Block, Face, Net};
 use super::real::{Lane, MAX_LANES, Real};
 use super::reconstruction::{Neighbours, moved, rise};
 use super::slopes::{Flow, Slopes};
+use super::slow::meeting;
 use super::state::{Conserved, Primitive, dot, scaled};
 use super::viscous::{Rubbing, WallShare};
 use super::walls::push;
@@ -44,6 +45,8 @@ pub struct Exchange<'a, G, const D: usize> {
     pub net: &'a Net<D>,
     /// How energy goes through them.
     pub energy: EnergyFlux,
+    /// Least Mach number that gas counts by where it meets, see [`super::slow`].
+    pub least_mach: f64,
     /// Those to sum up.
     pub block: &'a Block<D>,
     /// The flow.
@@ -63,6 +66,7 @@ impl<'a, G, const D: usize> Exchange<'a, G, D> {
             gas,
             net: self.net,
             energy: self.energy,
+            least_mach: self.least_mach,
             block: self.block,
             flow: self.flow,
             pressures: self.pressures,
@@ -81,6 +85,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
             gas,
             net,
             energy,
+            least_mach,
             block,
             flow,
             pressures,
@@ -94,7 +99,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
             if rubbing.is_some() {
                 batch.find_skews(simd, net, faces);
             }
-            let flux = batch.flux(gas, energy);
+            let flux = batch.flux(gas, energy, least_mach);
             let flux = stored(&flux);
             for (face, flux) in faces.iter().zip(&flux) {
                 for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
@@ -112,7 +117,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         };
         turn(gas, &fans, block, flow, &mut cells, |face| {
             let batch = Batch::new(simd, net, slice::from_ref(face), flow);
-            stored(&batch.flux(gas, energy))[0]
+            stored(&batch.flux(gas, energy, least_mach))[0]
         });
         let rubbed = rubbing.map(|rubbing| {
             let mut gains = Gains::nothing(cells.len());
@@ -228,7 +233,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
 
     /// Flux through the whole of each face.
     #[inline(always)]
-    fn flux<G: Gas>(&self, gas: &G, energy: EnergyFlux) -> Conserved<D, Lane<S>> {
+    fn flux<G: Gas>(&self, gas: &G, energy: EnergyFlux, least_mach: f64) -> Conserved<D, Lane<S>> {
         let size = dot(&self.area, &self.area).sqrt();
         let share = size.like(1.0) / size;
         let normal = scaled(&self.area, share);
@@ -245,6 +250,9 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         .states();
         if let Some(skew) = &self.skew {
             moved(&mut sides, &self.slopes, skew, smooth);
+        }
+        if least_mach < 1.0 {
+            meeting(gas, &mut sides, &normal, least_mach);
         }
         let [left, right] = sides;
         let jump = Jump::new(gas, left, right, normal);

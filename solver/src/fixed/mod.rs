@@ -64,6 +64,7 @@ mod settle;
 mod sides;
 mod site;
 mod slopes;
+mod slow;
 mod snapshot;
 pub mod solids;
 mod sources;
@@ -244,12 +245,9 @@ impl<const D: usize> FixedSimulation<D> {
             problem.domain.is_axisymmetric(),
         )?;
         viscous::stick(&mut net, problem)?;
-        let least = problem.stream_mach();
-        // Without a stream nothing tells how fast the gas is to be.
-        if problem.method.settles() && least > 0.0 {
-            let walls = net.blocks.iter_mut().flat_map(|block| &mut block.walls);
-            walls.for_each(|wall| wall.least_mach = least);
-        }
+        let least = slow::least_mach(problem);
+        let walls = net.blocks.iter_mut().flat_map(|block| &mut block.walls);
+        walls.for_each(|wall| wall.least_mach = least);
         net.add_bends(cells);
         Ok(net)
     }

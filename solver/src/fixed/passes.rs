@@ -11,6 +11,7 @@ use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
 use super::slopes::Flow;
 use super::slopes::Slopes;
+use super::slow::least_mach;
 use super::state::{Conserved, Primitive, dot};
 use super::viscous::Rubbing;
 use super::{FixedSimulation, Fluid};
@@ -116,6 +117,7 @@ impl<const D: usize> FixedSimulation<D> {
         apply: impl Fn(&Net<D>, Part<'_, D>, &Gains<D>) + Sync,
     ) -> Vec<Conserved<D>> {
         let energy = EnergyFlux::of(&self.problem);
+        let least_mach = least_mach(&self.problem);
         let is_axisymmetric = self.problem.domain.is_axisymmetric();
         let Self {
             arch,
@@ -158,6 +160,7 @@ impl<const D: usize> FixedSimulation<D> {
                     gas: &*gas,
                     net: &*net,
                     energy,
+                    least_mach,
                     block,
                     flow,
                     pressures: pressures.as_mut_slice(),

@@ -7,6 +7,7 @@ use super::cells::{Matrix, WallFace};
 use super::gas::Gas;
 use super::image::Image;
 use super::limiter::minmod;
+use super::slow::counted;
 use super::state::{Conserved, Primitive, dot};
 use super::stick::Stick;
 
@@ -29,7 +30,7 @@ pub struct Wall<const D: usize> {
     pub stick: Option<Stick<D>>,
     /// How what is added to the equations accelerates the gas into it.
     pub push: f64,
-    /// Least Mach number that speed into it counts by: one where sound may come to it.
+    /// Least Mach number that speed into it counts by, see [`super::slow`].
     pub least_mach: f64,
 }
 
@@ -83,9 +84,7 @@ impl<const D: usize> Wall<D> {
     /// Along a bent wall the gas presses outwards, `dp/dn = rho u.K u`; from the cell's middle to the wall this makes
     /// `p / (1 + d rho u.K u / p)` of `p`, which stays positive however far the middle is. `push` is held up the same way.
     ///
-    /// What gas slower than sound still has of speed into the wall presses with `rho a u_n` as a sound would; in a steady flow there is none, and
-    /// pressures are of the order of `rho u^2`: the speed counts by the Mach number [the jump of the normal velocity after Rieper 2011, J.
-    /// Comput. Phys. 230, 5263-5287], by the stream's at least, so that gas that a bow shock has stopped is not left to itself.
+    /// What gas slower than sound still has of speed into the wall counts by its Mach number, see [`super::slow`].
     pub fn pressure<G: Gas>(
         &self,
         gas: &G,
@@ -105,12 +104,8 @@ impl<const D: usize> Wall<D> {
         } else {
             inner.pressure - bend
         };
-        let share = if self.least_mach < 1.0 {
-            let mach = dot(&cell.velocity, &cell.velocity).sqrt() / sound;
-            mach.clamp(self.least_mach, 1.0)
-        } else {
-            1.0
-        };
+        let mach = dot(&cell.velocity, &cell.velocity).sqrt() / sound;
+        let share = counted(mach, self.least_mach);
         gas.wall_pressure(inner.density, pressure, share * speed)
     }
 }
