@@ -73,7 +73,7 @@ fn rows(flow: &Flow<'_, Stream>) -> Result<Vec<Row>, CompareError> {
             "drag, which there is none of, over lift",
             THEORY,
             drag / lift,
-            0.05,
+            0.018,
         ),
         flow.no_leaks(),
     ])
