@@ -326,3 +326,12 @@ pub fn read_surface(path: &Path) -> Surface {
         arrays: arrays.collect(),
     }
 }
+
+/// The pressure behind the Mach 2.5, 20 degree shock over that before it: NACA Report 1135 (1953), eq. 128.
+pub const PRESSURE_RATIO: f64 = 3.2109;
+
+/// The scene of the wedge by points that stay.
+pub fn fixed_wedge() -> String {
+    let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/wedge-fixed.toml");
+    std::fs::read_to_string(scene).expect("the scene")
+}
