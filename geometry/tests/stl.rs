@@ -174,3 +174,21 @@ proptest! {
         let _ = parse(bytes);
     }
 }
+
+#[test]
+fn a_body_whose_shape_single_precision_has_lost_is_refused() {
+    let moved = |away: f64| {
+        let facets = sphere(1.0).unwrap().tessellate(12);
+        let offset = Vector::<3>::new(0.0, away, 0.0);
+        let facets: Vec<_> = facets.iter().map(|f| f.map(|p| p + offset)).collect();
+        let mut bytes = Vec::new();
+        write_binary(&mut bytes, &facets).unwrap();
+        parse(bytes).map(|_| ()).map_err(|error| error.to_string())
+    };
+    // Two across, in steps of 1e-7 of the distance.
+    assert_eq!(moved(0.0), Ok(()));
+    assert_eq!(moved(1e5), Ok(()));
+    let refusal = moved(1e6).unwrap_err();
+    assert!(refusal.contains("17 of its steps across"), "{refusal}");
+    assert!(refusal.contains("move it to the origin"), "{refusal}");
+}

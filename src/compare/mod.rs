@@ -87,7 +87,7 @@ static CASES: [Case; 27] = [
 
 /// Cases that run only where they are named: they show where the method ends, and some of their rows
 /// fail.
-static ON_REQUEST: [Case; 7] = [
+static ON_REQUEST: [Case; 8] = [
     (
         "stress",
         &[
@@ -96,6 +96,7 @@ static ON_REQUEST: [Case; 7] = [
             &stress::SMOOTH,
             &stress::BODIES,
             &stress::SLABS,
+            &stress::FINS,
         ],
     ),
     ("stress-tubes", &[&stress::TUBES]),
@@ -103,6 +104,7 @@ static ON_REQUEST: [Case; 7] = [
     ("stress-smooth", &[&stress::SMOOTH]),
     ("stress-bodies", &[&stress::BODIES]),
     ("stress-slabs", &[&stress::SLABS]),
+    ("stress-fins", &[&stress::FINS]),
     ("stability", &[&stability::Stability]),
 ];
 

@@ -7,12 +7,14 @@
 mod base;
 mod bodies;
 mod edge;
+mod fins;
 mod line;
 mod plate;
 mod radial;
 mod schemes;
 mod slab;
 mod smooth;
+mod surface;
 mod trial;
 mod tubes;
 
@@ -48,3 +50,6 @@ pub const BODIES: Family = Family(bodies::compare);
 
 /// Thin plates in space.
 pub const SLABS: Family = Family(slab::compare);
+
+/// Thin fins on a body in space.
+pub const FINS: Family = Family(fins::compare);

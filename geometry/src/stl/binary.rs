@@ -3,12 +3,15 @@
 use std::io::{Cursor, Write};
 
 use super::{Facet, Soup};
-use crate::Vector;
 use crate::error::GeometryError;
+use crate::{Bounds, Vector};
 
 const HEADER: usize = 80;
 const PREAMBLE: usize = HEADER + 4;
 const RECORD: usize = 50;
+
+/// A body that is fewer steps of its coordinates across has lost its shape: they are off by half a step.
+const FEWEST_STEPS: f64 = 64.0;
 
 /// The length of the file by the count it states; `None` where it is too short to state one.
 pub(super) fn promised_length(bytes: &[u8]) -> Option<usize> {
@@ -68,7 +71,28 @@ pub(super) fn parse(mut bytes: Vec<u8>) -> Result<Soup, GeometryError> {
         }
         soup.facets.push(corners);
     }
+    has_a_shape(&soup)?;
     Ok(soup)
+}
+
+/// Refuses a body so far from the origin that single precision leaves nothing of its shape.
+fn has_a_shape(soup: &Soup) -> Result<(), GeometryError> {
+    let mut corners = soup.facets.iter().flatten();
+    let Some(&first) = corners.next() else {
+        return Ok(());
+    };
+    let bounds = corners.fold(Bounds::new(first, first), |bounds, corner| {
+        Bounds::new(bounds.min.inf(corner), bounds.max.sup(corner))
+    });
+    let away = bounds.min.abs().sup(&bounds.max.abs()).max();
+    let steps = bounds.size().max() / (f64::from(f32::EPSILON) * away);
+    if steps < FEWEST_STEPS {
+        return Err(GeometryError::Stl(format!(
+            "coordinates near {away:.6e} are in single precision, and all of the body is {steps:.0} of its steps across: its shape is lost; \
+             move it to the origin before it is exported"
+        )));
+    }
+    Ok(())
 }
 
 /// Writes triangles as a binary file, in single precision as the format has it.

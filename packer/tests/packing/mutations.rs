@@ -151,6 +151,12 @@ fn parts_that_overlap_by_little_more_than_their_coordinates_are_exact_to_are_uni
     assert_eq!(try_one(27_342), Ok(Fate::Repaired));
 }
 
+/// Blocks twenty steps of single precision across.
+#[test]
+fn bodies_whose_shape_is_lost_in_their_coordinates_are_refused() {
+    assert_eq!(try_one(41_864), Ok(Fate::Refused));
+}
+
 #[test]
 #[ignore = "a quarter of an hour of processor time: 100 000 files, or AERO_FUZZ_ROUNDS from AERO_FUZZ_FROM on"]
 fn a_hundred_thousand_defective_files_are_refused_or_read_rightly() {

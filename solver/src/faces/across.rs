@@ -28,6 +28,9 @@ const PROBE: f64 = 0.05;
 /// Part of the probe's depth that may be lacking: a bend of about ten degrees.
 const LACKING: f64 = 0.02;
 
+/// So near, in spacings, to where the two faces of a part meet its tip begins, however slender the part is.
+const TIP: f64 = 0.25;
+
 /// The plane that touches a face at the foot of a point.
 #[derive(Clone, Copy, Debug)]
 pub struct Foot<const D: usize> {
@@ -190,11 +193,18 @@ pub fn foot_on<const D: usize>(
     (!is_edge(shape, &seen, spacing)).then(|| Foot::of(&seen))
 }
 
-/// True where the closest point lies on an edge: the solid below it is shallower than below a smooth surface.
+/// True where the closest point lies on an edge: the solid below it is shallower than below a smooth surface, and that not because it
+/// is thin there. A slender part is thinner than the probe far from its tip, and still has two faces.
 pub fn is_edge<const D: usize>(shape: &dyn Shape<D>, seen: &Closest<D>, spacing: f64) -> bool {
     let depth = PROBE * spacing;
-    let below = shape.signed_distance(&(seen.point - seen.normal * depth));
-    below > -depth * (1.0 - LACKING)
+    let below = shape.closest(&(seen.point - seen.normal * depth));
+    if below.distance <= -depth * (1.0 - LACKING) {
+        return false;
+    }
+    // Both faces lean towards where they meet by what their normals have in common.
+    let thickness = depth - below.distance;
+    let lean = (seen.normal + below.normal).norm();
+    below.normal.dot(&seen.normal) > APART || thickness <= lean * TIP * spacing
 }
 
 impl<const D: usize> Foot<D> {
@@ -204,6 +214,66 @@ impl<const D: usize> Foot<D> {
             point: seen.point,
             normal: seen.normal,
             face: seen.face,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use aero_geometry::bodies;
+
+    use super::*;
+
+    /// A wedge of this half angle, degrees, from the origin on, ten long.
+    fn wedge(half_angle: f64) -> impl Shape<2> {
+        let half = 10.0 * half_angle.to_radians().tan();
+        let points = [[0.0, 0.0], [10.0, -half], [10.0, half]];
+        bodies::polygon(&points.map(Vector::<2>::from)).unwrap()
+    }
+
+    /// What a place `along` the upper face of the wedge and half a spacing above it sees.
+    fn is_tip(half_angle: f64, along: f64) -> bool {
+        let shape = wedge(half_angle);
+        let (sine, cosine) = half_angle.to_radians().sin_cos();
+        let above = Vector::<2>::new(along * cosine - 0.5 * sine, along * sine + 0.5 * cosine);
+        let seen = shape.closest(&above);
+        assert!((seen.distance - 0.5).abs() < 1e-9, "{seen:?}");
+        is_edge(&shape, &seen, 1.0)
+    }
+
+    /// A plate of 0.3 spacings with edges of seven is thinner than the probe over two spacings at its tips.
+    #[test]
+    fn a_tip_is_a_quarter_of_a_spacing_long_however_slender() {
+        for half_angle in [0.1, 1.2, 5.0] {
+            for (along, expected) in [(0.01, true), (0.24, true), (0.26, false), (2.0, false)] {
+                let found = is_tip(half_angle, along);
+                assert_eq!(
+                    found, expected,
+                    "{half_angle} degrees, {along} from the tip"
+                );
+            }
+        }
+    }
+
+    #[test]
+    fn a_blunt_tip_is_as_long_as_the_probe_lacks_solid() {
+        for half_angle in [15.0, 25.0] {
+            let length = PROBE / f64::to_radians(half_angle).tan();
+            assert!(is_tip(half_angle, 0.9 * length) && !is_tip(half_angle, 1.1 * length));
+        }
+    }
+
+    #[test]
+    fn what_is_ahead_of_a_tip_sees_an_edge() {
+        for half_angle in [0.1, 1.2, 15.0, 45.0] {
+            let shape = wedge(half_angle);
+            // All around as far as the planes across both faces.
+            for part in [-0.99, -0.6, 0.0, 0.3, 0.99] {
+                let angle = std::f64::consts::PI - part * (90.0 - half_angle).to_radians();
+                let ahead = Vector::<2>::new(angle.cos(), angle.sin()) * 0.4;
+                let seen = shape.closest(&ahead);
+                assert!(is_edge(&shape, &seen, 1.0), "{half_angle} degrees, {part}");
+            }
         }
     }
 }

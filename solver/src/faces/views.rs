@@ -9,9 +9,9 @@ use super::{FaceSet, Faces, Sight, ThinBody};
 use crate::neighbourhood::reach::LAYERS;
 use crate::problem::{Body, Problem};
 
-/// Reflections by which a thin part is continued at most; a part thinner than a third of a spacing needs more, and is
-/// refused or warned of by the packer.
-const REFLECTIONS: usize = 16;
+/// Reflections by which a thin part is continued at most: as deep as the layers where it is a twelfth of a spacing thick, as slender tips
+/// are; what is thinner than a third for long is refused or warned of by the packer.
+const REFLECTIONS: usize = 64;
 
 /// A ghost of the face in which a thin part ends is at most this far, in spacings, from one between its faces: the diagonal of a
 /// part three spacings thick.
@@ -264,5 +264,27 @@ impl<const D: usize> Faces<D> {
                 }
             }
         }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Between faces a tenth of a spacing apart, as at a slender tip, images lie that far from one another down to the deepest layer.
+    #[test]
+    fn the_thinnest_part_is_continued_through_all_layers() {
+        let foot = |height: f64, normal: f64| Foot {
+            point: Vector::<2>::new(0.0, height),
+            normal: Vector::<2>::new(0.0, normal),
+            face: 0,
+        };
+        let (near, far) = (foot(0.05, 1.0), foot(-0.05, -1.0));
+        let images = unfolded(&Vector::<2>::new(0.3, 0.0), &near, &far, LAYERS);
+        for (n, image) in images.iter().enumerate() {
+            let expected = Vector::<2>::new(0.3, -0.1 * (n + 1) as f64);
+            assert!((image - expected).norm() < 1e-12, "{n}: {image}");
+        }
+        assert!(images.len() as f64 > LAYERS / 0.1 - 1.5, "{}", images.len());
     }
 }

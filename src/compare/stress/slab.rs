@@ -1,11 +1,9 @@
 //! The section of the thin plate in space: a slab ten spacings wide between two symmetry planes, thinner than a spacing and thicker.
 
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-
 use aero_validation::table::Check;
 
 use super::plate::{EDGE, INCIDENCE, MACH, PLATE, THEORY, coefficients};
+use super::surface::{Facet, as_shape, prism};
 use super::trial::Trial;
 use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::row::Row;
@@ -40,7 +38,8 @@ fn slab(thickness: f64, scheme: Scheme, context: &Context<'_>) -> Result<Vec<Che
     let half = 0.5 * thickness / CHORD;
     let (lift, drag) = coefficients(half)?;
     let width = WIDTH / CHORD;
-    let mesh = written(context.out, thickness, &facets(half, width))?;
+    let name = format!("slab-{thickness:?}");
+    let shape = as_shape("plate", context.out, &name, &facets(half, width))?;
     // Particles are followed for nearly three chords, of which the last fifth counts.
     let end_time = if scheme.is_of_points() { 10.0 } else { 1.4 };
     let trial = Trial::new(PLATE, scheme)
@@ -54,10 +53,7 @@ fn slab(thickness: f64, scheme: Scheme, context: &Context<'_>) -> Result<Vec<Che
             format!("domain.max=[1.2, 0.65, {width:?}]"),
             "domain.sides.z_min=symmetry".into(),
             "domain.sides.z_max=symmetry".into(),
-            format!(
-                "body.plate.shape={{ stl = {{ file = {:?} }} }}",
-                mesh.display().to_string()
-            ),
+            shape,
             format!(
                 "body.plate.place={{ rotate = {{ axis = [0.0, 0.0, 1.0], angle = {:?} }} }}",
                 -INCIDENCE
@@ -88,7 +84,7 @@ fn slab(thickness: f64, scheme: Scheme, context: &Context<'_>) -> Result<Vec<Che
 }
 
 /// The slab's surface at no incidence, beyond both planes.
-fn facets(half: f64, width: f64) -> Vec<[[f64; 3]; 3]> {
+fn facets(half: f64, width: f64) -> Vec<Facet> {
     let edge = EDGE[1];
     let outline = [
         [0.0, 0.0],
@@ -99,46 +95,5 @@ fn facets(half: f64, width: f64) -> Vec<[[f64; 3]; 3]> {
         [edge, half],
     ];
     let ends = [-0.5 * width, 1.5 * width];
-    let corner = |n: usize, end: usize| {
-        let [x, y] = outline[n % outline.len()];
-        [x, y, ends[end]]
-    };
-    let mut facets = Vec::new();
-    for n in 0..outline.len() {
-        let [a, b] = [corner(n, 0), corner(n + 1, 0)];
-        let [c, d] = [corner(n + 1, 1), corner(n, 1)];
-        facets.extend([[a, b, c], [a, c, d]]);
-    }
-    // The outline is convex: a fan covers an end.
-    for n in 1..outline.len() - 1 {
-        facets.push([corner(0, 1), corner(n, 1), corner(n + 1, 1)]);
-        facets.push([corner(0, 0), corner(n + 1, 0), corner(n, 0)]);
-    }
-    facets
-}
-
-/// Writes the mesh beside the pictures; where it is.
-fn written(
-    folder: &Path,
-    thickness: f64,
-    facets: &[[[f64; 3]; 3]],
-) -> Result<PathBuf, CompareError> {
-    let mut text = String::from("solid slab\n");
-    for facet in facets {
-        text.push_str("facet normal 0 0 0\nouter loop\n");
-        for [x, y, z] in facet {
-            // Writing to a string cannot fail.
-            let _ = writeln!(text, "vertex {x:?} {y:?} {z:?}");
-        }
-        text.push_str("endloop\nendfacet\n");
-    }
-    text.push_str("endsolid slab\n");
-    let path = folder.join(format!("slab-{thickness:?}.stl"));
-    let report = |source| CompareError::Report {
-        path: path.clone(),
-        source,
-    };
-    std::fs::create_dir_all(folder).map_err(report)?;
-    std::fs::write(&path, text).map_err(report)?;
-    std::path::absolute(&path).map_err(report)
+    prism(&outline, ends, |[x, y], z| [x, y, z])
 }
