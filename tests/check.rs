@@ -187,3 +187,32 @@ fn bodies_that_overlap_and_a_wake_that_reaches_the_outlet_are_told_in_terminal_a
         assert!(ran.out.contains(words), "`{words}` in {}", ran.out);
     }
 }
+
+/// Spacings of 0.05: a gap of 0.025 and a slot of 0.06 let no gas through; bodies that touch, and a gap of 0.15, are as they are meant.
+#[test]
+fn gaps_too_narrow_for_gas_are_told_with_their_width_and_the_spacing_that_opens_them() {
+    let said = |bodies: &str| {
+        let place = Workplace::new();
+        place.write("scene.toml", scene(ON_A_WALL, bodies));
+        let answer = place.aero(&["check", "scene.toml"]);
+        answer.succeeds();
+        answer.out
+    };
+    let low = block("low", [-0.3, 0.1], [0.2, 0.4]);
+    let apart = said(&(low.clone() + &block("high", [-0.3, 0.1], [0.425, 0.6])));
+    for words in [
+        "`low` and `high`: the gap between them is 0.50 spacings wide near (",
+        "choose a spacing of 6.25e-3",
+    ] {
+        assert!(apart.contains(words), "`{words}` in {apart}");
+    }
+    let fork = "[[body]]\nname = \"fork\"\nshape = { polygon = { points = [[-0.3, 0.3], [0.1, 0.3], [0.1, 0.4], \
+                [-0.1, 0.4], [-0.1, 0.46], [0.1, 0.46], [0.1, 0.6], [-0.3, 0.6]] } }\n";
+    let slot = said(fork);
+    let words = "body `fork`: a slot in it is 1.20 spacings wide near (";
+    assert!(slot.contains(words), "`{words}` in {slot}");
+    for above in [0.4, 0.55] {
+        let quiet = said(&(low.clone() + &block("high", [-0.3, 0.1], [above, 0.7])));
+        assert!(!quiet.contains("spacings wide"), "{quiet}");
+    }
+}

@@ -3,6 +3,7 @@
 
 mod contact;
 mod describe;
+mod gaps;
 mod layer;
 mod pockets;
 mod ringing;
@@ -76,6 +77,7 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
     warmth::look(problem, &mut found);
     layer::look(problem, &mut found);
     contact::look(problem, &mut found);
+    gaps::look(problem, &panels, &mut found);
     pockets::look(problem, &mut found);
     let shocks = shock::look(problem, &panels).into_iter();
     let told = shocks.map(|line| Warning::new(About::Scene, line));

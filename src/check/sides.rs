@@ -21,7 +21,7 @@ const ALONG: f64 = 0.1;
 const NEAR: f64 = 5.0;
 
 /// A gap to a closed side that is narrower than this, in spacings, holds too few particles to flow.
-const NARROW: f64 = 2.0;
+pub(super) const NARROW: f64 = 2.0;
 
 /// Looks at each body and each side.
 pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, found: &mut Check) {
