@@ -1,4 +1,4 @@
-//! Sharp convex bends of walls in the plane, and the cells around each.
+//! Sharp bends of walls in the plane, and the cells around each.
 
 use aero_geometry::Vector;
 
@@ -6,6 +6,7 @@ use super::bend::{BentFace, BentWall, Surroundings, turned};
 use super::cells::Cells;
 use super::chain::Chain;
 use super::fan::FARTHEST;
+use super::kink::Kink;
 use super::net::{Face, Net};
 
 impl<const D: usize> Net<D> {
@@ -14,7 +15,11 @@ impl<const D: usize> Net<D> {
         if D != 2 {
             return;
         }
-        let bends = Chain::new(self, cells).bends();
+        let chain = Chain::new(self, cells);
+        let (bends, kinks) = (chain.bends(), chain.kinks());
+        for (number, kink) in kinks {
+            self.add_kink(number, kink);
+        }
         if bends.is_empty() {
             return;
         }
@@ -57,6 +62,19 @@ impl<const D: usize> Net<D> {
                     self.blocks[number].bends.push(around);
                 }
             }
+        }
+    }
+
+    /// Gives a `kink` to the block of its wall, which is `number` of those of all blocks.
+    fn add_kink(&mut self, number: usize, kink: Kink<D>) {
+        let mut first = 0;
+        for block in &mut self.blocks {
+            let wall = number.wrapping_sub(first);
+            if wall < block.walls.len() {
+                block.kinks.push(Kink { wall, ..kink });
+                return;
+            }
+            first += block.walls.len();
         }
     }
 

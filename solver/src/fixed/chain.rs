@@ -4,6 +4,7 @@ use aero_geometry::Vector;
 
 use super::bend::{Bend, turned};
 use super::cells::Cells;
+use super::kink::Kink;
 use super::net::Net;
 use super::walls::Wall;
 
@@ -135,6 +136,57 @@ impl<'a, const D: usize> Chain<'a, D> {
             }
         }
         bends
+    }
+
+    /// The walls ahead of sharp concave bends within the cells that hold these, each with its number.
+    pub fn kinks(&self) -> Vec<(usize, Kink<D>)> {
+        let mut kinks = Vec::new();
+        for first in 0..self.walls.len() {
+            let Some(next) = self.links[0][first] else {
+                continue;
+            };
+            let turn = self.turn(first, next);
+            let is_smooth = |from: usize, way: usize| {
+                let step = self.links[way][from].map(|to| self.turn(from, to).abs());
+                step.is_some_and(|step| step < SMOOTH * turn)
+            };
+            if turn > SHARP && self.is_within_a_cell(first, next) {
+                for (from, to, back) in [(first, next, 1), (next, first, 0)] {
+                    if is_smooth(from, back) {
+                        kinks.extend(self.ahead(from, to, back));
+                    }
+                }
+            }
+        }
+        kinks
+    }
+
+    fn is_within_a_cell(&self, one: usize, other: usize) -> bool {
+        self.walls[one].i == self.walls[other].i
+    }
+
+    /// The walls of a cell ahead of the bend between the walls `from` and `to` in it; `back` is the link that leads away from the bend.
+    fn ahead(&self, from: usize, to: usize, back: usize) -> Vec<(usize, Kink<D>)> {
+        let way = if back == 1 { 1.0 } else { -1.0 };
+        let mut held = vec![from];
+        let mut here = from;
+        while let Some(next) = self.links[back][here] {
+            if self.turn(here, next).abs() > SHARP {
+                break;
+            }
+            if !self.is_within_a_cell(from, next) {
+                let kink = |wall: usize| Kink {
+                    wall,
+                    donor: self.walls[next].i,
+                    before: (self.way(wall) * way).into(),
+                    along: (self.way(to) * way).into(),
+                };
+                return held.into_iter().map(|wall| (wall, kink(wall))).collect();
+            }
+            held.push(next);
+            here = next;
+        }
+        Vec::new()
     }
 
     /// The bend between two walls, met from the side of the wall `from`; `back` is the link that leads away from it there.

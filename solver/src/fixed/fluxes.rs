@@ -9,6 +9,7 @@ use super::calmness::{smoothness, steepness};
 use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
 use super::hll::Jump;
+use super::kink::hold;
 use super::net::{Block, Face, Net};
 use super::real::{Lane, MAX_LANES, Real};
 use super::reconstruction::{Neighbours, moved, rise};
@@ -131,6 +132,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
             *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
         }
         press(gas, &fans, block, flow, pressures);
+        hold(gas, block, flow, pressures);
         for (wall, pressure) in block.walls.iter().zip(pressures) {
             let i = wall.i as usize;
             let gain = push(&wall.image, *pressure);

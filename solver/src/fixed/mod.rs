@@ -32,6 +32,7 @@ mod ground;
 mod hll;
 mod hllc;
 mod image;
+mod kink;
 pub mod levels;
 mod limiter;
 mod loads;

@@ -13,6 +13,7 @@ use foldhash::fast::FixedState;
 use super::bend::Surroundings;
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
 use super::image::Image;
+use super::kink::Kink;
 use super::sides::{Beyond, Side};
 use super::walls::Wall;
 
@@ -69,6 +70,8 @@ pub struct Block<const D: usize> {
     pub sides: Vec<Side<D>>,
     /// What lies around sharp bends of walls.
     pub bends: Vec<Surroundings<D>>,
+    /// Walls ahead of sharp concave bends.
+    pub kinks: Vec<Kink<D>>,
     /// Blocks with cells at most two faces away, this one among them.
     pub nearby: Vec<u32>,
 }
@@ -84,14 +87,6 @@ pub struct Net<const D: usize> {
     pub cell_shapes: Vec<CellShape<D>>,
     /// What faces look like.
     pub face_shapes: Vec<FaceShape<D>>,
-}
-
-impl<const D: usize> Block<D> {
-    /// Faces whose first cell is in this block: each face once, over all blocks.
-    pub fn inner_faces(&self) -> usize {
-        let is_first = |face: &&Face| self.cells.contains(&(face.i as usize));
-        self.faces.iter().filter(is_first).count()
-    }
 }
 
 impl<const D: usize> Net<D> {
@@ -126,6 +121,7 @@ impl<const D: usize> Net<D> {
                     walls: Vec::new(),
                     sides: Vec::new(),
                     bends: Vec::new(),
+                    kinks: Vec::new(),
                     nearby: Vec::new(),
                 })
                 .collect(),

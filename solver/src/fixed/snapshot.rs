@@ -7,7 +7,7 @@ use aero_geometry::{Bounds, Vector};
 
 use super::FixedSimulation;
 use super::gas::Gas;
-use super::net::Block;
+use super::net::{Block, Face};
 use super::state::Conserved;
 use crate::Statistics;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
@@ -132,7 +132,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Counts and extremes.
     pub fn statistics(&self) -> Statistics {
-        let faces: usize = self.net.blocks.iter().map(Block::inner_faces).sum();
+        let faces: usize = self.net.blocks.iter().map(inner_faces).sum();
         Statistics {
             fluid: self.points.len(),
             ghost: self.net.blocks.iter().map(|block| block.walls.len()).sum(),
@@ -145,4 +145,10 @@ impl<const D: usize> FixedSimulation<D> {
             min_energy: self.tally.min_energy,
         }
     }
+}
+
+/// Faces whose first cell is in this block: each face once, over all blocks.
+fn inner_faces<const D: usize>(block: &Block<D>) -> usize {
+    let is_first = |face: &&Face| block.cells.contains(&(face.i as usize));
+    block.faces.iter().filter(is_first).count()
 }

@@ -214,3 +214,67 @@ fn flows_over_ramps_that_end_come_to_rest() {
         );
     }
 }
+
+/// A stream over a ramp whose foot is so many spacings off the lattice; the walls before it, each with its distance in spacings and its
+/// pressure over the stream's.
+fn before_a_ramp(
+    [mach, degrees, gamma]: [f64; 3],
+    moved: [f64; 2],
+    settles: bool,
+) -> Vec<[f64; 2]> {
+    let dx = 0.05;
+    let ramp: Arc<dyn Shape<2>> = Arc::new(bodies::compression_corner(0.0, degrees).unwrap());
+    let place = Placement::default().moved(Vector::from(moved) * dx);
+    let bounds = [[-0.4, 0.0], [0.8, 0.8]];
+    let mut problem = stream(mach, bounds, dx, vec![Arc::new(Placed::new(ramp, place))]);
+    problem.domain.sides[1][0] = Side::Body;
+    problem.gas = Gas::ideal(gamma);
+    problem.free_stream.pressure = 1.0 / gamma;
+    let mut flow = FixedSimulation::new(problem).unwrap();
+    if settles {
+        assert!(flow.settle(400).unwrap().is_settled);
+    } else {
+        while flow.time() < 0.6 {
+            flow.step(0.6).unwrap();
+        }
+    }
+    let surface = flow.surface();
+    let each = surface.position.iter().zip(&surface.pressure);
+    let walls = each.map(|(foot, pressure)| [moved[0] - foot[0] / dx, pressure * gamma]);
+    walls
+        .filter(|[away, _]| (0.0..6.0).contains(away))
+        .collect()
+}
+
+/// Nothing comes upstream where the shock stands at the foot, wherever in its cell that lies.
+#[test]
+fn walls_before_a_sharp_concave_bend_feel_nothing_of_it() {
+    for (flow, moved) in [
+        ([2.5, 20.0, 1.4], [0.3, 0.2]),
+        ([5.0, 20.0, 1.4], [0.5, 0.0]),
+        ([10.0, 20.0, 1.4], [0.8, 0.7]),
+        ([8.0, 30.0, 1.4], [0.3, 0.0]),
+        ([8.0, 30.0, 1.4], [0.0, 0.0]),
+        ([3.0, 12.0, 1.67], [0.6, 0.4]),
+    ] {
+        let walls = before_a_ramp(flow, moved, true);
+        assert!(walls.len() > 4, "{walls:?}");
+        for [away, pressure] in walls {
+            assert!(
+                (pressure - 1.0).abs() < 2e-3,
+                "{flow:?}, {moved:?}: {pressure} at {away}"
+            );
+        }
+    }
+    for [away, pressure] in before_a_ramp([5.0, 20.0, 1.4], [0.5, 0.3], false) {
+        assert!((pressure - 1.0).abs() < 2e-3, "{pressure} at {away}");
+    }
+}
+
+/// A shock that the ramp is too steep for stands ahead of it.
+#[test]
+fn walls_before_a_ramp_that_pushes_its_shock_ahead_feel_it() {
+    let walls = before_a_ramp([2.0, 28.0, 1.4], [0.3, 0.2], false);
+    let nearest = walls.iter().min_by(|a, b| a[0].total_cmp(&b[0])).unwrap();
+    assert!(nearest[1] > 2.0, "{nearest:?}");
+}
