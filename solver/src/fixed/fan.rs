@@ -1,5 +1,7 @@
 //! The fan in which a stream that is faster than sound turns round a sharp convex bend of its wall: gas on a ray from the bend is in one
 //! state [Prandtl 1907; Meyer 1908; NACA Report 1135 (1953), eqs. 44 and 171c].
+//!
+//! Along an edge in space nothing changes: what gas moves along it stays as it is, and the fan is that of what it moves across.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -29,8 +31,13 @@ const NEAREST: f64 = 6.0;
 /// Cells see it wholly so much farther from where they begin to.
 const FARTHER: f64 = 4.0 / 3.0;
 
-/// No fan is looked for farther than this from its bend, in spacings.
-pub const FARTHEST: f64 = 48.0;
+/// No fan is looked for farther than this from its bend, in spacings: in the plane, and in space, where much more lies within it.
+const FARTHEST: [f64; 2] = [48.0, 16.0];
+
+/// The same in `D` dimensions.
+pub const fn farthest<const D: usize>() -> f64 {
+    FARTHEST[(D > 2) as usize]
+}
 
 /// A fan.
 #[derive(Clone, Debug)]
@@ -47,6 +54,8 @@ pub struct Fan<const D: usize> {
     heat: f64,
     /// Prandtl and Meyer's angle in front.
     start: f64,
+    /// Velocity along the edge, in space.
+    carried: [f64; D],
     /// Where the gas in front goes.
     onwards: [f64; D],
     /// Across that, away from the wall.
@@ -68,18 +77,18 @@ impl<const D: usize> Fan<D> {
     pub fn new<G: Gas>(gas: &G, front: &Primitive<D>, bend: &Bend<D>) -> Option<Self> {
         let square = gas.sound_square(front.density, front.pressure);
         let gamma = square * front.density / front.pressure;
-        let towards = dot(&front.velocity, &bend.before);
+        let slide = dot(&front.velocity, &bend.edge);
+        let carried = bend.edge.map(|part| slide * part);
+        let across = less(&front.velocity, &carried);
+        let towards = dot(&across, &bend.before);
         let fast = rise(towards * towards / square, SONIC, SUPERSONIC);
         if towards <= 0.0 || fast <= 0.0 {
             return None;
         }
-        let speed = dot(&front.velocity, &front.velocity).sqrt();
-        let onwards = front.velocity.map(|u| u / speed);
-        let across = dot(&bend.up, &onwards);
-        let mut aside = bend.up;
-        for k in 0..D {
-            aside[k] -= across * onwards[k];
-        }
+        let speed = dot(&across, &across).sqrt();
+        let onwards = across.map(|u| u / speed);
+        let rising = dot(&bend.up, &onwards);
+        let aside = less(&bend.up, &onwards.map(|part| rising * part));
         let size = dot(&aside, &aside).sqrt();
         let aside = aside.map(|part| part / size);
         let turn = (-dot(&bend.along, &aside)).atan2(dot(&bend.along, &onwards));
@@ -100,6 +109,7 @@ impl<const D: usize> Fan<D> {
             rear: *front,
             heat: 1.0 + 0.5 * (gamma - 1.0) * mach_square,
             start,
+            carried,
             onwards,
             aside,
             rays: [0.0; 2],
@@ -114,7 +124,7 @@ impl<const D: usize> Fan<D> {
         fan.ways = fan.rays.map(|ray| [ray.cos(), ray.sin()]);
         fan.strength = (front.pressure / fan.rear.pressure).ln();
         let width = fan.rays[0] - fan.rays[1];
-        fan.near = (fan.strength / (SEEN * width)).clamp(NEAREST, FARTHEST / FARTHER);
+        fan.near = (fan.strength / (SEEN * width)).clamp(NEAREST, farthest::<D>() / FARTHER);
         Some(fan)
     }
 
@@ -129,7 +139,8 @@ impl<const D: usize> Fan<D> {
         let (sine, cosine) = (angle(slope, self.slowness) - self.start).sin_cos();
         let mut velocity = self.onwards;
         for k in 0..D {
-            velocity[k] = speed * (cosine * self.onwards[k] - sine * self.aside[k]);
+            let across = cosine * self.onwards[k] - sine * self.aside[k];
+            velocity[k] = speed * across + self.carried[k];
         }
         Primitive {
             density,
@@ -182,12 +193,22 @@ impl<const D: usize> Fan<D> {
     /// How far gas in the state `own` may be taken for what the fan has there, `known`: not where it is slower than sound, nor where its
     /// pressure is off by what the whole fan changes, and wholly up to half of that.
     pub fn agreement<G: Gas>(&self, gas: &G, own: &Primitive<D>, known: &Primitive<D>) -> f64 {
-        let speed = dot(&known.velocity, &known.velocity).sqrt();
-        let along = dot(&own.velocity, &known.velocity).max(0.0) / speed;
+        let [across, way] = [own, known].map(|state| less(&state.velocity, &self.carried));
+        let speed = dot(&way, &way).sqrt();
+        let along = dot(&across, &way).max(0.0) / speed;
         let square = along * along / gas.sound_square(own.density, own.pressure);
         let off = (own.pressure / known.pressure).ln().abs();
         rise(square, SONIC, SUPERSONIC) * (1.0 - rise(off / self.strength, 0.5, 1.0))
     }
+}
+
+/// `a - b`.
+fn less<const D: usize>(a: &[f64; D], b: &[f64; D]) -> [f64; D] {
+    let mut less = *a;
+    for k in 0..D {
+        less[k] -= b[k];
+    }
+    less
 }
 
 /// From zero at `low` to one at `high`.
@@ -212,7 +233,8 @@ mod tests {
         };
         let bend = Bend {
             at: [0.3, 0.2],
-            donor: 0,
+            edge: [0.0; 2],
+            donors: vec![(0, 1.0)],
             along: towards(-degrees.to_radians()),
             before: towards(0.0),
             up: towards(FRAC_PI_2),
@@ -280,7 +302,7 @@ mod tests {
         assert_relative_eq!(near(1.5, 10.0), NEAREST);
         assert_relative_eq!(near(2.0, 15.0), NEAREST);
         assert_relative_eq!(near(6.0, 10.0), 1.6911 / (0.4 * 0.2139), epsilon = 0.05);
-        assert_relative_eq!(near(10.0, 12.0), FARTHEST / FARTHER);
+        assert_relative_eq!(near(10.0, 12.0), farthest::<2>() / FARTHER);
         let fan = fan(6.0, 10.0, 0.0, 1.0).unwrap();
         assert_eq!(fan.nearness(fan.near), 1.0);
         assert_relative_eq!(fan.nearness(fan.near * 7.0 / 6.0), 0.5, epsilon = 1e-12);

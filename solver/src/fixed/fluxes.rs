@@ -2,9 +2,10 @@
 
 use std::{array, slice};
 
+use aero_geometry::Vector;
 use pulp::{Simd, WithSimd};
 
-use super::bent::{fans, press, turn};
+use super::bent::{Layout, fans, press, turn};
 use super::calmness::{smoothness, steepness};
 use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
@@ -43,6 +44,8 @@ pub struct Exchange<'a, G, const D: usize> {
     pub gas: &'a G,
     /// All faces.
     pub net: &'a Net<D>,
+    /// The points of all cells.
+    pub points: &'a [Vector<D>],
     /// How energy goes through them.
     pub energy: EnergyFlux,
     /// Least Mach number that gas counts by where it meets, see [`super::slow`].
@@ -65,6 +68,7 @@ impl<'a, G, const D: usize> Exchange<'a, G, D> {
         Exchange {
             gas,
             net: self.net,
+            points: self.points,
             energy: self.energy,
             least_mach: self.least_mach,
             block: self.block,
@@ -84,6 +88,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         let Self {
             gas,
             net,
+            points,
             energy,
             least_mach,
             block,
@@ -115,7 +120,8 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         } else {
             fans(gas, block, flow)
         };
-        turn(gas, &fans, block, flow, &mut cells, |face| {
+        let layout = Layout { net, block, points };
+        turn(gas, &fans, layout, flow, &mut cells, |face| {
             let batch = Batch::new(simd, net, slice::from_ref(face), flow);
             stored(&batch.flux(gas, energy, least_mach))[0]
         });
@@ -130,7 +136,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
             let Slopes { along, calmness } = &flow.slopes[i];
             *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
         }
-        press(gas, &fans, block, flow, pressures);
+        press(gas, &fans, layout, flow, pressures);
         for (wall, pressure) in block.walls.iter().zip(pressures) {
             let i = wall.i as usize;
             let gain = push(&wall.image, *pressure);
