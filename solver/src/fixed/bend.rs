@@ -68,7 +68,9 @@ impl<const D: usize> Bend<D> {
     /// The gas before it.
     pub fn front(&self, states: &[Primitive<D>]) -> Primitive<D> {
         let donors = self.donors.iter();
-        donors.fold(Primitive::ZERO, |sum, &(i, part)| sum.plus(part, &states[i as usize]))
+        donors.fold(Primitive::ZERO, |sum, &(i, part)| {
+            sum.plus(part, &states[i as usize])
+        })
     }
 
     /// The `face` of this shape, whose first cell is at `point`.

@@ -16,7 +16,8 @@ impl<const D: usize> Net<D> {
         match D {
             2 => self.add_bends_in_plane(cells),
             3 => {
-                let found = Ridges::of(self, cells, problem).map(|ridges| ridges.around(self, cells));
+                let found =
+                    Ridges::of(self, cells, problem).map(|ridges| ridges.around(self, cells));
                 for (block, bends) in self.blocks.iter_mut().zip(found.into_iter().flatten()) {
                     block.bends = bends;
                 }

@@ -180,11 +180,14 @@ impl<const D: usize> BentWall<D> {
     ) -> f64 {
         let i = wall.i as usize;
         let near = fan.nearness(self.away);
-        if near <= 0.0 || flow.slopes[i].calmness < 0.0 {
+        let places = [self.point, self.middle];
+        // In space gas ahead of the fan, which knows nothing of it, keeps its slopes.
+        let is_ahead = D == 3 && fan.is_behind(places.iter());
+        if near <= 0.0 || flow.slopes[i].calmness < 0.0 || is_ahead {
             return usual;
         }
         let own = &flow.states[i];
-        let [from, to] = [&self.point, &self.middle].map(|x| fan.state(fan.elevation(x)));
+        let [from, to] = places.map(|place| fan.state(fan.elevation(&place)));
         let weight = near * fan.share * fan.agreement(gas, own, &from);
         let there = shifted(own, &from, &to);
         let speed = dot(&there.velocity, &wall.image.normal);

@@ -114,12 +114,9 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
                 }
             }
         }
-        let fans = if rubbing.is_some() {
-            // Gas that rubs sticks to walls: no fan stands at their bends.
-            Vec::new()
-        } else {
-            fans(gas, block, flow)
-        };
+        // Gas that rubs sticks to walls: no fan stands at their bends.
+        let stand = rubbing.is_none().then(|| fans(gas, block, flow));
+        let fans = stand.unwrap_or_default();
         let layout = Layout { net, block, points };
         turn(gas, &fans, layout, flow, &mut cells, |face| {
             let batch = Batch::new(simd, net, slice::from_ref(face), flow);

@@ -41,8 +41,8 @@ pub struct Ridges<const D: usize> {
 }
 
 impl<const D: usize> Piece<D> {
-    /// Square of the distance of a place from it; none of one that is too far, or beyond an end where the edge ends.
-    fn distance_square(&self, place: &Vector<D>) -> Option<f64> {
+    /// Square of the distance of a place, and whether that is neither too far across the edge nor beyond an end of it.
+    fn sees(&self, place: &Vector<D>) -> (f64, bool) {
         let unit = self.bends[0].unit;
         let [from, to] = self.ends;
         let half = 0.5 * (to - from).norm();
@@ -53,7 +53,7 @@ impl<const D: usize> Piece<D> {
         let across = (arm - way * along).norm();
         let is_beside = beyond <= 1e-6 * unit || self.goes_on[usize::from(along > 0.0)];
         let is_near = across < farthest::<D>() * unit;
-        (is_beside && is_near).then_some(across * across + beyond * beyond)
+        (across * across + beyond * beyond, is_beside && is_near)
     }
 }
 
@@ -166,15 +166,14 @@ impl<const D: usize> Ridges<D> {
         near: &[usize],
     ) -> Vec<Surroundings<D>> {
         let nearest = |place: &Vector<D>| {
-            let mut best: Option<(f64, usize)> = None;
+            let mut best = (f64::INFINITY, None);
             for (k, &number) in near.iter().enumerate() {
-                if let Some(away) = self.pieces[number].distance_square(place)
-                    && best.is_none_or(|(known, _)| away < known)
-                {
-                    best = Some((away, k));
+                let (away, is_seen) = self.pieces[number].sees(place);
+                if away < best.0 {
+                    best = (away, is_seen.then_some(k));
                 }
             }
-            best.map(|(_, k)| k)
+            best.1
         };
         let mut found: Vec<Surroundings<D>> = near
             .iter()
@@ -219,7 +218,11 @@ fn clipped<const D: usize>(
         (first, last) = (first.max(a.min(b)), last.min(a.max(b)));
     }
     let at = |part: f64, end: Vector<D>, whole: f64| {
-        if part == whole { end } else { from + way * part }
+        if part == whole {
+            end
+        } else {
+            from + way * part
+        }
     };
     (first < last).then(|| [at(first, from, 0.0), at(last, to, 1.0)])
 }
