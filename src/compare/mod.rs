@@ -13,6 +13,7 @@ mod context;
 pub mod cylinder;
 pub mod double_mach;
 mod duct;
+mod edge;
 mod expansion;
 mod fly;
 mod free;
@@ -23,6 +24,7 @@ mod mms_walls;
 mod nozzle;
 mod outlets;
 mod points;
+mod prism;
 mod profiles;
 mod real_gas;
 mod report;
@@ -78,7 +80,7 @@ static CASES: [Case; 27] = [
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
     ("cone-incidence", &[&inclined_cone::INCLINED_CONE]),
-    ("expansion", &[&expansion::EXPANSION]),
+    ("expansion", &[&expansion::EXPANSION, &edge::Edges]),
     ("free", &[&free::FreeBodies]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),

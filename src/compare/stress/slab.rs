@@ -1,13 +1,11 @@
 //! The section of the thin plate in space: a slab ten spacings wide between two symmetry planes, thinner than a spacing and thicker.
 
-use std::fmt::Write as _;
-use std::path::{Path, PathBuf};
-
 use aero_validation::table::Check;
 
 use super::plate::{EDGE, INCIDENCE, MACH, PLATE, THEORY, coefficients};
 use super::trial::Trial;
 use crate::compare::context::{CompareError, Context, Level};
+use crate::compare::prism;
 use crate::compare::row::Row;
 use crate::compare::variant::{Motion, Scheme};
 
@@ -40,7 +38,8 @@ fn slab(thickness: f64, scheme: Scheme, context: &Context<'_>) -> Result<Vec<Che
     let half = 0.5 * thickness / CHORD;
     let (lift, drag) = coefficients(half)?;
     let width = WIDTH / CHORD;
-    let mesh = written(context.out, thickness, &facets(half, width))?;
+    let name = format!("slab-{thickness:?}");
+    let mesh = prism::written(context.out, &name, &facets(half, width))?;
     // Particles are followed for nearly three chords, of which the last fifth counts.
     let end_time = if scheme.is_of_points() { 10.0 } else { 1.4 };
     let trial = Trial::new(PLATE, scheme)
@@ -98,47 +97,5 @@ fn facets(half: f64, width: f64) -> Vec<[[f64; 3]; 3]> {
         [1.0 - edge, half],
         [edge, half],
     ];
-    let ends = [-0.5 * width, 1.5 * width];
-    let corner = |n: usize, end: usize| {
-        let [x, y] = outline[n % outline.len()];
-        [x, y, ends[end]]
-    };
-    let mut facets = Vec::new();
-    for n in 0..outline.len() {
-        let [a, b] = [corner(n, 0), corner(n + 1, 0)];
-        let [c, d] = [corner(n + 1, 1), corner(n, 1)];
-        facets.extend([[a, b, c], [a, c, d]]);
-    }
-    // The outline is convex: a fan covers an end.
-    for n in 1..outline.len() - 1 {
-        facets.push([corner(0, 1), corner(n, 1), corner(n + 1, 1)]);
-        facets.push([corner(0, 0), corner(n + 1, 0), corner(n, 0)]);
-    }
-    facets
-}
-
-/// Writes the mesh beside the pictures; where it is.
-fn written(
-    folder: &Path,
-    thickness: f64,
-    facets: &[[[f64; 3]; 3]],
-) -> Result<PathBuf, CompareError> {
-    let mut text = String::from("solid slab\n");
-    for facet in facets {
-        text.push_str("facet normal 0 0 0\nouter loop\n");
-        for [x, y, z] in facet {
-            // Writing to a string cannot fail.
-            let _ = writeln!(text, "vertex {x:?} {y:?} {z:?}");
-        }
-        text.push_str("endloop\nendfacet\n");
-    }
-    text.push_str("endsolid slab\n");
-    let path = folder.join(format!("slab-{thickness:?}.stl"));
-    let report = |source| CompareError::Report {
-        path: path.clone(),
-        source,
-    };
-    std::fs::create_dir_all(folder).map_err(report)?;
-    std::fs::write(&path, text).map_err(report)?;
-    std::path::absolute(&path).map_err(report)
+    prism::facets(&outline, [-0.5 * width, 1.5 * width])
 }
