@@ -126,7 +126,7 @@ impl<const D: usize> Ridges<D> {
         let blocks = net.blocks.par_iter();
         blocks
             .map(|block| {
-                let near = self.near(block, cells, &by_place, reach);
+                let near = near(block, cells, &by_place, reach);
                 if near.is_empty() {
                     Vec::new()
                 } else {
@@ -134,28 +134,6 @@ impl<const D: usize> Ridges<D> {
                 }
             })
             .collect()
-    }
-
-    /// The pieces that some of a block may be near to, in order.
-    fn near(
-        &self,
-        block: &Block<D>,
-        cells: &Cells<D>,
-        by_place: &Pencils<D>,
-        reach: f64,
-    ) -> Vec<usize> {
-        let points = &cells.points[block.cells.clone()];
-        let mut low = points[0];
-        let mut high = points[0];
-        for point in points {
-            (low, high) = (low.inf(point), high.sup(point));
-        }
-        let mut near = Vec::new();
-        by_place.for_each_run_near(&low, &high, reach, |run| {
-            near.extend(by_place.order()[run].iter().map(|&number| number as usize));
-        });
-        near.sort_unstable();
-        near
     }
 
     fn around_block(
@@ -197,6 +175,26 @@ impl<const D: usize> Ridges<D> {
         found.retain(|around| !around.faces.is_empty() || !around.walls.is_empty());
         found
     }
+}
+
+/// The places, by number and in order, that some of a block may be within `reach` of.
+fn near<const D: usize>(
+    block: &Block<D>,
+    cells: &Cells<D>,
+    by_place: &Pencils<D>,
+    reach: f64,
+) -> Vec<usize> {
+    let points = &cells.points[block.cells.clone()];
+    let ends = (points[0], points[0]);
+    let (low, high) = points
+        .iter()
+        .fold(ends, |(low, high), point| (low.inf(point), high.sup(point)));
+    let mut near = Vec::new();
+    by_place.for_each_run_near(&low, &high, reach, |run| {
+        near.extend(by_place.order()[run].iter().map(|&number| number as usize));
+    });
+    near.sort_unstable();
+    near
 }
 
 /// What of a line lies in a box [Liang & Barsky 1984, doi:10.1145/357332.357333].
