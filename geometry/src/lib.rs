@@ -16,6 +16,7 @@ mod pencils;
 mod placement;
 mod real;
 mod revolution;
+mod ridge;
 mod shape;
 pub mod stl;
 mod tessellate;
@@ -30,6 +31,7 @@ pub use pencils::Pencils;
 pub use placement::{Placed, Placement};
 pub use real::Real;
 pub use revolution::Revolution;
+pub use ridge::Ridge;
 pub use shape::{Closest, Shape};
 pub use watch::Watch;
 

@@ -17,6 +17,7 @@ mod openings;
 mod orient;
 mod patches;
 mod pinches;
+mod ridges;
 mod rims;
 mod sheet;
 mod slivers;
@@ -41,7 +42,7 @@ use triangle::{Feature, OnTriangle, closest_on};
 use winding::winding_number;
 
 use crate::stl::Facet;
-use crate::{Bounds, Closest, Shape, Vector};
+use crate::{Bounds, Closest, Ridge, Shape, Vector};
 
 /// Sine of the angle between the way to the closest point and the normal above which that point is
 /// on a border.
@@ -279,6 +280,10 @@ impl Shape<3> for Mesh {
 
     fn facets(&self, _: f64, _: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
         self.surface().collect()
+    }
+
+    fn ridges(&self, _: f64, region: &Bounds<3>) -> Vec<Ridge<3>> {
+        self.convex_creases(region)
     }
 
     fn measure(&self) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! Placing a body: scale, then turn, then move.
 
 use crate::error::GeometryError;
-use crate::{Bounds, Closest, Shape, Vector};
+use crate::{Bounds, Closest, Ridge, Shape, Vector};
 
 type Matrix<const D: usize> = nalgebra::SMatrix<f64, D, D>;
 
@@ -140,6 +140,27 @@ impl<S: Shape<D>, const D: usize> Placed<S, D> {
     pub fn placement(&self) -> &Placement<D> {
         &self.placement
     }
+
+    /// A box that holds what lies in `region` once it is placed.
+    fn region_back(&self, region: &Bounds<D>) -> Bounds<D> {
+        let corners = (0..1_usize << D).map(|n| {
+            let corner = Vector::<D>::from_fn(|k, _| {
+                if n >> k & 1 == 0 {
+                    region.min[k]
+                } else {
+                    region.max[k]
+                }
+            });
+            self.placement.point_back(&corner)
+        });
+        let nothing: Bounds<D> = Bounds::new(
+            Vector::repeat(f64::INFINITY),
+            Vector::repeat(f64::NEG_INFINITY),
+        );
+        corners.fold(nothing, |all, corner| {
+            Bounds::new(all.min.inf(&corner), all.max.sup(&corner))
+        })
+    }
 }
 
 impl<S: Shape<D>, const D: usize> Shape<D> for Placed<S, D> {
@@ -190,28 +211,22 @@ impl<S: Shape<D>, const D: usize> Shape<D> for Placed<S, D> {
     }
 
     fn facets(&self, size: f64, region: &Bounds<D>) -> Vec<[Vector<D>; D]> {
-        let corners = (0..1_usize << D).map(|n| {
-            let corner = Vector::<D>::from_fn(|k, _| {
-                if n >> k & 1 == 0 {
-                    region.min[k]
-                } else {
-                    region.max[k]
-                }
-            });
-            self.placement.point_back(&corner)
-        });
-        let nothing: Bounds<D> = Bounds::new(
-            Vector::repeat(f64::INFINITY),
-            Vector::repeat(f64::NEG_INFINITY),
-        );
-        let region = corners.fold(nothing, |all, corner| {
-            Bounds::new(all.min.inf(&corner), all.max.sup(&corner))
-        });
+        let region = self.region_back(region);
         let mut facets = self.shape.facets(size / self.placement.scale, &region);
         for corner in facets.iter_mut().flatten() {
             *corner = self.placement.point(corner);
         }
         facets
+    }
+
+    fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {
+        let region = self.region_back(region);
+        let mut ridges = self.shape.ridges(size / self.placement.scale, &region);
+        for Ridge { ends, normals } in &mut ridges {
+            *ends = ends.map(|end| self.placement.point(&end));
+            *normals = normals.map(|normal| self.placement.direction(&normal));
+        }
+        ridges
     }
 
     fn measure(&self) -> Option<f64> {

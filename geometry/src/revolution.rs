@@ -1,9 +1,11 @@
 //! Bodies of revolution about the x axis, exact: every query is reduced to the meridian plane.
 
+mod rims;
+
 use std::f64::consts::{PI, TAU};
 
 use crate::outline::Piece;
-use crate::{Bounds, Closest, GeometryError, Outline, Shape, Vector};
+use crate::{Bounds, Closest, GeometryError, Outline, Ridge, Shape, Vector};
 
 /// The solid that a curve in the half plane `(x, r)`, `r >= 0`, sweeps about the x axis.
 #[derive(Clone, Debug)]
@@ -133,6 +135,10 @@ impl Shape<3> for Revolution {
 
     fn facets(&self, size: f64, region: &Bounds<3>) -> Vec<[Vector<3>; 3]> {
         crate::tessellate::cover(self, size, region)
+    }
+
+    fn ridges(&self, size: f64, region: &Bounds<3>) -> Vec<Ridge<3>> {
+        self.rims(size, region)
     }
 
     fn measure(&self) -> Option<f64> {

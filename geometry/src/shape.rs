@@ -1,6 +1,6 @@
 //! What every body offers, whether analytic or read from a file.
 
-use crate::{Bounds, Outline, Vector};
+use crate::{Bounds, Outline, Ridge, Vector};
 
 /// The answer to "where is the surface from here?".
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -46,6 +46,13 @@ pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
         Vec::new()
     }
 
+    /// Sharp convex edges (3D) of the surface where it meets `region`, round ones in pieces about `size` long at most; parts
+    /// that lie inside of the body or beyond the region may be among them. Empty for a shape that cannot tell.
+    fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {
+        let _ = (size, region);
+        Vec::new()
+    }
+
     /// Area (2D) or volume (3D) of the body, metres to the power `D`; `None` where it is endless.
     fn measure(&self) -> Option<f64> {
         None
@@ -78,6 +85,10 @@ macro_rules! forward {
 
             fn facets(&self, size: f64, region: &Bounds<D>) -> Vec<[Vector<D>; D]> {
                 (**self).facets(size, region)
+            }
+
+            fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {
+                (**self).ridges(size, region)
             }
 
             fn measure(&self) -> Option<f64> {

@@ -13,6 +13,7 @@ mod context;
 pub mod cylinder;
 pub mod double_mach;
 mod duct;
+mod edge;
 mod expansion;
 mod fly;
 mod free;
@@ -35,6 +36,7 @@ mod square;
 mod stability;
 mod step;
 mod stress;
+mod surface;
 mod variant;
 mod view;
 mod viscous;
@@ -78,7 +80,7 @@ static CASES: [Case; 27] = [
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
     ("cone-incidence", &[&inclined_cone::INCLINED_CONE]),
-    ("expansion", &[&expansion::EXPANSION]),
+    ("expansion", &[&expansion::EXPANSION, &edge::Edges]),
     ("free", &[&free::FreeBodies]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),

@@ -14,7 +14,6 @@ mod radial;
 mod schemes;
 mod slab;
 mod smooth;
-mod surface;
 mod trial;
 mod tubes;
 

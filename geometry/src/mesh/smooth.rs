@@ -178,6 +178,11 @@ impl Smooth {
         }
     }
 
+    /// True where an edge of a triangle is a crease.
+    pub fn is_crease(&self, facet: u32, edge: usize) -> bool {
+        self.flags[facet as usize] >> edge & 1 == 1
+    }
+
     /// True where the point lies on a crease.
     pub fn on_crease(&self, facet: u32, feature: Feature) -> bool {
         let bit = match feature {

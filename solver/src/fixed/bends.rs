@@ -1,20 +1,33 @@
-//! Sharp bends of walls in the plane, and the cells around each.
+//! Sharp bends of walls, and the cells around each.
 
 use aero_geometry::Vector;
 
-use super::bend::{BentFace, BentWall, Surroundings, turned};
+use super::bend::{Surroundings, middle};
 use super::cells::Cells;
 use super::chain::Chain;
-use super::fan::FARTHEST;
+use super::fan::farthest;
 use super::kink::Kink;
 use super::net::{Face, Net};
+use super::ridges::Ridges;
+use crate::problem::Problem;
 
 impl<const D: usize> Net<D> {
-    /// Finds the sharp bends of the walls of `cells`, in the plane, and what lies around them.
-    pub(super) fn add_bends(&mut self, cells: &Cells<D>) {
-        if D != 2 {
-            return;
+    /// Finds the sharp bends of the walls of `cells`, and what lies around them.
+    pub(super) fn add_bends(&mut self, cells: &Cells<D>, problem: &Problem<D>) {
+        match D {
+            2 => self.add_bends_in_plane(cells),
+            3 => {
+                let found =
+                    Ridges::of(self, cells, problem).map(|ridges| ridges.around(self, cells));
+                for (block, bends) in self.blocks.iter_mut().zip(found.into_iter().flatten()) {
+                    block.bends = bends;
+                }
+            }
+            _ => {}
         }
+    }
+
+    fn add_bends_in_plane(&mut self, cells: &Cells<D>) {
         let chain = Chain::new(self, cells);
         let (bends, kinks) = (chain.bends(), chain.kinks());
         for (number, kink) in kinks {
@@ -30,33 +43,19 @@ impl<const D: usize> Net<D> {
         };
         for number in 0..self.blocks.len() {
             for (bend, at) in bends.iter().zip(&places) {
-                let away = |middle: &Vector<D>| {
-                    let away = middle.norm() / bend.unit;
-                    let is_own = || is_nearest(at, &(middle + at), bend.unit);
-                    (away < FARTHEST && is_own()).then_some(away)
+                let is_own = |middle: &Vector<D>| {
+                    middle.norm() / bend.unit < farthest::<D>()
+                        && is_nearest(at, &(middle + at), bend.unit)
                 };
                 let block = &self.blocks[number];
-                let faces = block.faces.iter();
-                let faces = faces.enumerate().filter_map(|(number, face)| {
-                    let seen = self.bent_face(cells, at, face, away)?;
-                    Some(BentFace {
-                        face: number,
-                        ..seen
-                    })
-                });
-                let walls = block.walls.iter().enumerate().filter_map(|(wall, known)| {
-                    let middle = known.foot - at;
-                    Some(BentWall {
-                        wall,
-                        point: (cells.points[known.i as usize] - at).into(),
-                        middle: middle.into(),
-                        away: away(&middle)?,
-                    })
-                });
+                let is_face = |face: &Face| {
+                    self.seen(&cells.points, at, face)
+                        .is_some_and(|middle| is_own(&middle))
+                };
                 let around = Surroundings {
-                    bend: *bend,
-                    faces: faces.collect(),
-                    walls: walls.collect(),
+                    bends: vec![bend.clone()],
+                    faces: numbers(&block.faces, is_face),
+                    walls: numbers(&block.walls, |wall| is_own(&(wall.foot - at))),
                 };
                 if !around.faces.is_empty() || !around.walls.is_empty() {
                     self.blocks[number].bends.push(around);
@@ -78,35 +77,25 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    /// A face as seen from the bend `at`, where it counts.
-    fn bent_face(
+    /// The middle of a face as seen from a place; none of one to a periodic image, which lies elsewhere.
+    pub(super) fn seen(
         &self,
-        cells: &Cells<D>,
-        at: &Vector<D>,
+        points: &[Vector<D>],
+        from: &Vector<D>,
         face: &Face,
-        away: impl Fn(&Vector<D>) -> Option<f64>,
-    ) -> Option<BentFace<D>> {
+    ) -> Option<Vector<D>> {
         let shape = &self.face_shapes[face.shape as usize];
         let apart = Vector::<D>::from(shape.apart);
-        let [first, second] = [face.i, face.j].map(|i| cells.points[i as usize] - at);
-        let middle = first + apart * 0.5 + Vector::from(shape.skew);
-        let away = away(&middle)?;
-        // Faces to periodic images lie elsewhere.
+        let [first, second] = [face.i, face.j].map(|i| points[i as usize] - from);
         let is_there = (second - first - apart).norm() < 1e-6 * apart.norm();
-        if !is_there {
-            return None;
-        }
-        let normal = shape.area.map(|part| part / shape.size);
-        let length = shape.weight * apart.norm();
-        let half = turned(&normal.into()) * (0.5 * length);
-        Some(BentFace {
-            face: 0,
-            points: [first.into(), second.into()],
-            middle: middle.into(),
-            half: half.into(),
-            normal,
-            size: shape.size,
-            away,
-        })
+        is_there.then(|| middle(&first, shape))
     }
+}
+
+/// The numbers of those that are wanted.
+fn numbers<T>(all: &[T], is_wanted: impl Fn(&T) -> bool) -> Vec<u32> {
+    let all = (0_u32..).zip(all);
+    all.filter(|(_, one)| is_wanted(one))
+        .map(|(number, _)| number)
+        .collect()
 }

@@ -3,11 +3,13 @@
 //! At the bend all states of the fan meet in a point, and at any spacing the first cells hold much of it at once: no slope between them tells what is on
 //! their faces. How the cells differ from the fan does: where they do not, gas on both sides of a face is that of the fan there, and nothing else disturbs it.
 
-use super::bend::{BentFace, BentWall, Surroundings};
+use aero_geometry::Vector;
+
+use super::bend::{Bend, BentFace, BentWall, Surroundings};
 use super::fan::Fan;
 use super::gas::Gas;
 use super::hll::Jump;
-use super::net::{Block, Face};
+use super::net::{Block, Face, FaceShape, Net};
 use super::slopes::Flow;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Wall;
@@ -19,38 +21,56 @@ const GAUSS: [(f64, f64); 3] = [
     (0.774_596_669_241_483_4, 5.0 / 18.0),
 ];
 
-impl<const D: usize> Surroundings<D> {
-    /// The fan that stands at the bend, if one does.
-    fn fan<G: Gas>(&self, gas: &G, flow: Flow<'_, D>) -> Option<Fan<D>> {
-        Fan::new(gas, &flow.states[self.bend.donor as usize], &self.bend)
-    }
+/// A fan that stands at a bend, and what is around it.
+pub struct Standing<'a, const D: usize> {
+    fan: Fan<D>,
+    bend: &'a Bend<D>,
+    around: &'a Surroundings<D>,
 }
 
-/// The fans that stand at the bends of a block, each with what is around it.
+/// The fans that stand at the bends of a block.
 pub fn fans<'a, G: Gas, const D: usize>(
     gas: &G,
     block: &'a Block<D>,
     flow: Flow<'_, D>,
-) -> Vec<(Fan<D>, &'a Surroundings<D>)> {
+) -> Vec<Standing<'a, D>> {
     let each = block.bends.iter();
-    each.filter_map(|around| Some((around.fan(gas, flow)?, around)))
+    let bends = each.flat_map(|around| around.bends.iter().map(move |bend| (bend, around)));
+    bends
+        .filter_map(|(bend, around)| {
+            let fan = Fan::new(gas, &bend.front(flow.states), bend)?;
+            Some(Standing { fan, bend, around })
+        })
         .collect()
+}
+
+/// Where the cells of a block are, and what its faces look like.
+#[derive(Clone, Copy)]
+pub struct Layout<'a, const D: usize> {
+    /// All faces.
+    pub net: &'a Net<D>,
+    /// The block.
+    pub block: &'a Block<D>,
+    /// The points of all cells.
+    pub points: &'a [Vector<D>],
 }
 
 /// Adds to what the cells of a block gain what the faces around its bends let through more than the `usual` flux.
 pub fn turn<G: Gas, const D: usize>(
     gas: &G,
-    fans: &[(Fan<D>, &Surroundings<D>)],
-    block: &Block<D>,
+    fans: &[Standing<'_, D>],
+    Layout { net, block, points }: Layout<'_, D>,
     flow: Flow<'_, D>,
     cells: &mut [Conserved<D>],
     usual: impl Fn(&Face) -> Conserved<D>,
 ) {
     let start = block.cells.start;
-    for (fan, around) in fans {
-        for bent in &around.faces {
-            let face = &block.faces[bent.face];
-            let Some(more) = bent.more(gas, fan, face, flow, &usual) else {
+    for standing in fans {
+        for &number in &standing.around.faces {
+            let face = &block.faces[number as usize];
+            let shape = &net.face_shapes[face.shape as usize];
+            let bent = standing.bend.face(points, face, shape);
+            let Some(more) = standing.more(gas, &bent, (face, shape), flow, &usual) else {
                 continue;
             };
             for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
@@ -65,61 +85,83 @@ pub fn turn<G: Gas, const D: usize>(
 /// Lets the fans say what presses on the walls of a block, whose usual `pressures` are given.
 pub fn press<G: Gas, const D: usize>(
     gas: &G,
-    fans: &[(Fan<D>, &Surroundings<D>)],
-    block: &Block<D>,
+    fans: &[Standing<'_, D>],
+    Layout { block, points, .. }: Layout<'_, D>,
     flow: Flow<'_, D>,
     pressures: &mut [f64],
 ) {
-    for (fan, around) in fans {
-        for bent in &around.walls {
-            let (wall, pressure) = (&block.walls[bent.wall], &mut pressures[bent.wall]);
+    for Standing { fan, bend, around } in fans {
+        for &number in &around.walls {
+            let wall = &block.walls[number as usize];
+            let pressure = &mut pressures[number as usize];
+            let bent = bend.wall(&points[wall.i as usize], &wall.foot);
             *pressure = bent.pressure(gas, fan, wall, flow, *pressure);
         }
     }
 }
 
-impl<const D: usize> BentFace<D> {
-    /// What flows through it, the `face`, more than the `usual` flux.
+/// Most places on a face.
+const MOST: usize = GAUSS.len() * GAUSS.len();
+
+/// Places on a face, in halves of it each way, and what of it each stands for; where the second half is nothing, along the first alone.
+fn quadrature<const D: usize>(
+    middle: &[f64; D],
+    [first, second]: &[[f64; D]; 2],
+) -> ([[f64; D]; MOST], [f64; MOST], usize) {
+    let rows: &[(f64, f64)] = if second.iter().all(|part| *part == 0.0) {
+        &[(0.0, 1.0)]
+    } else {
+        &GAUSS
+    };
+    let (mut places, mut parts, mut count) = ([*middle; MOST], [0.0; MOST], 0);
+    for (b, row) in rows {
+        for (a, part) in GAUSS {
+            for k in 0..D {
+                places[count][k] += a * first[k] + b * second[k];
+            }
+            parts[count] = part * row;
+            count += 1;
+        }
+    }
+    (places, parts, count)
+}
+
+impl<const D: usize> Standing<'_, D> {
+    /// What flows through a face more than the `usual` flux.
     fn more<G: Gas>(
         &self,
         gas: &G,
-        fan: &Fan<D>,
-        face: &Face,
+        bent: &BentFace<D>,
+        (face, shape): (&Face, &FaceShape<D>),
         flow: Flow<'_, D>,
         usual: impl FnOnce(&Face) -> Conserved<D>,
     ) -> Option<Conserved<D>> {
-        let near = fan.nearness(self.away);
-        if near <= 0.0 {
-            return None;
-        }
-        let places = GAUSS.map(|(part, _)| {
-            let mut place = self.middle;
-            for k in 0..D {
-                place[k] += part * self.half[k];
-            }
-            place
-        });
-        if fan.is_even(self.points.iter().chain(&places)) {
-            return None;
-        }
-        let cells = [face.i as usize, face.j as usize];
+        let fan = &self.fan;
+        let near = fan.nearness(bent.away);
         // Cells of first order are left alone.
-        if cells.iter().any(|&i| flow.slopes[i].calmness < 0.0) {
+        let cells = [face.i as usize, face.j as usize];
+        if near <= 0.0 || cells.iter().any(|&i| flow.slopes[i].calmness < 0.0) {
+            return None;
+        }
+        let (places, parts, count) = quadrature(&bent.middle, &self.bend.halves(shape));
+        let places = &places[..count];
+        if fan.is_even(bent.points.iter().chain(places)) {
             return None;
         }
         let own = cells.map(|i| &flow.states[i]);
-        let known = self.points.map(|point| fan.state(fan.elevation(&point)));
+        let known = bent.points.map(|point| fan.state(fan.elevation(&point)));
         let agreement = |k: usize| fan.agreement(gas, own[k], &known[k]);
         let weight = near * fan.share * agreement(0).min(agreement(1));
         if weight <= 0.0 {
             return None;
         }
+        let normal = shape.area.map(|part| part / shape.size);
         let mut flux = Conserved::ZERO;
-        for (place, (_, part)) in places.iter().zip(GAUSS) {
+        for (place, part) in places.iter().zip(parts) {
             let there = fan.state(fan.elevation(place));
             let [left, right] = [0, 1].map(|k| shifted(own[k], &known[k], &there));
-            let jump = Jump::new(gas, left, right, self.normal);
-            flux = flux.plus(part * self.size, &jump.hllc());
+            let jump = Jump::new(gas, left, right, normal);
+            flux = flux.plus(part * shape.size, &jump.hllc());
         }
         let more = flux.plus(-1.0, &usual(face));
         Some(Conserved::ZERO.plus(weight, &more))
@@ -138,11 +180,14 @@ impl<const D: usize> BentWall<D> {
     ) -> f64 {
         let i = wall.i as usize;
         let near = fan.nearness(self.away);
-        if near <= 0.0 || flow.slopes[i].calmness < 0.0 {
+        let places = [self.point, self.middle];
+        // In space gas ahead of the fan, which knows nothing of it, keeps its slopes.
+        let is_ahead = D == 3 && fan.is_behind(places.iter());
+        if near <= 0.0 || flow.slopes[i].calmness < 0.0 || is_ahead {
             return usual;
         }
         let own = &flow.states[i];
-        let [from, to] = [&self.point, &self.middle].map(|x| fan.state(fan.elevation(x)));
+        let [from, to] = places.map(|place| fan.state(fan.elevation(&place)));
         let weight = near * fan.share * fan.agreement(gas, own, &from);
         let there = shifted(own, &from, &to);
         let speed = dot(&there.velocity, &wall.image.normal);

@@ -86,6 +86,19 @@ pub struct SideFace<const D: usize> {
 }
 
 impl<const D: usize> Cells<D> {
+    /// Mean distance of each point from those of its neighbours, by the areas of the faces between.
+    pub fn spacings(&self) -> Vec<f64> {
+        let mut sums = vec![[0.0; 2]; self.points.len()];
+        for face in &self.faces {
+            let size = face.area.norm();
+            for i in [face.i, face.j] {
+                sums[i as usize][0] += size * face.apart.norm();
+                sums[i as usize][1] += size;
+            }
+        }
+        sums.into_iter().map(|[sum, size]| sum / size).collect()
+    }
+
     /// What is left of the sum of area vectors of each cell: nothing but rounding where it is closed. About an axis the
     /// radial part is the cell's area in the plane instead, and is left out.
     pub fn open_areas(&self, about_axis: bool) -> Vec<Vector<D>> {

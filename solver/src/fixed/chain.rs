@@ -45,7 +45,6 @@ impl<'a, const D: usize> Chain<'a, D> {
         for (number, wall) in walls.iter().enumerate() {
             of_cell[wall.i as usize].push(number);
         }
-        let mut sums = vec![[0.0; 2]; cells.points.len()];
         let mut nearby = vec![Vec::new(); walls.len()];
         for face in &cells.faces {
             for (i, j) in [(face.i, face.j), (face.j, face.i)] {
@@ -53,9 +52,6 @@ impl<'a, const D: usize> Chain<'a, D> {
                 if own.is_empty() {
                     continue;
                 }
-                let size = face.area.norm();
-                sums[i as usize][0] += size * face.apart.norm();
-                sums[i as usize][1] += size;
                 for &number in own {
                     nearby[number].extend(others);
                 }
@@ -64,13 +60,10 @@ impl<'a, const D: usize> Chain<'a, D> {
         for (wall, near) in walls.iter().zip(&mut nearby) {
             near.extend(&of_cell[wall.i as usize]);
         }
-        let unit = |wall: &&Wall<D>| {
-            let [sum, size] = sums[wall.i as usize];
-            sum / size
-        };
+        let spacings = cells.spacings();
         let mut chain = Self {
             cells,
-            units: walls.iter().map(unit).collect(),
+            units: walls.iter().map(|wall| spacings[wall.i as usize]).collect(),
             walls,
             links: [Vec::new(), Vec::new()],
         };
@@ -205,7 +198,8 @@ impl<'a, const D: usize> Chain<'a, D> {
             if least > AHEAD * unit {
                 return Some(Bend {
                     at: at.into(),
-                    donor: wall.i,
+                    edge: [0.0; D],
+                    donors: vec![(wall.i, 1.0)],
                     along: along.into(),
                     before: before.into(),
                     up: wall.image.normal.map(|part| -part),
@@ -243,8 +237,10 @@ mod tests {
         let flow = FixedSimulation::new(problem).unwrap();
         let mut bends: Vec<Bend<2>> = Vec::new();
         for around in flow.net.blocks.iter().flat_map(|block| &block.bends) {
-            if !bends.contains(&around.bend) {
-                bends.push(around.bend);
+            for bend in &around.bends {
+                if !bends.contains(bend) {
+                    bends.push(bend.clone());
+                }
             }
         }
         bends

@@ -1,5 +1,7 @@
 //! The fan in which a stream that is faster than sound turns round a sharp convex bend of its wall: gas on a ray from the bend is in one
 //! state [Prandtl 1907; Meyer 1908; NACA Report 1135 (1953), eqs. 44 and 171c].
+//!
+//! Along an edge in space nothing changes: what gas moves along it stays as it is, and the fan is that of what it moves across.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -20,6 +22,9 @@ const STEEP: f64 = 0.25 * std::f64::consts::PI;
 /// Turn from which on there is no saying where the gas goes, radians.
 const STEEPEST: f64 = 5.0 / 18.0 * std::f64::consts::PI;
 
+/// Turn below which there is nothing but rounding in a fan, radians.
+const LEAST: f64 = 1e-9;
+
 /// Change of the logarithm of the pressure from one cell to the next, across a fan, up to which cells see it: a third of the pressure.
 const SEEN: f64 = 0.4;
 
@@ -29,8 +34,13 @@ const NEAREST: f64 = 6.0;
 /// Cells see it wholly so much farther from where they begin to.
 const FARTHER: f64 = 4.0 / 3.0;
 
-/// No fan is looked for farther than this from its bend, in spacings.
-pub const FARTHEST: f64 = 48.0;
+/// No fan is looked for farther than this from its bend, in spacings: in the plane, and in space, where much more lies within it.
+const FARTHEST: [f64; 2] = [48.0, 16.0];
+
+/// The same in `D` dimensions.
+pub const fn farthest<const D: usize>() -> f64 {
+    FARTHEST[(D > 2) as usize]
+}
 
 /// A fan.
 #[derive(Clone, Debug)]
@@ -47,7 +57,9 @@ pub struct Fan<const D: usize> {
     heat: f64,
     /// Prandtl and Meyer's angle in front.
     start: f64,
-    /// Where the gas in front goes.
+    /// Velocity along the edge, in space.
+    carried: [f64; D],
+    /// Where the gas in front goes, across the edge.
     onwards: [f64; D],
     /// Across that, away from the wall.
     aside: [f64; D],
@@ -68,18 +80,18 @@ impl<const D: usize> Fan<D> {
     pub fn new<G: Gas>(gas: &G, front: &Primitive<D>, bend: &Bend<D>) -> Option<Self> {
         let square = gas.sound_square(front.density, front.pressure);
         let gamma = square * front.density / front.pressure;
-        let towards = dot(&front.velocity, &bend.before);
+        let slide = dot(&front.velocity, &bend.edge);
+        let carried = bend.edge.map(|part| slide * part);
+        let across = less(&front.velocity, &carried);
+        let towards = dot(&across, &bend.before);
         let fast = rise(towards * towards / square, SONIC, SUPERSONIC);
         if towards <= 0.0 || fast <= 0.0 {
             return None;
         }
-        let speed = dot(&front.velocity, &front.velocity).sqrt();
-        let onwards = front.velocity.map(|u| u / speed);
-        let across = dot(&bend.up, &onwards);
-        let mut aside = bend.up;
-        for k in 0..D {
-            aside[k] -= across * onwards[k];
-        }
+        let speed = dot(&across, &across).sqrt();
+        let onwards = across.map(|u| u / speed);
+        let rising = dot(&bend.up, &onwards);
+        let aside = less(&bend.up, &onwards.map(|part| rising * part));
         let size = dot(&aside, &aside).sqrt();
         let aside = aside.map(|part| part / size);
         let turn = (-dot(&bend.along, &aside)).atan2(dot(&bend.along, &onwards));
@@ -90,7 +102,7 @@ impl<const D: usize> Fan<D> {
         let start = angle(slope, slowness);
         // Up to here there is gas left.
         let most = (slowness - 1.0) * FRAC_PI_2;
-        if turn <= 0.0 || share <= 0.0 || start + turn >= most {
+        if turn < LEAST || share <= 0.0 || start + turn >= most {
             return None;
         }
         let mut fan = Self {
@@ -100,6 +112,7 @@ impl<const D: usize> Fan<D> {
             rear: *front,
             heat: 1.0 + 0.5 * (gamma - 1.0) * mach_square,
             start,
+            carried,
             onwards,
             aside,
             rays: [0.0; 2],
@@ -114,7 +127,7 @@ impl<const D: usize> Fan<D> {
         fan.ways = fan.rays.map(|ray| [ray.cos(), ray.sin()]);
         fan.strength = (front.pressure / fan.rear.pressure).ln();
         let width = fan.rays[0] - fan.rays[1];
-        fan.near = (fan.strength / (SEEN * width)).clamp(NEAREST, FARTHEST / FARTHER);
+        fan.near = (fan.strength / (SEEN * width)).clamp(NEAREST, farthest::<D>() / FARTHER);
         Some(fan)
     }
 
@@ -129,7 +142,8 @@ impl<const D: usize> Fan<D> {
         let (sine, cosine) = (angle(slope, self.slowness) - self.start).sin_cos();
         let mut velocity = self.onwards;
         for k in 0..D {
-            velocity[k] = speed * (cosine * self.onwards[k] - sine * self.aside[k]);
+            let across = cosine * self.onwards[k] - sine * self.aside[k];
+            velocity[k] = speed * across + self.carried[k];
         }
         Primitive {
             density,
@@ -140,7 +154,7 @@ impl<const D: usize> Fan<D> {
 
     /// Elevation of a `place`, as seen from the bend, above the way of the gas in front.
     pub fn elevation(&self, place: &[f64; D]) -> f64 {
-        let (along, height) = (dot(place, &self.onwards), dot(place, &self.aside));
+        let [along, height] = self.seen(place);
         if along < 0.0 {
             2.0 * FRAC_PI_2
         } else {
@@ -155,14 +169,24 @@ impl<const D: usize> Fan<D> {
 
     /// True where all these places, as seen from the bend, are in front of the fan, or all behind it: the gas there is the same.
     pub fn is_even<'a>(&self, places: impl Iterator<Item = &'a [f64; D]> + Clone) -> bool {
-        let [first, last] = self.ways;
-        let seen = places.map(|place| [dot(place, &self.onwards), dot(place, &self.aside)]);
-        let is_above = |place: &[f64; 2], way: [f64; 2]| place[1] * way[0] >= place[0] * way[1];
-        seen.clone()
-            .all(|place| place[0] < 0.0 || is_above(&place, first))
-            || seen
-                .clone()
+        let last = self.ways[1];
+        self.is_behind(places.clone())
+            || places
+                .map(|place| self.seen(place))
                 .all(|place| place[0] >= 0.0 && !is_above(&place, last))
+    }
+
+    /// True where the whole fan is behind all these places, as seen from the bend.
+    pub fn is_behind<'a>(&self, places: impl Iterator<Item = &'a [f64; D]>) -> bool {
+        let first = self.ways[0];
+        places
+            .map(|place| self.seen(place))
+            .all(|place| place[0] < 0.0 || is_above(&place, first))
+    }
+
+    /// A place along and across the way of the gas in front.
+    fn seen(&self, place: &[f64; D]) -> [f64; 2] {
+        [dot(place, &self.onwards), dot(place, &self.aside)]
     }
 
     /// The state at an elevation: within the fan that ray is a Mach line, `elevation = mu - (nu - nu_1)`, and
@@ -182,12 +206,27 @@ impl<const D: usize> Fan<D> {
     /// How far gas in the state `own` may be taken for what the fan has there, `known`: not where it is slower than sound, nor where its
     /// pressure is off by what the whole fan changes, and wholly up to half of that.
     pub fn agreement<G: Gas>(&self, gas: &G, own: &Primitive<D>, known: &Primitive<D>) -> f64 {
-        let speed = dot(&known.velocity, &known.velocity).sqrt();
-        let along = dot(&own.velocity, &known.velocity).max(0.0) / speed;
+        let [across, way] = [own, known].map(|state| less(&state.velocity, &self.carried));
+        let speed = dot(&way, &way).sqrt();
+        let along = dot(&across, &way).max(0.0) / speed;
         let square = along * along / gas.sound_square(own.density, own.pressure);
         let off = (own.pressure / known.pressure).ln().abs();
         rise(square, SONIC, SUPERSONIC) * (1.0 - rise(off / self.strength, 0.5, 1.0))
     }
+}
+
+/// True of a place on a ray of this cosine and sine or above it.
+fn is_above(place: &[f64; 2], way: [f64; 2]) -> bool {
+    place[1] * way[0] >= place[0] * way[1]
+}
+
+/// `a - b`.
+fn less<const D: usize>(a: &[f64; D], b: &[f64; D]) -> [f64; D] {
+    let mut less = *a;
+    for k in 0..D {
+        less[k] -= b[k];
+    }
+    less
 }
 
 /// From zero at `low` to one at `high`.
@@ -196,139 +235,4 @@ fn rise(value: f64, low: f64, high: f64) -> f64 {
 }
 
 #[cfg(test)]
-mod tests {
-    use approx::assert_relative_eq;
-
-    use super::super::gas::IdealGas;
-    use super::*;
-
-    const AIR: IdealGas = IdealGas { gamma: 1.4 };
-
-    /// A stream over a bend by `degrees`, all of it turned by `way`, and seen in a mirror where `side` is -1.
-    fn fan(mach: f64, degrees: f64, way: f64, side: f64) -> Option<Fan<2>> {
-        let towards = |angle: f64| {
-            let (sine, cosine) = (way + angle).sin_cos();
-            [cosine, side * sine]
-        };
-        let bend = Bend {
-            at: [0.3, 0.2],
-            donor: 0,
-            along: towards(-degrees.to_radians()),
-            before: towards(0.0),
-            up: towards(FRAC_PI_2),
-            unit: 0.1,
-        };
-        let front = Primitive {
-            density: 1.4,
-            velocity: bend.before.map(|part| mach * part),
-            pressure: 1.0,
-        };
-        Fan::new(&AIR, &front, &bend)
-    }
-
-    /// NACA Report 1135 (1953), table II, by the angles of Mach 2, 26.380, and Mach 3, 49.757 degrees.
-    #[test]
-    fn gas_behind_a_fan_has_the_pressure_of_the_tables() {
-        for (mach, degrees, ratio) in [
-            (1.5, 10.0, 0.600_003),
-            (2.0, 15.0, 0.393_068),
-            (3.0, 20.0, 0.159_650),
-            (4.0, 10.0, 0.330_083),
-        ] {
-            let fan = fan(mach, degrees, 0.3, 1.0).unwrap();
-            assert_relative_eq!(fan.rear.pressure, ratio, epsilon = 3e-5);
-            let way = fan.rear.velocity[1].atan2(fan.rear.velocity[0]);
-            assert_relative_eq!(way, 0.3 - degrees.to_radians(), epsilon = 1e-12);
-        }
-    }
-
-    /// On each ray the gas crosses it with the speed of sound, and entropy and total enthalpy are those in front.
-    #[test]
-    fn rays_of_a_fan_are_mach_lines() {
-        for (way, side) in [(0.0, 1.0), (2.0, 1.0), (2.0, -1.0)] {
-            let fan = fan(2.0, 20.0, way, side).unwrap();
-            let [first, last] = fan.rays;
-            for part in [0.01, 0.3, 0.7, 0.99] {
-                let elevation = first + part * (last - first);
-                let place: [f64; 2] = std::array::from_fn(|k| {
-                    elevation.cos() * fan.onwards[k] + elevation.sin() * fan.aside[k]
-                });
-                assert_relative_eq!(fan.elevation(&place), elevation, epsilon = 1e-12);
-                let state = fan.state(elevation);
-                let across = [-place[1] * side, place[0] * side];
-                let sound = AIR.sound_square(state.density, state.pressure);
-                let speed = dot(&state.velocity, &across);
-                assert_relative_eq!(speed * speed / sound, 1.0, epsilon = 1e-10);
-                let entropy = state.pressure / (state.density / 1.4).powf(1.4);
-                assert_relative_eq!(entropy, 1.0, epsilon = 1e-12);
-                let square = dot(&state.velocity, &state.velocity);
-                assert_relative_eq!(sound / 0.4 + 0.5 * square, 4.5, epsilon = 1e-10);
-            }
-            assert_eq!(fan.state(first + 1e-9), fan.front);
-            assert_relative_eq!(
-                fan.state(last + 1e-9).pressure,
-                fan.rear.pressure,
-                epsilon = 1e-6
-            );
-        }
-    }
-
-    /// A thin one of a fast stream, whose pressure falls to a quarter within six degrees, four times as far as one of Mach 2.
-    #[test]
-    fn a_fan_is_known_as_far_as_cells_are_too_coarse_for_it() {
-        let near = |mach, degrees| fan(mach, degrees, 0.0, 1.0).unwrap().near;
-        assert_relative_eq!(near(1.5, 10.0), NEAREST);
-        assert_relative_eq!(near(2.0, 15.0), NEAREST);
-        assert_relative_eq!(near(6.0, 10.0), 1.6911 / (0.4 * 0.2139), epsilon = 0.05);
-        assert_relative_eq!(near(10.0, 12.0), FARTHEST / FARTHER);
-        let fan = fan(6.0, 10.0, 0.0, 1.0).unwrap();
-        assert_eq!(fan.nearness(fan.near), 1.0);
-        assert_relative_eq!(fan.nearness(fan.near * 7.0 / 6.0), 0.5, epsilon = 1e-12);
-        assert_eq!(fan.nearness(FARTHER * fan.near), 0.0);
-    }
-
-    #[test]
-    fn gas_is_even_in_front_of_a_fan_and_behind_it_alone() {
-        for (way, side) in [(0.3, 1.0), (2.0, -1.0)] {
-            let fan = fan(2.0, 20.0, way, side).unwrap();
-            let place = |elevation: f64| -> [f64; 2] {
-                let (sine, cosine) = elevation.sin_cos();
-                std::array::from_fn(|k| 3.0 * (cosine * fan.onwards[k] + sine * fan.aside[k]))
-            };
-            let is_even = |elevations: [f64; 2]| fan.is_even(elevations.map(place).iter());
-            let [first, last] = fan.rays;
-            assert!(is_even([first + 1e-6, 3.0]) && is_even([last - 1e-6, -0.4]));
-            assert!(!is_even([first - 1e-6, 3.0]) && !is_even([last + 1e-6, -0.4]));
-            assert!(!is_even([2.0, -0.3]) && !is_even([first - 0.1, last + 0.1]));
-        }
-    }
-
-    #[test]
-    fn no_fan_stands_where_gas_is_slow_comes_from_behind_or_leaves_the_wall() {
-        assert!(fan(0.9, 10.0, 0.0, 1.0).is_none());
-        assert!(fan(-2.0, 10.0, 0.0, 1.0).is_none());
-        assert!(fan(2.0, -10.0, 0.0, 1.0).is_none());
-        assert!(fan(2.0, 50.1, 0.0, 1.0).is_none());
-        let share = |mach, degrees| fan(mach, degrees, 0.0, 1.0).unwrap().share;
-        assert_relative_eq!(share(1.5_f64.sqrt(), 10.0), 0.5, epsilon = 1e-12);
-        assert_relative_eq!(share(2.0, 44.9), 1.0);
-        assert_relative_eq!(share(2.0, 47.5), 0.5, epsilon = 1e-9);
-    }
-
-    #[test]
-    fn gas_that_is_slow_or_of_another_pressure_is_not_of_the_fan() {
-        let fan = fan(2.0, 15.0, 0.0, 1.0).unwrap();
-        let known = fan.rear;
-        let with = |factor: f64, speed: f64| Primitive {
-            pressure: known.pressure * factor,
-            density: known.density * factor,
-            velocity: known.velocity.map(|u| speed * u),
-        };
-        let agreement = |own: &Primitive<2>| fan.agreement(&AIR, own, &known);
-        assert_eq!(agreement(&known), 1.0);
-        assert_eq!(agreement(&with(1.5, 1.0)), 1.0);
-        assert_eq!(agreement(&with(2.6, 1.0)), 0.0);
-        assert_eq!(agreement(&with(1.0, 0.3)), 0.0);
-        assert_eq!(agreement(&with(1.0, -1.0)), 0.0);
-    }
-}
+mod tests;

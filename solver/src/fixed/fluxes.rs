@@ -2,12 +2,14 @@
 
 use std::{array, slice};
 
+use aero_geometry::Vector;
 use pulp::{Simd, WithSimd};
 
-use super::bent::{fans, press, turn};
+use super::bent::{Layout, fans, press, turn};
 use super::calmness::{smoothness, steepness};
 use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
+use super::gather::{gather, gather_state, stored};
 use super::hll::Jump;
 use super::kink::hold;
 use super::net::{Block, Face, Net};
@@ -44,6 +46,8 @@ pub struct Exchange<'a, G, const D: usize> {
     pub gas: &'a G,
     /// All faces.
     pub net: &'a Net<D>,
+    /// The points of all cells.
+    pub points: &'a [Vector<D>],
     /// How energy goes through them.
     pub energy: EnergyFlux,
     /// Least Mach number that gas counts by where it meets, see [`super::slow`].
@@ -66,6 +70,7 @@ impl<'a, G, const D: usize> Exchange<'a, G, D> {
         Exchange {
             gas,
             net: self.net,
+            points: self.points,
             energy: self.energy,
             least_mach: self.least_mach,
             block: self.block,
@@ -85,6 +90,7 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
         let Self {
             gas,
             net,
+            points,
             energy,
             least_mach,
             block,
@@ -110,13 +116,11 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
                 }
             }
         }
-        let fans = if rubbing.is_some() {
-            // Gas that rubs sticks to walls: no fan stands at their bends.
-            Vec::new()
-        } else {
-            fans(gas, block, flow)
-        };
-        turn(gas, &fans, block, flow, &mut cells, |face| {
+        // Gas that rubs sticks to walls: no fan stands at their bends.
+        let stand = rubbing.is_none().then(|| fans(gas, block, flow));
+        let fans = stand.unwrap_or_default();
+        let layout = Layout { net, block, points };
+        turn(gas, &fans, layout, flow, &mut cells, |face| {
             let batch = Batch::new(simd, net, slice::from_ref(face), flow);
             stored(&batch.flux(gas, energy, least_mach))[0]
         });
@@ -131,8 +135,10 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
             let Slopes { along, calmness } = &flow.slopes[i];
             *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
         }
-        press(gas, &fans, block, flow, pressures);
-        hold(gas, block, flow, pressures);
+        press(gas, &fans, layout, flow, pressures);
+        if rubbed.is_none() {
+            hold(gas, block, flow, pressures);
+        }
         for (wall, pressure) in block.walls.iter().zip(pressures) {
             let i = wall.i as usize;
             let gain = push(&wall.image, *pressure);
@@ -297,52 +303,4 @@ impl<R: Real> Mix<R> {
         let mixed = blunt + self.smooth * (sharp - blunt);
         self.is_smooth.select(sharp, mixed) * self.size
     }
-}
-
-#[inline(always)]
-fn gather<S: Simd>(simd: S, value: impl Fn(usize) -> f64) -> Lane<S> {
-    let mut buffer = [0.0; MAX_LANES];
-    for (l, slot) in buffer.iter_mut().enumerate().take(S::F64_LANES) {
-        *slot = value(l);
-    }
-    let (vectors, _) = S::as_simd_f64s(&buffer);
-    Lane(simd, vectors[0])
-}
-
-#[inline(always)]
-fn gather_state<S: Simd, const D: usize>(
-    simd: S,
-    states: &[&Primitive<D>; MAX_LANES],
-    into: &mut Primitive<D, Lane<S>>,
-) {
-    into.density = gather(simd, |l| states[l].density);
-    for k in 0..D {
-        into.velocity[k] = gather(simd, |l| states[l].velocity[k]);
-    }
-    into.pressure = gather(simd, |l| states[l].pressure);
-}
-
-#[inline(always)]
-fn store<S: Simd>(lane: Lane<S>) -> [f64; MAX_LANES] {
-    let mut buffer = [0.0; MAX_LANES];
-    let (vectors, _) = S::as_mut_simd_f64s(&mut buffer);
-    vectors[0] = lane.1;
-    buffer
-}
-
-/// Lane by lane.
-#[inline(always)]
-fn stored<S: Simd, const D: usize>(flux: &Conserved<D, Lane<S>>) -> [Conserved<D>; MAX_LANES] {
-    let mut all = [Conserved::ZERO; MAX_LANES];
-    let (mass, energy) = (store(flux.mass), store(flux.energy));
-    for l in 0..MAX_LANES {
-        (all[l].mass, all[l].energy) = (mass[l], energy[l]);
-    }
-    for k in 0..D {
-        let momentum = store(flux.momentum[k]);
-        for l in 0..MAX_LANES {
-            all[l].momentum[k] = momentum[l];
-        }
-    }
-    all
 }

@@ -7,6 +7,7 @@ mod assemble;
 mod bend;
 mod bends;
 mod bent;
+mod beside;
 pub mod build;
 mod calmness;
 pub mod carry;
@@ -26,6 +27,7 @@ mod filler;
 mod fluxes;
 mod folding;
 mod gas;
+mod gather;
 mod given;
 mod gradients;
 mod ground;
@@ -59,6 +61,7 @@ mod reconstruction;
 pub mod refine;
 mod refusal;
 mod relax;
+mod ridges;
 mod rim;
 mod section;
 mod settle;
@@ -249,7 +252,7 @@ impl<const D: usize> FixedSimulation<D> {
         let least = slow::least_mach(problem);
         let walls = net.blocks.iter_mut().flat_map(|block| &mut block.walls);
         walls.for_each(|wall| wall.least_mach = least);
-        net.add_bends(cells);
+        net.add_bends(cells, problem);
         Ok(net)
     }
 

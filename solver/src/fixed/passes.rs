@@ -159,6 +159,7 @@ impl<const D: usize> FixedSimulation<D> {
                 let exchange = Exchange {
                     gas: &*gas,
                     net: &*net,
+                    points,
                     energy,
                     least_mach,
                     block,

@@ -3,11 +3,11 @@
 use aero::run::Outcome;
 use aero_validation::table::Check;
 
-use super::surface::{Facet, as_shape, prism};
 use super::trial::Trial;
 use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::row::Row;
 use crate::compare::scenes::{Source, scene};
+use crate::compare::surface::{Facet, as_shape, prism};
 use crate::compare::variant::{Motion, Scheme};
 
 const TAIL: Source = scene!("stress", "finned-tail");
@@ -83,7 +83,7 @@ mod tests {
     #[test]
     fn fins_are_closed_and_face_outwards() {
         let dot = |a: [f64; 3], b: [f64; 3]| (0..3).map(|k| a[k] * b[k]).sum::<f64>();
-        let volume = fins().iter().map(|&[a, b, c]| {
+        let volume = fins().into_iter().map(|[a, b, c]| {
             let cross = |i: usize, j: usize| b[i] * c[j] - b[j] * c[i];
             dot(a, [cross(1, 2), cross(2, 0), cross(0, 1)]) / 6.0
         });

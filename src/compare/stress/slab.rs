@@ -3,10 +3,10 @@
 use aero_validation::table::Check;
 
 use super::plate::{EDGE, INCIDENCE, MACH, PLATE, THEORY, coefficients};
-use super::surface::{Facet, as_shape, prism};
 use super::trial::Trial;
 use crate::compare::context::{CompareError, Context, Level};
 use crate::compare::row::Row;
+use crate::compare::surface::{Facet, as_shape, prism};
 use crate::compare::variant::{Motion, Scheme};
 
 /// Spacings along the chord, and across the slab.

@@ -20,6 +20,7 @@ mod jumps;
 pub(crate) mod lattice;
 mod parted;
 mod plane;
+mod ridges;
 mod sheared;
 mod sides;
 mod space;

@@ -1,16 +1,16 @@
-//! Surfaces of triangles that the suite makes for itself.
+//! Surfaces of triangles that comparisons make for themselves.
 
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
-use crate::compare::context::CompareError;
+use super::context::CompareError;
 
 /// A triangle.
-pub(super) type Facet = [[f64; 3]; 3];
+pub type Facet = [[f64; 3]; 3];
 
 /// Facets of the prism from `outline`, which is convex and goes round to the left as seen from beyond its further end, between the heights
 /// `ends`; `place` tells where a point of the plane and a height are.
-pub(super) fn prism(
+pub fn prism(
     outline: &[[f64; 2]],
     ends: [f64; 2],
     place: impl Fn([f64; 2], f64) -> [f64; 3],
@@ -31,7 +31,10 @@ pub(super) fn prism(
 }
 
 /// Writes `facets` to `NAME.stl` in `folder`, beside the pictures; the setting that makes them the shape of `body`.
-pub(super) fn as_shape(
+///
+/// # Errors
+/// A file that cannot be written.
+pub fn as_shape(
     body: &str,
     folder: &Path,
     name: &str,
