@@ -64,11 +64,8 @@ fn settings(sweep: f64, context: &Context<'_>) -> Result<Vec<String>, CompareErr
     ];
     let facets = prism(&section, [-3.0, 3.0], |[x, y], z| [x, y, z]);
     let shape = as_shape("corner", context.out, "expansion-edge", &facets)?;
-    let (deep, beside) = if sweep == 0.0 {
-        (0.15, "symmetry")
-    } else {
-        (0.4, "free-stream")
-    };
+    // What planes of symmetry do to an edge askew is not known in the middle yet.
+    let deep = if sweep == 0.0 { 0.15 } else { 0.4 };
     let mut settings = Scheme::USUAL.by_points(Motion::Settled).settings();
     settings.extend([
         "dimension=3".into(),
@@ -76,8 +73,8 @@ fn settings(sweep: f64, context: &Context<'_>) -> Result<Vec<String>, CompareErr
         format!("free_stream.mach={MACH:?}"),
         format!("domain.min=[-0.3, -0.4, {:?}]", -deep),
         format!("domain.max=[0.6, 0.7, {deep:?}]"),
-        format!("domain.sides.z_min={beside}"),
-        format!("domain.sides.z_max={beside}"),
+        "domain.sides.z_min=symmetry".into(),
+        "domain.sides.z_max=symmetry".into(),
         shape,
         format!(
             "body.corner.place={{ rotate = {{ axis = [0.0, 1.0, 0.0], angle = {sweep:?} }}, translate = {:?} }}",

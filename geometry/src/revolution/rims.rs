@@ -84,7 +84,7 @@ mod tests {
             assert!((rim.turn().to_degrees() - 15.0).abs() < 1e-9);
             for normal in rim.normals {
                 assert!(normal.dot(&(to - from)).abs() < 1e-12);
-                assert!(normal.dot(&middle) > 0.0);
+                assert!(normal.y * middle.y + normal.z * middle.z > 0.0);
             }
             around += (to - from).norm();
         }
