@@ -165,8 +165,16 @@ fn lines(summary: &Summary, out: &Path) -> String {
 /// The loads on a body, and what their coefficients are made of.
 fn loads(name: &str, body: &BodySummary) -> String {
     use std::fmt::Write as _;
-    let [x, y, z] = body.force;
+    let has_coefficients = body.cd_mean.is_some();
+    let [x, y, z] = if has_coefficients && body.coefficients == "gauge" {
+        body.force_gauge
+    } else {
+        body.force
+    };
     let mut text = format!("body `{name}`: force {x:.4e} {y:.4e} {z:.4e}");
+    if !has_coefficients {
+        text.push_str(" of absolute pressure");
+    }
     // Writing to a string cannot fail.
     if let (Some(cd), Some(cl), Some(cm)) = (body.cd_mean, body.cl_mean, body.cm_mean) {
         let _ = write!(text, ", mean cd {cd:.4}, cl {cl:.4}, cm {cm:.4} nose up");
