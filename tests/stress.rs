@@ -5,9 +5,10 @@ mod support;
 use support::Workplace;
 
 /// Scenes that cost more than a moment, with what makes them small.
-const SMALL: [(&str, &[&str]); 9] = [
+const SMALL: [(&str, &[&str]); 10] = [
     ("blunt-body", &["spacing=0.125", "end_time=0.05"]),
     ("expansion-corner", &["spacing=0.1", "end_time=0.2"]),
+    ("finned-tail", &["spacing=0.02"]),
     ("gresho", &["spacing=0.03125", "end_time=0.02"]),
     ("kelvin-helmholtz", &["spacing=0.03125", "end_time=0.02"]),
     ("noh-2", &["spacing=0.05", "end_time=0.1"]),
@@ -41,7 +42,9 @@ fn every_scene_comes_to_its_end() {
         }
         place.aero(&arguments).succeeds();
         let summary = place.json(&format!("out/{name}/summary.json"));
-        assert_eq!(summary["stop_reason"], "end time reached", "{name}");
+        let end = summary["stop_reason"].as_str().unwrap();
+        let came = end == "end time reached" || end.starts_with("settled");
+        assert!(came, "{name}: {end}");
         assert!(summary["steps"].as_u64().unwrap() >= 3, "{name}");
         assert!(summary["min_energy"].as_f64().unwrap() > 0.0, "{name}");
     }
