@@ -2,11 +2,11 @@
 
 use aero_geometry::Vector;
 
-use super::bend::{Surroundings, middle};
+use super::bend::{Kink, Surroundings};
+use super::bent_face::middle;
 use super::cells::Cells;
 use super::chain::Chain;
 use super::fan::farthest;
-use super::kink::Kink;
 use super::net::{Face, Net};
 use super::ridges::Ridges;
 use crate::problem::Problem;

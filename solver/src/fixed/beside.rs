@@ -4,9 +4,9 @@ use aero_geometry::{Pencils, Ridge, Vector};
 
 use super::bend::Bend;
 use super::cells::Cells;
+use super::fan::farthest;
 use super::net::Net;
 use super::polytope::cross;
-use super::ridges::Piece;
 use super::walls::Wall;
 
 /// No piece of an edge is longer than this, in spacings.
@@ -26,6 +26,34 @@ const ROUND: f64 = 0.2;
 
 /// Walls that are farther off a plane than this, in spacings, do not lie in it.
 const OFF: f64 = 0.5;
+
+/// A straight piece of an edge.
+#[derive(Clone, Debug)]
+pub struct Piece<const D: usize> {
+    /// Its ends.
+    pub ends: [Vector<D>; 2],
+    /// The edge as gas meets it from either side, where it can.
+    pub bends: Vec<Bend<D>>,
+    /// Whether the edge goes on beyond each end.
+    pub goes_on: [bool; 2],
+}
+
+impl<const D: usize> Piece<D> {
+    /// Square of the distance of a place, and whether that is neither too far across the edge nor beyond an end of it.
+    pub fn sees(&self, place: &Vector<D>) -> (f64, bool) {
+        let unit = self.bends[0].unit;
+        let [from, to] = self.ends;
+        let half = 0.5 * (to - from).norm();
+        let way = (to - from) / (2.0 * half);
+        let arm = place - 0.5 * (from + to);
+        let along = way.dot(&arm);
+        let beyond = (along.abs() - half).max(0.0);
+        let across = (arm - way * along).norm();
+        let is_beside = beyond <= 1e-6 * unit || self.goes_on[usize::from(along > 0.0)];
+        let is_near = across < farthest::<D>() * unit;
+        (across * across + beyond * beyond, is_beside && is_near)
+    }
+}
 
 /// The walls of all cells.
 pub struct Beside<'a, const D: usize> {

@@ -2,9 +2,8 @@
 
 use aero_geometry::Vector;
 
-use super::bend::{Bend, turned};
+use super::bend::{Bend, Kink, turned};
 use super::cells::Cells;
-use super::kink::Kink;
 use super::net::Net;
 use super::walls::Wall;
 

@@ -3,6 +3,7 @@
 //! A shock stands at the bend. Gas faster than sound slides along the wall ahead of it as if nothing were to come, and presses on that wall as in the
 //! cells before; the cell that the bend lies in holds gas of both sides of the shock, in parts that depend on where in it the bend lies.
 
+use super::bend::Kink;
 use super::gas::Gas;
 use super::net::Block;
 use super::slopes::Flow;
@@ -16,19 +17,6 @@ const SUPERSONIC: f64 = 2.0;
 
 /// Part of the largest turn that a shock at the bend may make from which on it may stand ahead of the bend.
 const NEARLY: f64 = 0.95;
-
-/// A wall that gas slides along towards a bend, in the bend's own cell.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Kink<const D: usize> {
-    /// Its number in its block.
-    pub wall: usize,
-    /// A cell on the wall before, which does not hold the bend.
-    pub donor: u32,
-    /// Direction of the wall, towards the bend.
-    pub before: [f64; D],
-    /// Direction of the wall behind the bend, away from it.
-    pub along: [f64; D],
-}
 
 impl<const D: usize> Kink<D> {
     /// How far gas in the state `front` meets the bend without knowing of it: from not at all, where it is slower than sound or its shock stands

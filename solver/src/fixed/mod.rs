@@ -7,6 +7,7 @@ mod assemble;
 mod bend;
 mod bends;
 mod bent;
+mod bent_face;
 mod beside;
 pub mod build;
 mod calmness;

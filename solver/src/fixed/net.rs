@@ -10,10 +10,9 @@ use std::ops::Range;
 use aero_geometry::Vector;
 use foldhash::fast::FixedState;
 
-use super::bend::Surroundings;
+use super::bend::{Kink, Surroundings};
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
 use super::image::Image;
-use super::kink::Kink;
 use super::sides::{Beyond, Side};
 use super::walls::Wall;
 

@@ -7,8 +7,8 @@ use std::collections::HashMap;
 use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Pencils, Ridge, Vector};
 
-use super::bend::{Bend, Surroundings};
-use super::beside::Beside;
+use super::bend::Surroundings;
+use super::beside::{Beside, Piece};
 use super::cells::Cells;
 use super::fan::farthest;
 use super::net::{Block, Net};
@@ -23,38 +23,10 @@ const BLUNT: f64 = std::f64::consts::FRAC_PI_3;
 /// Cosine between pieces of edges above which one goes on as the other: 30 degrees.
 const ONWARDS: f64 = 0.866;
 
-/// A straight piece of an edge.
-#[derive(Clone, Debug)]
-pub struct Piece<const D: usize> {
-    /// Its ends.
-    pub ends: [Vector<D>; 2],
-    /// The edge as gas meets it from either side, where it can.
-    pub bends: Vec<Bend<D>>,
-    /// Whether the edge goes on beyond each end.
-    pub goes_on: [bool; 2],
-}
-
 /// The pieces of all edges.
 #[derive(Clone, Debug)]
 pub struct Ridges<const D: usize> {
     pieces: Vec<Piece<D>>,
-}
-
-impl<const D: usize> Piece<D> {
-    /// Square of the distance of a place, and whether that is neither too far across the edge nor beyond an end of it.
-    fn sees(&self, place: &Vector<D>) -> (f64, bool) {
-        let unit = self.bends[0].unit;
-        let [from, to] = self.ends;
-        let half = 0.5 * (to - from).norm();
-        let way = (to - from) / (2.0 * half);
-        let arm = place - 0.5 * (from + to);
-        let along = way.dot(&arm);
-        let beyond = (along.abs() - half).max(0.0);
-        let across = (arm - way * along).norm();
-        let is_beside = beyond <= 1e-6 * unit || self.goes_on[usize::from(along > 0.0)];
-        let is_near = across < farthest::<D>() * unit;
-        (across * across + beyond * beyond, is_beside && is_near)
-    }
 }
 
 impl<const D: usize> Ridges<D> {
