@@ -67,22 +67,26 @@ pub struct Beside<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Beside<'a, D> {
-    /// Those of `net`, whose cells are `cells`.
-    pub fn new(net: &'a Net<D>, cells: &'a Cells<D>) -> Self {
+    /// Those of `net`, whose cells are `cells`; none where there are none.
+    pub fn new(net: &'a Net<D>, cells: &'a Cells<D>) -> Option<Self> {
         let walls: Vec<&Wall<D>> = net.blocks.iter().flat_map(|block| &block.walls).collect();
         let spacings = cells.spacings();
         let units: Vec<f64> = walls.iter().map(|wall| spacings[wall.i as usize]).collect();
         let range = units.iter().fold([f64::INFINITY, 0.0], |[a, b], unit| {
             [unit.min(a), unit.max(b)]
         });
+        // No walls, or none of cells with neighbours.
+        if range[1] <= 0.0 {
+            return None;
+        }
         let feet: Vec<Vector<D>> = walls.iter().map(|wall| wall.foot).collect();
-        Self {
+        Some(Self {
             cells,
             by_foot: Pencils::new(&feet, LONGEST * range[0].max(1e-3 * range[1])),
             walls,
             units,
             range,
-        }
+        })
     }
 
     /// Least spacing on the walls.

@@ -45,7 +45,7 @@ impl<const D: usize> Ridges<D> {
         if all(problem.spacing).is_empty() {
             return None;
         }
-        let beside = Beside::new(net, cells);
+        let beside = Beside::new(net, cells)?;
         let ridges = all(beside.finest());
         let pieces = ridges.iter().flat_map(|(owner, ridge)| {
             let inside = clipped(ridge.ends, bounds);
