@@ -11,10 +11,10 @@ use super::prandtl_meyer::{angle, slope_of};
 use super::state::{Primitive, dot};
 
 /// Square of the Mach number towards the bend below which gas knows of it, and no fan stands at it.
-const SONIC: f64 = 1.0;
+pub const SONIC: f64 = 1.0;
 
 /// The same above which there is nothing but the fan.
-const SUPERSONIC: f64 = 2.0;
+pub const SUPERSONIC: f64 = 2.0;
 
 /// Turn up to which gas follows a wall, radians; farther round it leaves the wall.
 const STEEP: f64 = 0.25 * std::f64::consts::PI;
@@ -230,7 +230,7 @@ fn less<const D: usize>(a: &[f64; D], b: &[f64; D]) -> [f64; D] {
 }
 
 /// From zero at `low` to one at `high`.
-fn rise(value: f64, low: f64, high: f64) -> f64 {
+pub fn rise(value: f64, low: f64, high: f64) -> f64 {
     ((value - low) / (high - low)).clamp(0.0, 1.0)
 }
 

@@ -4,16 +4,11 @@
 //! cells before; the cell that the bend lies in holds gas of both sides of the shock, in parts that depend on where in it the bend lies.
 
 use super::bend::Kink;
+use super::fan::{SONIC, SUPERSONIC, rise};
 use super::gas::Gas;
 use super::net::Block;
 use super::slopes::Flow;
 use super::state::{Primitive, dot};
-
-/// Square of the Mach number towards the bend below which gas knows of it.
-const SONIC: f64 = 1.0;
-
-/// The same from which on it does not at all.
-const SUPERSONIC: f64 = 2.0;
 
 /// Part of the largest turn that a shock at the bend may make from which on it may stand ahead of the bend.
 const NEARLY: f64 = 0.95;
@@ -68,11 +63,6 @@ fn largest_turn(mach_square: f64, gamma: f64) -> f64 {
     let across = m * sine_square - 1.0;
     let cotangent = (1.0 / sine_square - 1.0).sqrt();
     (2.0 * cotangent * across / (m * (gamma + 1.0 - 2.0 * sine_square) + 2.0)).atan()
-}
-
-/// From zero at `low` to one at `high`.
-fn rise(value: f64, low: f64, high: f64) -> f64 {
-    ((value - low) / (high - low)).clamp(0.0, 1.0)
 }
 
 #[cfg(test)]
