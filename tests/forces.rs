@@ -206,6 +206,38 @@ fn facets_from_tip_to_base_have_the_drag_of_the_cone_that_they_stand_for() {
     }
 }
 
+/// Pressure coefficient of a wedge of 20 degrees at Mach 3 [NACA Report 1135 (1953), eqs 128 and 150], by its section of two slopes
+/// where the domain ends.
+const WEDGE: f64 = 0.439_90 * 2.0 * 0.363_970;
+
+#[test]
+fn a_wedge_that_an_outlet_cuts_has_the_drag_of_its_pressure_whole_or_by_halves() {
+    let whole = scene(
+        2,
+        0.05,
+        "polygon = { points = [[0.0, 0.0], [1.5, -0.545955], [1.5, 0.545955]] }",
+        "",
+    )
+    .replace("mach = 2.0", "mach = 3.0")
+    .replace("end_time = 0.4", "end_time = 1.2")
+    .replace("min = [-1.2, -1.0]", "min = [-0.3, -1.0]")
+    .replace("max = [1.4, 1.0]", "max = [1.0, 1.0]");
+    let half = whole
+        .replace("min = [-0.3, -1.0]", "min = [-0.3, 0.0]")
+        .replace("y_min = \"free-stream\"", "y_min = \"symmetry\"");
+    let drag = |scene: &str| {
+        let place = Workplace::new();
+        place.run(scene, &["--set", MOVING]).succeeds();
+        let body = &place.json("results/summary.json")["bodies"]["body"];
+        let [coefficient, area] = ["cd_mean", "reference_area"].map(|key| body[key].as_f64());
+        coefficient.unwrap() * area.unwrap()
+    };
+    for (scene, what) in [(whole, "whole"), (half, "half")] {
+        let off = drag(&scene) / WEDGE - 1.0;
+        assert!(off.abs() < 0.025, "{what}: {off} off");
+    }
+}
+
 #[test]
 fn the_force_on_bodies_in_space_is_the_integral_of_their_surfaces() {
     let shapes = [

@@ -98,7 +98,7 @@ impl<const D: usize> Simulation<D> {
             ..SurfaceFrame::default()
         };
         let is_shown = |ghost: &&Ghost<D>| {
-            ghost.layer == 0 && loads::foot(&self.problem.domain, ghost) == ghost.foot()
+            ghost.layer == 0 && loads::is_on_this_side(&self.problem.domain, ghost)
         };
         for ghost in self.walls.ghosts.iter().filter(is_shown) {
             surface.position.push(pad(&ghost.foot()).into());

@@ -4,10 +4,12 @@ use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 use nalgebra::Vector3;
 
+use super::cut::within_open_sides;
 use super::rigid::pad;
 use super::{Ghost, Walls};
 use crate::frame::{Load, Totals};
 use crate::neighbourhood::Neighbourhood;
+use crate::neighbours::Lists;
 use crate::pairs::diffusion::diffuse_into_ghosts;
 use crate::pairs::rates::reactions;
 use crate::particles::{Particles, Rates};
@@ -23,15 +25,17 @@ const BLOCK: usize = 4096;
 /// [`crate::wall_sides`]. They belong to the state of the last evaluation, half a step back of `time`.
 ///
 /// By the pair laws' symmetry the force on a ghost is minus what the ghost gives the gas:
-/// `F = -sum m_i a_i^(body)`. A body that a symmetry plane cuts is reported whole; of a body that runs
-/// on through an open side, what lies in the domain.
+/// `F = -sum m_i a_i^(body)`. A body that a symmetry plane cuts is reported whole; of a body or wall that runs
+/// on through an open side, what lies in the domain ([`super::cut`]).
 pub fn loads<const D: usize>(
     problem: &Problem<D>,
     time: f64,
     walls: &Walls<D>,
     around: &Neighbourhood<D>,
 ) -> Vec<Load> {
-    let forces = on_ghosts(problem, walls, around);
+    let (near, gas) = (&around.wall_lists.near, &around.records.near);
+    let within = within_open_sides(&problem.domain, &walls.ghosts, gas, near);
+    let forces = on_ghosts(problem, walls, around, within.as_ref().unwrap_or(near));
     let mut loads = vec![Load::default(); walls.body_count()];
     let (bodies, domain) = (&problem.bodies, &problem.domain);
     let rings = Rings::new(problem);
@@ -52,7 +56,7 @@ pub fn loads<const D: usize>(
         .collect();
     for (ghost, on_ghost) in walls.ghosts.iter().zip(&forces) {
         let body = ghost.body as usize;
-        if body < bodies.len() && !domain.bounds.contains(&foot(domain, ghost)) {
+        if body < bodies.len() && !is_reported(domain, ghost) {
             continue;
         }
         for (sign, shift) in &reflections[body] {
@@ -116,7 +120,7 @@ pub fn received<const D: usize>(
         work += block_work;
     }
     if !is_open && (walls.are_moving() || walls.are_sliding() || walls.are_conducting()) {
-        let all = on_ghosts(problem, walls, around);
+        let all = on_ghosts(problem, walls, around, &around.wall_lists.near);
         for (ghost, OnGhost { force, heat, .. }) in walls.ghosts.iter().zip(all) {
             work -= force.dot(&(ghost.wall.velocity + ghost.wall.slide));
             if walls.kind(ghost.body).conducts() {
@@ -141,14 +145,15 @@ struct OnGhost<const D: usize> {
     heat: f64,
 }
 
-/// What the gas does to each ghost.
+/// What the gas in `lists` does to each ghost.
 fn on_ghosts<const D: usize>(
     problem: &Problem<D>,
     walls: &Walls<D>,
     around: &Neighbourhood<D>,
+    lists: &Lists,
 ) -> Vec<OnGhost<D>> {
     let mut rates = vec![Rates::default(); walls.ghosts.len()];
-    let (lists, records) = (&around.wall_lists.near, &around.records);
+    let records = &around.records;
     reactions(&around.arch, lists, records, &problem.scheme, &mut rates);
     let diffused = problem.gas.is_viscous().then(|| {
         let mut diffused = vec![Rates::default(); walls.ghosts.len()];
@@ -189,13 +194,10 @@ fn on_ghosts<const D: usize>(
         .collect()
 }
 
-/// The foot of a ghost; of a view that looks from beyond a symmetry plane, as its own image does, the foot's
-/// mirror image in the domain.
-pub fn foot<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> Vector<D> {
+/// The foot of a ghost; of one beyond a symmetry plane the foot's mirror image in the domain. A ghost on the plane faces
+/// either way, and a view looks from beyond it, as its own image does.
+fn foot<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> Vector<D> {
     let mut foot = ghost.foot();
-    if !ghost.sight.is_view() {
-        return foot;
-    }
     for (axis, end, side, plane) in domain.each_side() {
         let is_beyond = [foot[axis] < plane, foot[axis] > plane][end];
         if side.is_mirror() && is_beyond {
@@ -203,4 +205,17 @@ pub fn foot<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> Vector<D> {
         }
     }
     foot
+}
+
+/// True of a ghost of a body unless its foot lies beyond a side that is no open one, where a copy of it or another wall is.
+fn is_reported<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> bool {
+    let foot = foot(domain, ghost);
+    domain.each_side().all(|(axis, end, side, plane)| {
+        side.is_open() || [foot[axis] >= plane, foot[axis] <= plane][end]
+    })
+}
+
+/// True of a ghost whose foot is not beyond a symmetry plane.
+pub fn is_on_this_side<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> bool {
+    !ghost.sight.is_view() || foot(domain, ghost) == ghost.foot()
 }

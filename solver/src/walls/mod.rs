@@ -5,6 +5,7 @@ use aero_geometry::{Pencils, Vector};
 
 mod contact;
 pub mod curvature;
+mod cut;
 mod free;
 mod ghost;
 mod joints;

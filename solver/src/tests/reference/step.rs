@@ -82,7 +82,13 @@ impl<const D: usize> World<D> {
     }
 
     /// Adds what viscosity and conduction do, from the gradients in `rates`. Gas in buffers has those of an even stream.
-    fn diffuse(&self, viscous: Viscous, rates: &mut [Rate<D>], forces: &mut [Vector<D>]) {
+    fn diffuse(
+        &self,
+        viscous: Viscous,
+        room: &impl Fn(&Vector<D>) -> f64,
+        rates: &mut [Rate<D>],
+        forces: &mut [Vector<D>],
+    ) {
         let mut world = self.clone();
         for (i, rate) in world.gas.iter_mut().zip(&*rates) {
             i.strain = rate.velocity_gradient;
@@ -101,7 +107,7 @@ impl<const D: usize> World<D> {
             diffusion::add(viscous, i, &gas, &ghosts, rate);
         }
         for (wall, force) in world.walls.iter().zip(forces) {
-            *force += diffusion::friction(viscous, &wall.point, &gas);
+            *force += diffusion::friction(viscous, &wall.point, &pressing(wall, &gas, room));
         }
     }
 
@@ -137,10 +143,10 @@ impl<const D: usize> World<D> {
         let mut forces: Vec<_> = self
             .walls
             .iter()
-            .map(|wall| force(laws, &wall.point, &gas))
+            .map(|wall| force(laws, &wall.point, &pressing(wall, &gas, &room)))
             .collect();
         if let Some(viscous) = laws.viscous {
-            self.diffuse(viscous, &mut rates, &mut forces);
+            self.diffuse(viscous, &room, &mut rates, &mut forces);
         }
         let both = self.gas.iter().zip(&rates);
         Evaluation {
@@ -151,4 +157,19 @@ impl<const D: usize> World<D> {
             rates,
         }
     }
+}
+
+/// The gas whose line to a ghost goes through the wall within open sides.
+fn pressing<const D: usize>(
+    wall: &Wall<D>,
+    gas: &[Point<D>],
+    room: &impl Fn(&Vector<D>) -> f64,
+) -> Vec<Point<D>> {
+    let presses = |gas: &&Point<D>| {
+        let line = gas.position - wall.point.position;
+        let across = line.dot(&wall.normal);
+        let share = wall.depth / across.max(wall.depth);
+        room(&(wall.point.position + line * share)) >= 0.0
+    };
+    gas.iter().filter(presses).copied().collect()
 }
