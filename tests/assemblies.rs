@@ -1,12 +1,10 @@
 //! Bodies as CAD programs and scanners export them, through `aero pack`: assemblies, holes, sheets, and
 //! files of other formats.
 
-mod support;
-
 use std::fmt::Write as _;
 use std::io::Write as _;
 
-use support::{Workplace, read_vtp};
+use crate::support::{Workplace, read_vtp};
 
 type Facets = Vec<[[f64; 3]; 3]>;
 

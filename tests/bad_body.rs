@@ -1,8 +1,6 @@
 //! Every body that makes no sense is refused with one clear error and status 2.
 
-mod support;
-
-use support::{BOX, Workplace, box_with, octahedron};
+use crate::support::{BOX, Workplace, box_with, octahedron};
 
 /// `BOX` with a circle in it, and one line of the circle in place of another.
 fn circle_with(old: &str, new: &str) -> String {

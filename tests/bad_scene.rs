@@ -1,8 +1,6 @@
 //! Every scene that makes no sense is refused with one clear error and status 2.
 
-mod support;
-
-use support::{BOX, Workplace, box_with};
+use crate::support::{BOX, Workplace, box_with};
 
 #[track_caller]
 fn refused(scene: &str, words: &[&str]) {

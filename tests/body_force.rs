@@ -1,10 +1,8 @@
 //! A force that accelerates all gas.
 
-mod support;
-
 use std::path::Path;
 
-use support::Workplace;
+use crate::support::Workplace;
 
 fn channel() -> String {
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/poiseuille.toml");

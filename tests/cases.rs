@@ -1,8 +1,6 @@
 //! Every scene in `cases/` takes a few steps, coarser and shorter than it is meant to be.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 /// Each scene with what makes it small.
 const SMALL: [(&str, &[&str]); 44] = [

@@ -1,8 +1,6 @@
 //! `aero chart` runs a case at some spacings in each variant and writes chart and table.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 #[test]
 fn a_case_is_charted_in_every_variant_with_its_peers() {

@@ -1,8 +1,6 @@
 //! `aero check`, and what `aero run` refuses before it starts.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 /// A plane scene in a stream at Mach 2 with these bodies.
 fn scene(sides: &str, bodies: &str) -> String {

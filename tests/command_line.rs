@@ -1,8 +1,6 @@
 //! What can be typed besides `pack`, `run` and `validate`.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 #[test]
 fn a_new_scene_is_written_once_and_never_over_another() {

@@ -1,8 +1,6 @@
 //! Gas at rest shows its own pressure in corners between walls, whatever the angle and however it is laid there.
 
-mod support;
-
-use support::{Workplace, read_surface};
+use crate::support::{Workplace, read_surface};
 
 /// Largest error of the pressure on the panels whose middles `is_judged`, with how many there are.
 fn error(scene: &str, is_judged: impl Fn([f64; 3]) -> bool) -> (f64, usize) {

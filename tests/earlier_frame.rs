@@ -1,8 +1,6 @@
 //! A run may start from a frame that an earlier one has left.
 
-mod support;
-
-use support::{BOX, Workplace, box_with};
+use crate::support::{BOX, Workplace, box_with};
 
 /// Twice as fine as the earlier run, from its last frame.
 const FINER: [&str; 4] = [

@@ -1,10 +1,10 @@
 //! Cells and surfaces of points that stay, as files show them.
 
-mod support;
-
 use std::path::Path;
 
-use support::{PRESSURE_RATIO, Workplace, appended, ascii_stl, box_with, fixed_wedge, read_vtp};
+use crate::support::{
+    PRESSURE_RATIO, Workplace, appended, ascii_stl, box_with, fixed_wedge, read_vtp,
+};
 
 /// Sides of a hexahedron as VTK counts its corners, seen from without.
 const SIDES: [[usize; 4]; 6] = [

@@ -1,8 +1,6 @@
 //! Points that stay where they are, through the command line.
 
-mod support;
-
-use support::{BOX, PRESSURE_RATIO, Workplace, box_with, fixed_wedge, read_vtp};
+use crate::support::{BOX, PRESSURE_RATIO, Workplace, box_with, fixed_wedge, read_vtp};
 
 #[test]
 fn the_wedge_settles_on_the_force_that_theory_has() {

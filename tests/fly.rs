@@ -1,11 +1,9 @@
 //! `aero fly`: from a file to coefficients with their bands and a report that opens by itself.
 
-mod support;
-
 use std::f64::consts::TAU;
 
+use crate::support::Workplace;
 use aero_validation::exact::cone::cone_flow;
-use support::Workplace;
 
 /// A cone of 20 degrees along z, its tip at the origin, of so many facets, as ASCII STL.
 fn cone(around: usize) -> String {

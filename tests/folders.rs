@@ -1,8 +1,6 @@
 //! Whose results a folder holds, and when a run may end by itself.
 
-mod support;
-
-use support::{BOX, Workplace, box_with};
+use crate::support::{BOX, Workplace, box_with};
 
 const RUN: [&str; 4] = ["run", "scene.toml", "--out", "results"];
 

@@ -1,8 +1,6 @@
 //! Forces are the integral of what `surface-*.vtp` shows, for particles and for points that stay.
 
-mod support;
-
-use support::{Workplace, read_surface};
+use crate::support::{Workplace, read_surface};
 
 /// A body in a stream at Mach 2, on its own.
 fn scene(dimension: usize, spacing: f64, shape: &str, more: &str) -> String {

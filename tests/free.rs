@@ -1,8 +1,6 @@
 //! Bodies that the gas moves, through the command line.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 /// A disc in the stream behind a shock that a piston drives into gas at rest.
 const DISC: &str = r#"

@@ -1,8 +1,6 @@
 //! Gases beyond the ideal one, through the command line.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 /// Air that a wall stops.
 const SCENE: &str = r#"

@@ -1,8 +1,6 @@
 //! A wall that crosses an inlet lies where it likes, not where the lattice of the gas that enters has its rows.
 
-mod support;
-
-use support::{Surface, Workplace, read_surface};
+use crate::support::{Surface, Workplace, read_surface};
 
 /// Spacing of the scene.
 const SPACING: f64 = 0.0625;

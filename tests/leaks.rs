@@ -1,10 +1,8 @@
 //! Bodies that stand on walls, in blasts and in cavities: no gas stays in a wall, and how often walls have to send gas back is small.
 
-mod support;
-
 use std::fmt::Write as _;
 
-use support::Workplace;
+use crate::support::Workplace;
 
 const STREAM: &str = "mach = 2.0\ndensity = 1.4\npressure = 1.0";
 const REST: &str = "density = 1.0\npressure = 0.1\nvelocity = [0.0, 0.0]";

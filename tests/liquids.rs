@@ -1,8 +1,6 @@
 //! Liquids, through the command line.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 /// Water that a wall stops.
 const SCENE: &str = r#"

@@ -1,10 +1,8 @@
 //! Manufactured solutions, through the command line.
 
-mod support;
-
 use std::path::Path;
 
-use support::Workplace;
+use crate::support::Workplace;
 
 fn mms() -> String {
     let scene = Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/mms.toml");

@@ -1,10 +1,8 @@
 //! Sides that gas crosses, through the command line.
 
-mod support;
-
 use std::collections::BTreeMap;
 
-use support::Workplace;
+use crate::support::Workplace;
 
 /// Gas in a tube a thousandth above the pressure that its outlet holds; nothing else comes in.
 const ABOVE: &str = r#"

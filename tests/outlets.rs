@@ -1,8 +1,6 @@
 //! Ways to end a flow compared, through the command line.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 #[test]
 fn sound_leaves_by_every_outlet_and_a_picture_shows_the_ramp() {

@@ -1,8 +1,6 @@
 //! `--set` changes any value of a scene and says what it cannot change.
 
-mod support;
-
-use support::{BOX, Workplace};
+use crate::support::{BOX, Workplace};
 
 #[test]
 fn a_coarser_spacing_gives_fewer_particles() {

@@ -1,8 +1,6 @@
 //! `aero pack` writes ghosts and report for a mesh and for a scene, and they read back.
 
-mod support;
-
-use support::{BOX, Workplace, octahedron, read_vtp};
+use crate::support::{BOX, Workplace, octahedron, read_vtp};
 
 const GHOST_ARRAYS: [(&str, usize); 6] = [
     ("normal", 3),

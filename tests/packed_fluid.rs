@@ -1,8 +1,6 @@
 //! Fluid that conforms to a body takes the place of the lattice where the scene asks.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 /// A gas at rest around a post.
 const REST: &str = r#"

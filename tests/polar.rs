@@ -1,10 +1,8 @@
 //! A polar in one command, against shock-expansion theory.
 
-mod support;
-
+use crate::support::Workplace;
 use aero_validation::exact::shock_expansion::Biconvex;
 use serde_json::Value;
-use support::Workplace;
 
 /// The aerofoil of `cases/biconvex.toml` in a box that its shocks leave through the outlet.
 const AEROFOIL: &str = r#"

@@ -1,10 +1,8 @@
 //! Probes of a run: points and sections beside the history, lines beside frames.
 
-mod support;
-
 use std::collections::BTreeMap;
 
-use support::{Workplace, box_with};
+use crate::support::{Workplace, box_with};
 
 /// A stream through a tube at Mach 2, and what is read of it.
 const STREAM: &str = r#"

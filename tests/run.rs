@@ -1,8 +1,6 @@
 //! A run writes every file that it promises, and they read back.
 
-mod support;
-
-use support::{Answer, BOX, Workplace, read_surface, read_vtp, vtp_array};
+use crate::support::{Answer, BOX, Workplace, read_surface, read_vtp, vtp_array};
 
 const PARTICLE_ARRAYS: [&str; 11] = [
     "velocity",

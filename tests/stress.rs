@@ -1,8 +1,6 @@
 //! Every scene in `cases/stress/` takes a few steps, and comes to its end where that costs little.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 /// Scenes that cost more than a moment, with what makes them small.
 const SMALL: [(&str, &[&str]); 10] = [

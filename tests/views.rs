@@ -1,8 +1,6 @@
 //! Fields on a lattice and pictures beside the frames of a run.
 
-mod support;
-
-use support::{BOX, Workplace, appended, box_with, read_surface, read_vtp};
+use crate::support::{BOX, Workplace, appended, box_with, read_surface, read_vtp};
 
 /// A wedge in a box of gas whose state is linear in place.
 const LINEAR: &str = r#"
@@ -244,7 +242,7 @@ fn the_other_half_is_shown_and_forces_stay_what_they_are() {
     assert_eq!((whole, cells), (2 * half, 2 * half_cells));
     assert_eq!(surface.cells.len(), 2 * half_surface.cells.len());
     // The forces across the mirror cancel, those along it are twice what they were.
-    let force = |surface: &support::Surface, k: usize| -> f64 {
+    let force = |surface: &crate::support::Surface, k: usize| -> f64 {
         let panels = surface.arrays["pressure"]
             .iter()
             .zip(&surface.arrays["area"]);

@@ -1,8 +1,6 @@
 //! Viscous flows of points that stay and of particles, through the command line.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 /// A cylinder whose surface turns in a slow stream: friction, heat and lift.
 const CYLINDER: &str = r#"

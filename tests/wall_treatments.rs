@@ -1,8 +1,6 @@
 //! Wall treatments compared, through the command line.
 
-mod support;
-
-use support::Workplace;
+use crate::support::Workplace;
 
 #[test]
 fn treatments_keep_their_orders_and_a_picture_shows_them() {

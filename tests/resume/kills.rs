@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::time::{Duration, Instant, SystemTime};
 
+use super::{STREAM, assert_same, start};
 use crate::support::{BOX, Workplace};
-use crate::{STREAM, assert_same, start};
 
 /// `STREAM`, four times as long: a kill must have something to hit.
 fn long_stream() -> String {

@@ -1,7 +1,7 @@
 //! Runs that have come to their end, and go on to a later one.
 
+use super::{STREAM, assert_same, results};
 use crate::support::Workplace;
-use crate::{STREAM, assert_same, results};
 
 /// `STREAM` with frames that a later end does not move, none of them at the ends.
 fn stream(end: f64) -> String {

@@ -4,8 +4,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::{Duration, Instant};
 
+use super::{STREAM, start};
 use crate::support::{BOX, Workplace};
-use crate::{STREAM, start};
 
 /// Waits until a checkpoint is there.
 fn await_checkpoint(folder: &Path) {

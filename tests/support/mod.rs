@@ -1,7 +1,5 @@
 //! What the command-line tests share: the program, a folder of its own for each test, small scenes.
 
-#![allow(dead_code)] // Every test file uses a part of it.
-
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;

@@ -4,13 +4,11 @@
 mod kills;
 mod longer;
 mod stops;
-#[path = "../support/mod.rs"]
-mod support;
 
 use std::path::Path;
 use std::process::{Child, Command, Stdio};
 
-use support::Workplace;
+use crate::support::Workplace;
 
 /// A stream past a moving post: open sides, a body, moving ghosts; a checkpoint after every step.
 const STREAM: &str = r#"

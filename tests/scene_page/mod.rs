@@ -1,16 +1,16 @@
 //! `docs/SCENE.md` says what the types of `src/scene` say: every table between markers is made from
 //! them, and every example is read.
 //!
-//! `AERO_WRITE_PAGES=1 cargo test --test scene_page` writes the tables anew.
+//! `AERO_WRITE_PAGES=1 cargo test --test program scene_page` writes the tables anew.
 
 mod tables;
 mod types;
 
 use std::path::{Path, PathBuf};
 
+use self::tables::table;
+use self::types::Types;
 use aero::scene::Scene;
-use tables::table;
-use types::Types;
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -57,7 +57,7 @@ fn the_tables_are_those_of_the_types() {
         assert!(
             page == made,
             "docs/SCENE.md is not what the types say; write it anew with \
-             `AERO_WRITE_PAGES=1 cargo test --test scene_page`"
+             `AERO_WRITE_PAGES=1 cargo test --test program scene_page`"
         );
     }
 }
