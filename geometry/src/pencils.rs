@@ -5,12 +5,14 @@
 //! jumps and may be cut anywhere.
 
 mod search;
+mod slots;
 #[cfg(test)]
 mod tests;
 
+use crate::Vector;
 use crate::parallel::prelude::*;
 
-use crate::Vector;
+use self::slots::{Key, Slots};
 
 /// Points of one set, sorted into pencils. A *slot* is a place in the sorted order.
 #[derive(Clone, Debug)]
@@ -21,23 +23,7 @@ pub struct Pencils<const D: usize> {
     inverse_width: f64,
     /// Number of columns per axis; one for the last axis.
     columns: [usize; D],
-    /// First slot of each column, and the end.
-    start: Vec<u32>,
-    /// Coordinate along the pencil per slot.
-    along: Vec<f64>,
-    order: Vec<u32>,
-    /// As the points are given.
-    keys: Vec<Key>,
-    sorted: Vec<Key>,
-}
-
-#[derive(Clone, Copy, Debug, Default)]
-struct Key {
-    /// Coordinate along the pencil, sign flipped in odd columns.
-    along: f64,
-    rank: u64,
-    column: u32,
-    point: u32,
+    slots: Slots,
 }
 
 impl<const D: usize> Default for Pencils<D> {
@@ -47,11 +33,7 @@ impl<const D: usize> Default for Pencils<D> {
             first: [0; D],
             inverse_width: 0.0,
             columns: [1; D],
-            start: vec![0, 0],
-            along: Vec::new(),
-            order: Vec::new(),
-            keys: Vec::new(),
-            sorted: Vec::new(),
+            slots: Slots::default(),
         }
     }
 }
@@ -103,55 +85,19 @@ impl<const D: usize> Pencils<D> {
         position: &(impl Fn(usize) -> Vector<D> + Sync),
         rank: impl Fn(usize) -> u64 + Sync,
     ) {
-        let mut keys = std::mem::take(&mut self.keys);
+        let mut keys = std::mem::take(&mut self.slots.keys);
         let key = |point| self.key(point, &position(point), rank(point));
         (0..count)
             .into_par_iter()
             .map(key)
             .collect_into_vec(&mut keys);
-        self.keys = keys;
-        self.sort_keys();
-    }
-
-    /// Sorts the keys by column, and those of each column by coordinate, rank and number.
-    fn sort_keys(&mut self) {
-        let (keys, sorted) = (&self.keys, &mut self.sorted);
-        self.start.clear();
-        self.start
-            .resize(self.columns.iter().product::<usize>() + 1, 0);
-        for key in keys {
-            self.start[key.column as usize + 1] += 1;
-        }
-        for column in 1..self.start.len() {
-            self.start[column] += self.start[column - 1];
-        }
-        sorted.clear();
-        sorted.resize(keys.len(), Key::default());
-        let mut next = self.start.clone();
-        for key in keys {
-            let slot = &mut next[key.column as usize];
-            sorted[*slot as usize] = *key;
-            *slot += 1;
-        }
-        // The point's number breaks what ties are left, so the order is unique for any number of threads.
-        let columns = sorted.chunk_by_mut(|a, b| a.column == b.column);
-        let mut columns: Vec<_> = columns.collect();
-        columns.par_iter_mut().for_each(|column| {
-            column.sort_unstable_by(|a, b| {
-                (a.along.total_cmp(&b.along))
-                    .then(a.rank.cmp(&b.rank))
-                    .then(a.point.cmp(&b.point))
-            });
-        });
-        let order = sorted.par_iter().map(|key| key.point);
-        order.collect_into_vec(&mut self.order);
-        let along = sorted.par_iter().map(|key| key.along);
-        along.collect_into_vec(&mut self.along);
+        self.slots.keys = keys;
+        self.slots.sort(self.columns.iter().product());
     }
 
     /// Point number at each slot.
     pub fn order(&self) -> &[u32] {
-        &self.order
+        &self.slots.order
     }
 
     /// Places the origin, at `corner` or at the lowest coordinates of all points, and chooses the number of columns, no more

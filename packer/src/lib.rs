@@ -1,6 +1,8 @@
 //! Shape in, packed layers of ghost particles with normals out. No gas dynamics.
 
 mod cloud;
+#[cfg(not(test))]
+mod compiled;
 mod contour;
 mod cover;
 mod cutting;
@@ -41,10 +43,15 @@ mod thinnest;
 mod warning;
 mod wide;
 
+#[cfg(not(test))]
+pub use compiled::{pack, thinnest_part};
 pub use error::PackError;
 pub use ghosts::{Ghosts, Packing};
 pub use options::{MAX_PARTICLES, PackOptions};
+// The tests beside the code ask for parts of the packing alone.
+#[cfg(test)]
 pub use pack::pack;
 pub use report::PackReport;
+#[cfg(test)]
 pub use thickness::thinnest_part;
 pub use warning::{About, Warning};

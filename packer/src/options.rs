@@ -48,9 +48,6 @@ impl<const D: usize> PackOptions<D> {
         if self.layers == 0 {
             return Err(PackError::NoLayers);
         }
-        if !(D == 2 || D == 3) {
-            return Err(PackError::Dimension(D));
-        }
         Ok(())
     }
 }

@@ -36,12 +36,7 @@ const SAMPLES: f64 = 0.35;
 /// Largest correction of a ghost's volume.
 const LARGEST_CORRECTION: f64 = 0.1;
 
-/// Packs ghosts into `shape` in layers at depths `(k + 1/2) dx` and, if asked, conforming fluid
-/// around it. The result is the same, bit by bit, for any number of threads.
-///
-/// # Errors
-/// Options that make no sense, a body that is endless without a region, too small or too thin for
-/// the spacing, and packings too large for memory.
+/// See [`crate::pack`].
 pub fn pack<const D: usize>(
     shape: &dyn Shape<D>,
     options: &PackOptions<D>,

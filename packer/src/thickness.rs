@@ -12,8 +12,7 @@ const ACROSS: f64 = 100.0;
 /// Part of the surface, in samples, that may be thinner: tips and edges.
 const TIPS: f64 = 0.02;
 
-/// Thickness of the thin parts of `shape` in `region`: a fiftieth of the surface is no farther from the surface opposite. None where no
-/// part is thinner than a quarter of the body's extent, or where the shape shows no surface.
+/// See [`crate::thinnest_part`].
 pub fn thinnest_part<const D: usize>(shape: &dyn Shape<D>, region: &Bounds<D>) -> Option<f64> {
     let size = shape.bounds().intersection(region).size().max();
     let step = size / ACROSS;

@@ -63,7 +63,7 @@ impl<const D: usize> Pencils<D> {
         max: &Vector<D>,
         mut visit: impl FnMut(&Self, &[usize; D]),
     ) {
-        if self.order.is_empty() {
+        if self.slots.order.is_empty() {
             return;
         }
         let mut low = [0; D];
@@ -101,8 +101,8 @@ impl<const D: usize> Pencils<D> {
     /// Slots of the column of `cell` whose coordinate along the pencil lies in `from..=to`.
     fn run(&self, cell: &[usize; D], from: f64, to: f64) -> Range<usize> {
         let column = self.column(cell);
-        let first = self.start[column] as usize;
-        let along = &self.along[first..self.start[column + 1] as usize];
+        let first = self.slots.start[column] as usize;
+        let along = &self.slots.along[first..self.slots.start[column + 1] as usize];
         let (from, to) = if self.is_backwards(cell) {
             (-to, -from)
         } else {

@@ -130,5 +130,5 @@ fn a_far_outlier_does_not_exhaust_memory() {
     let mut points = scattered::<3>(100);
     points.push(Vector::repeat(1e12));
     let pencils = Pencils::new(&points, 0.1);
-    assert!(pencils.start.len() < 10_000);
+    assert!(pencils.slots.start.len() < 10_000);
 }
