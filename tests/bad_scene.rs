@@ -323,6 +323,16 @@ fn more_particles_than_memory_are_refused_before_they_are_made() {
 }
 
 #[test]
+fn a_formula_of_any_depth_is_refused_in_words() {
+    let (before, _) = BOX.split_once("[initial").expect("an initial state");
+    for opening in ["(", "-", "1+"] {
+        let density = opening.repeat(100_000);
+        let field = format!("[initial.field]\npressure = 1.0\ndensity = \"{density}\"\n");
+        refused(&format!("{before}{field}"), &["density", "too long"]);
+    }
+}
+
+#[test]
 fn a_side_closed_by_no_body_is_refused() {
     let scene = box_with("x_max = \"wall\"", "x_max = \"body\"");
     refused(&scene, &["domain.sides.x_max", "no body is near"]);
