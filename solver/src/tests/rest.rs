@@ -2,8 +2,8 @@ use super::*;
 
 fn stays_at_rest<const D: usize>(extrapolation: Extrapolation, scheme: Scheme) {
     let mut problem = cube::<D>(10, WALL);
-    problem.scheme.wall.extrapolation = extrapolation;
     problem.scheme = scheme;
+    problem.scheme.wall.extrapolation = extrapolation;
     let mut simulation = start(problem);
     advance(&mut simulation, 40);
     for particle in &simulation.fluid {
