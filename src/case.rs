@@ -50,6 +50,38 @@ impl AnyCase {
     }
 }
 
+impl AnyCase {
+    /// Where along z a slice shows most of a scene in space; nothing of any other.
+    pub fn slice(&self) -> Option<f64> {
+        match self {
+            Self::Three(case) => Some(slice(&case.problem)),
+            Self::One(_) | Self::Two(_) => None,
+        }
+    }
+}
+
+/// Beside a plane of symmetry across z; else through the middle of the bodies as far as they are in the domain, or of that.
+fn slice(problem: &Problem<3>) -> f64 {
+    let domain = &problem.domain;
+    let [low, high] = domain.sides[2];
+    if low.is_mirror() || high.is_mirror() {
+        let (plane, way) = if low.is_mirror() {
+            (domain.bounds.min[2], 0.5)
+        } else {
+            (domain.bounds.max[2], -0.5)
+        };
+        return plane + way * problem.spacing;
+    }
+    let extents = problem.bodies.iter().map(|body| {
+        let shown = body.shape.bounds().intersection(&domain.bounds);
+        [shown.min[2], shown.max[2]]
+    });
+    let extents = extents.filter(|[low, high]| low <= high);
+    let around = extents.reduce(|[a, b], [low, high]| [a.min(low), b.max(high)]);
+    let [low, high] = around.unwrap_or([domain.bounds.min[2], domain.bounds.max[2]]);
+    0.5 * (low + high)
+}
+
 fn remarks<const D: usize>(case: &Case<D>) -> Vec<String> {
     let repaired = |body: &Body<D>| {
         let remark = |line: &String| format!("body `{}`: {line}", body.name);

@@ -103,6 +103,37 @@ fn the_force_on_a_block_is_the_integral_of_its_surface() {
     }
 }
 
+/// Their kernels reach over a round wall's horizon, and press it with up to a tenth more than the pressure here.
+#[test]
+fn gas_at_rest_shows_its_own_pressure_on_round_bodies() {
+    let bodies = [
+        (2, 0.05, "circle = { radius = 0.3 }"),
+        (3, 1.0 / 15.0, "sphere = { radius = 0.4 }"),
+    ];
+    for (dimension, spacing, shape) in bodies {
+        let place = Workplace::new();
+        let still = format!("velocity = {:?}", &[0.0; 3][..dimension]);
+        let scene = scene(dimension, spacing, shape, "")
+            .replace("mach = 2.0", &still)
+            .replace("end_time = 0.4", "end_time = 1e-4")
+            .replace("\n[output]", "packed_fluid = true\n\n[output]");
+        let closed = ["inlet", "outlet", "free-stream"].map(|side| format!("\"{side}\""));
+        let scene = closed
+            .iter()
+            .fold(scene, |scene, side| scene.replace(side, "\"wall\""));
+        place.run(&scene, &["--set", MOVING]).succeeds();
+        let surface = read_surface(&place.path("results/surface-000000.vtp"));
+        let body = surface.arrays["body"]
+            .iter()
+            .zip(&surface.arrays["pressure"]);
+        let pressures: Vec<f64> = body.filter(|(b, _)| **b == 0.0).map(|(_, p)| *p).collect();
+        assert!(pressures.len() > 20);
+        for pressure in pressures {
+            assert!((pressure - 1.0).abs() < 0.02, "{shape}: {pressure}");
+        }
+    }
+}
+
 #[test]
 fn symmetric_bodies_in_a_stream_along_them_have_no_lift() {
     let shapes = [

@@ -47,12 +47,12 @@ pub fn check(args: &CheckArgs) -> Result<(), CommandError> {
         if !found.refusals.is_empty() {
             return Err(CommandError::wrong(found.refusals.join("\n")));
         }
-        let (dimension, spacing) = (scene.dimension(), scene.file().spacing.get());
+        let (slice, spacing) = (case.slice(), scene.file().spacing.get());
         let shown = burst(case, args.seconds).map_err(CommandError::wrong)?;
         say_all!("{}", cost(&shown));
         output::make_folder(&folder).map_err(CommandError::wrong)?;
         let path = folder.join("check.png");
-        output::draw_scene(&path, &name, dimension, spacing, &shown.frame)
+        output::draw_scene(&path, &name, slice, spacing, &shown.frame)
             .map_err(CommandError::failed)?;
         say!("wrote `{}`", path.display());
         Ok(())

@@ -112,6 +112,15 @@ fn rows(flow: &Flow<'_, Model>) -> Result<Vec<Row>, CompareError> {
             theory.pressure_ratio,
             [4.0, 2.0],
         ),
+        Row::relative(
+            "forebody drag, gauge",
+            THEORY,
+            flow.outcome.summary.bodies["cone"]
+                .cd_mean
+                .unwrap_or(f64::NAN),
+            theory.pressure_coefficient,
+            [1.0, 2.0],
+        ),
         // Next to the axis, at the tip and where the cone ends.
         flow.leaks([75.0, 0.0]),
     ];

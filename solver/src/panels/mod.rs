@@ -1,10 +1,12 @@
 //! The surfaces as they are: segments in the plane, triangles in space, about as long as the spacing, each with the pressure that
 //! the gas presses it with. What makes the pressure is in `press` for particles and in [`crate::fixed`] for points that stay.
 
+mod bend;
 mod cut;
 mod exposed;
 pub(crate) mod fit;
 mod press;
+mod seen;
 mod show;
 mod uniform;
 

@@ -7,21 +7,23 @@
 //! smoothed over the kernel. What no pressure on them can make, because it is along them, is friction: that of the viscosity that
 //! shocks need, and what gas ahead of a tip holds it back with.
 //!
+//! On round walls gas presses with more than its pressure, see [`super::bend`].
+//!
 //! Nothing presses what another solid covers, the wall below a post and the post's foot: had they shares, those above would lack them.
 //! Where another wall stands in front of a panel, as in a corner, less gas is there than in front of a plane wall. Nothing presses in
 //! place of what is missing, and how much is missing is told by few particles and ghosts: in a corner panels show the mean pressure of
 //! the gas in front, which is its own where it is at rest, whatever the angle and however well the gas fills it.
 
-use aero_geometry::kernel::{QuinticSpline, SUPPORT};
+use aero_geometry::kernel::SUPPORT;
 use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Pencils, Vector};
 
 use super::Panels;
+use super::bend::bends;
+use super::seen::{Met, seen};
 use crate::Simulation;
-use crate::problem::Domain;
 use crate::records::Matrix;
 use crate::rings::Rings;
-use crate::sides::closed::Map;
 
 /// What of the panels' spread of directions counts as none: the part of a force along a flat wall is no pressure, and on one that
 /// hardly bends it is not made one.
@@ -40,17 +42,6 @@ pub struct Pressed<const D: usize> {
     pub friction: Vector<D>,
     /// Mach number of the gas in front.
     pub mach: f64,
-}
-
-/// A panel, or its image beyond a side that maps the flow, where it is now.
-#[derive(Clone, Copy, Debug)]
-struct Seen<const D: usize> {
-    centre: Vector<D>,
-    normal: Vector<D>,
-    size: f64,
-    /// Axes that the image turns, -1 there.
-    sign: Vector<D>,
-    number: u32,
 }
 
 /// A particle that may press.
@@ -77,7 +68,7 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     let places: Vec<Vector<D>> = seen.iter().map(|seen| seen.centre).collect();
     let grid = Pencils::new(&places, reach.max(flow.problem.spacing));
     let met_by = |at: &Vector<D>, reach: f64| {
-        let mut met: Vec<Met<D>> = Vec::new();
+        let mut met: Vec<Met<'_, D>> = Vec::new();
         grid.for_each_run_near(at, at, reach, |run| {
             let run = grid.order()[run].iter().map(|&n| &seen[n as usize]);
             met.extend(run.filter_map(|seen| seen.met(at, reach)));
@@ -98,12 +89,16 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
             let mut met = met_by(&presser.position, presser.reach);
             let mut behind = Vector::zeros();
             // Gas that has come into the wall presses what is near.
-            if met.iter().any(|met| met.faces) {
+            let in_front = met.iter().filter(|met| met.faces);
+            let nearest = in_front.max_by(|a, b| a.kernel.total_cmp(&b.kernel));
+            if let Some(nearest) = nearest.copied() {
+                // Where the surface bends on, what is over its horizon is pressed as well.
+                let is_pressed = |met: &Met<'_, D>| met.faces || nearest.seen.bends_on_to(met.seen);
                 if sees_all(presser) {
-                    let others = met.iter().filter(|met| !met.faces);
-                    behind = others.map(|met| met.normal * met.weight).sum();
+                    let others = met.iter().filter(|met| !is_pressed(met));
+                    behind = others.map(|met| met.seen.normal * met.weight).sum();
                 }
-                met.retain(|met| met.faces);
+                met.retain(is_pressed);
             }
             shares(presser, &met, &behind)
         })
@@ -113,7 +108,7 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         .map(|ghost| {
             let met = met_by(&ghost.position, SUPPORT * ghost.shown.smoothing_length);
             let in_front = met.iter().filter(|met| met.faces);
-            let part = |met: &Met<D>| (met.number, met.kernel * ghost.volume);
+            let part = |met: &Met<'_, D>| (met.seen.number, met.kernel * ghost.volume);
             in_front.map(part).collect()
         })
         .collect();
@@ -121,6 +116,7 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         force: 0.0,
         gas: 0.0,
         gas_pressure: 0.0,
+        gas_reach: 0.0,
         weight: 0.0,
         mach: 0.0,
         friction: Vector::zeros(),
@@ -133,6 +129,7 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
             sum.force += share.force;
             sum.gas += share.weight * presser.volume;
             sum.gas_pressure += share.weight * presser.volume * presser.pressure;
+            sum.gas_reach += share.weight * presser.volume * presser.reach;
             sum.weight += share.weight;
             sum.mach += share.weight * presser.mach;
             sum.friction += share.friction;
@@ -141,8 +138,13 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     for &(number, part) in solid.iter().flatten() {
         sums[number as usize].solid += part;
     }
-    let both = sums.iter().zip(panels.all());
-    both.map(|(sum, panel)| sum.pressed(panel.size * panel.exposed))
+    let bends = bends(&seen, &grid, |panel| sums[panel.number as usize].reach());
+    let mut bent = vec![(Vector::zeros(), 0.0); sums.len()];
+    for (panel, bend) in seen.iter().zip(bends).filter(|(panel, _)| !panel.is_image) {
+        bent[panel.number as usize] = (panel.normal, bend);
+    }
+    let each = sums.iter().zip(panels.all()).zip(bent);
+    each.map(|((sum, panel), bent)| sum.pressed(panel.size * panel.exposed, bent))
         .collect()
 }
 
@@ -154,6 +156,8 @@ struct Sum<const D: usize> {
     gas: f64,
     /// The same of its pressure.
     gas_pressure: f64,
+    /// The same of how far it reaches.
+    gas_reach: f64,
     weight: f64,
     /// Weighted.
     mach: f64,
@@ -170,13 +174,27 @@ impl<const D: usize> Sum<D> {
         if filled <= 0.0 || self.gas <= 0.0 {
             return free;
         }
-        let mean = self.gas_pressure / self.gas;
+        let mean = self.mean_pressure();
         // Gas would press where the other walls are.
         let free = free + filled.min(1.0) * mean;
         free + (filled / IN_A_CORNER).min(1.0) * (mean - free)
     }
 
-    fn pressed(&self, size: f64) -> Pressed<D> {
+    /// How far the gas in front reaches on the mean.
+    fn reach(&self) -> Option<f64> {
+        (self.gas > 0.0).then(|| self.gas_reach / self.gas)
+    }
+
+    /// Of the gas in front; none where there is none.
+    fn mean_pressure(&self) -> f64 {
+        if self.gas > 0.0 {
+            self.gas_pressure / self.gas
+        } else {
+            0.0
+        }
+    }
+
+    fn pressed(&self, size: f64, (normal, bend): (Vector<D>, f64)) -> Pressed<D> {
         if size <= 0.0 {
             return Pressed {
                 pressure: 0.0,
@@ -184,9 +202,11 @@ impl<const D: usize> Sum<D> {
                 mach: 0.0,
             };
         }
+        // No pressure, yet it is pressed with.
+        let bent = 2.0 * bend * self.mean_pressure();
         Pressed {
-            pressure: self.pressure(size),
-            friction: self.friction / size,
+            pressure: self.pressure(size) - bent,
+            friction: self.friction / size - normal * bent,
             mach: if self.weight > 0.0 {
                 self.mach / self.weight
             } else {
@@ -194,19 +214,6 @@ impl<const D: usize> Sum<D> {
             },
         }
     }
-}
-
-/// A panel within reach of a particle.
-#[derive(Clone, Copy, Debug)]
-struct Met<const D: usize> {
-    number: u32,
-    normal: Vector<D>,
-    sign: Vector<D>,
-    kernel: f64,
-    /// Area times kernel.
-    weight: f64,
-    /// The particle is in front of it.
-    faces: bool,
 }
 
 /// What a particle presses a panel with.
@@ -219,28 +226,12 @@ struct Share<const D: usize> {
     friction: Vector<D>,
 }
 
-impl<const D: usize> Seen<D> {
-    /// None out of the kernel's reach.
-    fn met(&self, place: &Vector<D>, reach: f64) -> Option<Met<D>> {
-        let arm = place - self.centre;
-        let kernel = QuinticSpline::<D>::value(arm.norm(), reach / SUPPORT);
-        (kernel > 0.0).then_some(Met {
-            number: self.number,
-            normal: self.normal,
-            sign: self.sign,
-            kernel,
-            weight: self.size * kernel,
-            faces: arm.dot(&self.normal) > 0.0,
-        })
-    }
-}
-
 /// What a particle presses the panels near it with. Of the force of the pair sums, what an even pressure explains goes by the
 /// panels' own shares, the rest by least squares, and what they cannot show is friction. Panels `behind` an edge, a sum of areas times
 /// kernel, explain a part as well: no pressure makes up for it.
 fn shares<const D: usize>(
     presser: &Presser<D>,
-    met: &[Met<D>],
+    met: &[Met<'_, D>],
     behind: &Vector<D>,
 ) -> Vec<Share<D>> {
     let even = 2.0 * presser.volume * presser.pressure;
@@ -248,8 +239,8 @@ fn shares<const D: usize>(
     let mut weights = 0.0;
     let mut lacking = presser.force.unwrap_or_else(Vector::zeros);
     for met in met {
-        lacking -= met.normal * (even * met.weight);
-        moment += met.normal * met.normal.transpose() * met.weight;
+        lacking -= met.seen.normal * (even * met.weight);
+        moment += met.seen.normal * met.seen.normal.transpose() * met.weight;
         weights += met.weight;
     }
     let stiffened = moment + Matrix::identity() * (FLAT * moment.trace());
@@ -263,11 +254,11 @@ fn shares<const D: usize>(
         Some(_) => (moment * correction - lacking) / weights,
         None => Vector::zeros(),
     };
-    let share = |met: &Met<D>| Share {
-        number: met.number,
-        force: met.weight * (even + met.normal.dot(&correction)),
+    let share = |met: &Met<'_, D>| Share {
+        number: met.seen.number,
+        force: met.weight * (even + met.seen.normal.dot(&correction)),
         weight: met.weight,
-        friction: friction.component_mul(&met.sign) * met.weight,
+        friction: friction.component_mul(&met.seen.sign) * met.weight,
     };
     met.iter().map(share).collect()
 }
@@ -300,49 +291,4 @@ fn pressers<const D: usize>(flow: &Simulation<D>) -> Vec<Presser<D>> {
         }
     })
     .collect()
-}
-
-/// The panels where they are now, and their images beyond the sides that map the flow, as far as particles reach.
-fn seen<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>, reach: f64) -> Vec<Seen<D>> {
-    let poses: Vec<_> = (0..flow.walls.body_count())
-        .map(|owner| flow.walls.pose(owner, flow.clock.time))
-        .collect();
-    let mut seen: Vec<Seen<D>> = panels
-        .all()
-        .iter()
-        .enumerate()
-        .filter(|(_, panel)| panel.exposed > 0.0)
-        .map(|(number, panel)| {
-            let pose = &poses[panel.owner as usize];
-            Seen {
-                centre: pose.position(&panel.centre),
-                normal: pose.direction(&panel.normal),
-                size: panel.size * panel.exposed,
-                sign: Vector::repeat(1.0),
-                number: number as u32,
-            }
-        })
-        .collect();
-    for axis in 0..D {
-        let domain: &Domain<D> = &flow.problem.domain;
-        // Beyond a period the image of what is near one end is near the other.
-        let ends = [0, 1].map(|end| domain.face(axis, end));
-        let is_near = |place: f64| ends.iter().any(|end| (place - end).abs() < reach);
-        let own = seen.len();
-        for map in Map::of_axis(domain, axis).into_iter().flatten() {
-            let images: Vec<_> = seen[..own]
-                .iter()
-                .map(|own| {
-                    let mut image = *own;
-                    image.centre[axis] = map.place(own.centre[axis]);
-                    image.normal[axis] *= map.sign;
-                    image.sign[axis] *= map.sign;
-                    image
-                })
-                .filter(|image| is_near(image.centre[axis]))
-                .collect();
-            seen.extend(images);
-        }
-    }
-    seen
 }

@@ -63,6 +63,12 @@ impl<const D: usize> Domain<D> {
         corner[axis]
     }
 
+    /// How far `place` lies within the side at `end` of `axis`; negative beyond it.
+    pub fn depth_within(&self, axis: usize, end: usize, place: &Vector<D>) -> f64 {
+        let way = if end == 0 { 1.0 } else { -1.0 };
+        (place[axis] - self.face(axis, end)) * way
+    }
+
     /// Axis, end, kind and face of every side.
     pub fn each_side(&self) -> impl Iterator<Item = (usize, usize, Side, f64)> {
         let ends = (0..D).flat_map(|axis| [(axis, 0), (axis, 1)]);

@@ -49,7 +49,7 @@ fn crossing<const D: usize>(ghost: &Ghost<D>, gas: &Vector<D>) -> Vector<D> {
 
 /// True for a place on the inner side of all open sides moved out by `margin`.
 fn holds<const D: usize>(domain: &Domain<D>, place: &Vector<D>, margin: f64) -> bool {
-    domain.each_side().all(|(axis, end, side, plane)| {
-        !Side::is_open(side) || [place[axis] >= plane - margin, place[axis] <= plane + margin][end]
+    domain.each_side().all(|(axis, end, side, _)| {
+        !Side::is_open(side) || domain.depth_within(axis, end, place) >= -margin
     })
 }

@@ -199,8 +199,7 @@ fn on_ghosts<const D: usize>(
 fn foot<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> Vector<D> {
     let mut foot = ghost.foot();
     for (axis, end, side, plane) in domain.each_side() {
-        let is_beyond = [foot[axis] < plane, foot[axis] > plane][end];
-        if side.is_mirror() && is_beyond {
+        if side.is_mirror() && domain.depth_within(axis, end, &foot) < 0.0 {
             foot[axis] = 2.0 * plane - foot[axis];
         }
     }
@@ -210,9 +209,9 @@ fn foot<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> Vector<D> {
 /// True of a ghost of a body unless its foot lies beyond a side that is no open one, where a copy of it or another wall is.
 fn is_reported<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> bool {
     let foot = foot(domain, ghost);
-    domain.each_side().all(|(axis, end, side, plane)| {
-        side.is_open() || [foot[axis] >= plane, foot[axis] <= plane][end]
-    })
+    domain
+        .each_side()
+        .all(|(axis, end, side, _)| side.is_open() || domain.depth_within(axis, end, &foot) >= 0.0)
 }
 
 /// True of a ghost whose foot is not beyond a symmetry plane.
