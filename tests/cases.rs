@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 44] = [
+const SMALL: [(&str, &[&str]); 45] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -44,6 +44,10 @@ const SMALL: [(&str, &[&str]); 44] = [
     ("duct", &["end_time=0.1"]),
     (
         "flat-plate",
+        &["end_time=1e-4", "stop=end-time", "scheme.refine=0"],
+    ),
+    (
+        "flat-plate-subsonic",
         &["end_time=1e-4", "stop=end-time", "scheme.refine=0"],
     ),
     (

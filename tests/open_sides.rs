@@ -164,6 +164,56 @@ fn gas_comes_in_through_a_slot_and_nowhere_else() {
     }
 }
 
+/// A plate that gas sticks to from x = 1 on, and glides up to along a mirror.
+const PLATE: &str = r#"
+dimension = 2
+spacing = 0.1
+end_time = 4.0
+
+[gas]
+viscosity = { reynolds = 200.0 }
+
+[scheme]
+motion = "fixed"
+
+[free_stream]
+mach = 0.5
+density = 1.0
+pressure = 0.7142857142857143
+
+[domain]
+min = [0.0, 0.0]
+max = [3.0, 1.5]
+
+[domain.sides]
+x_min = { inlet = { reflecting = false } }
+x_max = { outlet = { pressure = 0.7142857142857143 } }
+y_min = [{ wall = { kind = "no-slip" } }, { patch = { min = [0.0, 0.0], max = [1.0, 0.0] }, side = "symmetry" }]
+y_max = "free-stream"
+
+[output]
+frames = 1
+
+[[probe]]
+name = "mirror"
+at = { point = [0.45, 0.05] }
+
+[[probe]]
+name = "wall"
+at = { point = [2.05, 0.05] }
+"#;
+
+#[test]
+fn gas_glides_along_the_part_of_a_wall_that_is_a_mirror() {
+    let place = Workplace::new();
+    place.run(PLATE, &[]).succeeds();
+    let columns = probes(&place);
+    let last = |name: &str| columns[name].last().copied().unwrap_or(f64::NAN);
+    let (mirror, wall) = (last("mirror.velocity_x"), last("wall.velocity_x"));
+    assert!((0.47..0.51).contains(&mirror), "{mirror}");
+    assert!(wall < 0.35, "{wall}");
+}
+
 #[test]
 fn check_says_what_patches_and_formulas_let_in() {
     let place = Workplace::new();
@@ -227,6 +277,18 @@ fn openings_that_cannot_work_are_refused_with_the_mend() {
         (
             patch("[0.0, 0.5]", "[0.0, 1.5]", "wall = {}"),
             "leave out what is wall",
+        ),
+        (
+            patch("[0.0, 0.5]", "[0.0, 1.5]", "side = \"outlet\", inlet = {}"),
+            "leave one of the two out",
+        ),
+        (
+            patch("[0.0, 0.5]", "[0.0, 1.5]", "side = \"exit\""),
+            "expected one of",
+        ),
+        (
+            patch("[0.0, 0.5]", "[0.0, 1.5]", "side = \"symmetry\""),
+            "set `scheme.motion = \"fixed\"`",
         ),
         (
             "[\"wall\", { inlet = { velocity = [0.3, 0.0] } }]".into(),

@@ -69,6 +69,13 @@ impl<const D: usize> Sides<'_, D> {
         }
         for PartEntry { patch, side, given } in &entry.parts {
             let part = self.patch(name, (axis, end), patch)?;
+            if side.is_mirror() && self.method == Method::WithTheGas {
+                return fail(
+                    name,
+                    "has a mirror for a part, beside which particles would lack what mirrors and walls show them; \
+                     set `scheme.motion = \"fixed\"`, or make the wall a body of its own",
+                );
+            }
             let own = (*side, given.as_ref());
             let opening = self.opening(name, (axis, end), Some(part), own)?;
             if all.iter().any(|other| overlaps(other, &opening)) {
@@ -79,7 +86,7 @@ impl<const D: usize> Sides<'_, D> {
         Ok(all)
     }
 
-    /// Refuses walls that cannot have open parts.
+    /// Refuses walls that cannot have other parts.
     fn holds_parts(
         &self,
         name: &str,

@@ -10,7 +10,7 @@ use super::number::{Finite, Positive};
 use super::wall::{WallVelocity, WallWord, kind};
 use aero_solver::problem::{Side, WallKind};
 
-/// What bounds the domain on one side: a word, a table of one word, or a list of a wall and the parts of it that are open.
+/// What bounds the domain on one side: a word, a table of one word, or a list of a wall and the parts of it that are something else.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SideEntry {
     /// What it is, but for its parts and the velocity of a wall along itself.
@@ -87,6 +87,8 @@ const WALL: Side = Side::Wall {
 #[serde(deny_unknown_fields)]
 struct SideTable {
     patch: Option<PatchEntry>,
+    /// Of a part: a word in place of a table.
+    side: Option<String>,
     wall: Option<WallEntry>,
     inlet: Option<InletEntry>,
     outlet: Option<OutletEntry>,
@@ -167,13 +169,23 @@ impl SideTable {
     fn side<E: Error>(self) -> Result<(Side, Option<GivenEntry>), E> {
         let Self {
             patch: _,
+            side,
             wall,
             inlet,
             outlet,
             reservoir,
             free_stream,
         } = self;
-        Ok(match (wall, inlet, outlet, reservoir, free_stream) {
+        let tables = (wall, inlet, outlet, reservoir, free_stream);
+        if let Some(word) = side {
+            return match tables {
+                (None, None, None, None, None) => Ok((named(&word)?, None)),
+                _ => Err(E::custom(
+                    "`side` names what a table says more of; leave one of the two out",
+                )),
+            };
+        }
+        Ok(match tables {
             (Some(wall), None, None, None, None) => (wall.side()?, None),
             (None, Some(inlet), None, None, None) => {
                 let side = if inlet.reflecting == Some(false) {
@@ -257,25 +269,13 @@ impl<'de> Visitor<'de> for SideVisitor {
     fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         write!(
             f,
-            "one of {}, or {TABLES}, or a list of a wall and its open parts",
+            "one of {}, or {TABLES}, or a list of a wall and its parts that are something else",
             words()
         )
     }
 
     fn visit_str<E: Error>(self, word: &str) -> Result<SideEntry, E> {
-        let side = match word {
-            "inlet" => Side::Inlet,
-            "outlet" => Side::Outlet,
-            "free-stream" => Side::FreeStream,
-            "reservoir" => Side::Reservoir { relaxation: None },
-            "symmetry" => Side::Symmetry,
-            "axis" => Side::Axis,
-            "periodic" => Side::Periodic,
-            "body" => Side::Body,
-            "wall" => WALL,
-            _ => return Err(E::unknown_variant(word, &WORDS)),
-        };
-        Ok(side.into())
+        named(word).map(SideEntry::from)
     }
 
     fn visit_map<A: MapAccess<'de>>(self, map: A) -> Result<SideEntry, A::Error> {
@@ -308,15 +308,32 @@ impl<'de> Visitor<'de> for SideVisitor {
                 ));
             };
             let (side, given) = table.side()?;
-            if !side.is_open() {
+            if !side.is_open() && side != Side::Symmetry {
                 return Err(A::Error::custom(
-                    "a part of a wall is an inlet, an outlet, a reservoir or a free stream; leave out what is wall",
+                    "a part of a wall is an inlet, an outlet, a reservoir, a free stream or a mirror (`side = \"symmetry\"`); \
+                     leave out what is wall",
                 ));
             }
             entry.parts.push(PartEntry { patch, side, given });
         }
         Ok(entry)
     }
+}
+
+/// The side that a word names.
+fn named<E: Error>(word: &str) -> Result<Side, E> {
+    Ok(match word {
+        "inlet" => Side::Inlet,
+        "outlet" => Side::Outlet,
+        "free-stream" => Side::FreeStream,
+        "reservoir" => Side::Reservoir { relaxation: None },
+        "symmetry" => Side::Symmetry,
+        "axis" => Side::Axis,
+        "periodic" => Side::Periodic,
+        "body" => Side::Body,
+        "wall" => WALL,
+        _ => return Err(E::unknown_variant(word, &WORDS)),
+    })
 }
 
 fn words() -> String {

@@ -10,7 +10,9 @@ use crate::compare::context::{CompareError, Context};
 use crate::compare::profiles::median;
 use crate::compare::scenes::{Source, scene};
 
-const SCENE: Source = scene!("flat-plate");
+const FASTER: Source = scene!("flat-plate");
+/// Than sound: a mirror leads up to the leading edge.
+const SLOWER: Source = scene!("flat-plate-subsonic");
 const THEORY: &str =
     "similar solution by Sutherland's law (White, Viscous Fluid Flow, section 7-4)";
 /// As in the scene, K.
@@ -26,6 +28,7 @@ const RECOVERY: f64 = 1.0;
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     let mut checks = Vec::new();
     for (mach, wall) in [
+        (0.5, None),
         (2.0, None),
         (3.0, None),
         (2.0, Some(TEMPERATURE)),
@@ -42,11 +45,21 @@ fn of(mach: f64, wall: Option<f64>, context: &Context<'_>) -> Result<Vec<Check>,
     let density = REYNOLDS * air_viscosity(TEMPERATURE) / speed;
     let pressure = density * GAS_CONSTANT * TEMPERATURE;
     let heat = wall.map_or(String::new(), |wall| format!(", temperature = {wall:?}"));
-    let settings = [
+    let mut settings = vec![
         format!("free_stream.mach={mach:?}"),
         format!("free_stream.pressure={pressure:?}"),
-        format!("domain.sides.y_min={{ wall = {{ kind = \"no-slip\"{heat} }} }}"),
     ];
+    let source = if mach < 1.0 {
+        settings.push(format!(
+            "domain.sides.x_max={{ outlet = {{ pressure = {pressure:?} }} }}"
+        ));
+        SLOWER
+    } else {
+        settings.push(format!(
+            "domain.sides.y_min={{ wall = {{ kind = \"no-slip\"{heat} }} }}"
+        ));
+        FASTER
+    };
     let exact = FlatPlate {
         mach,
         temperature: TEMPERATURE,
@@ -56,7 +69,7 @@ fn of(mach: f64, wall: Option<f64>, context: &Context<'_>) -> Result<Vec<Check>,
     };
     let layer = exact.layer();
     let how = wall.map_or("adiabatic".to_owned(), |wall| format!("{wall} K"));
-    let attempt = SCENE.attempt(&settings, context)?;
+    let attempt = source.attempt(&settings, context)?;
     let found = attempt
         .outcome()
         .map(|outcome| read(outcome, 0.5 * density * speed * speed, pressure));
