@@ -143,13 +143,13 @@ pub fn words(flight: &Flight) -> Vec<String> {
             .iter()
             .map(|repair| format!("mended: {repair}")),
     );
-    let box_size = flight.region().size();
+    let sizes = flight.region().size();
+    let sizes = sizes.iter().take(flight.dimension());
+    let sizes: Vec<String> = sizes.map(|size| format!("{size:.3}")).collect();
     lines.push(format!(
-        "{}, in a box of {:.3} x {:.3} x {:.3} m",
+        "{}, in a box of {} m",
         flight.extent_words(),
-        box_size[0],
-        box_size[1],
-        box_size[2]
+        sizes.join(" x ")
     ));
     lines.push(format!(
         "area {:.5e} m2, length {:.4} m, moments about {:.4} m behind the nose",

@@ -34,13 +34,14 @@ impl Costs {
         }
     }
 
-    /// Seconds that a flow takes which a burst has shown to take so many a step.
-    pub fn of_burst(seconds_per_step: f64, steps_to_go: f64, settles: bool) -> f64 {
-        if settles {
-            seconds_per_step * ITERATIONS * ADDED
-        } else {
-            seconds_per_step * steps_to_go
-        }
+    /// Seconds that a flow takes which a burst has shown to take so many before its first step, and so many a step.
+    pub fn of_burst([before, a_step]: [f64; 2], steps_to_go: f64, settles: bool) -> f64 {
+        before
+            + if settles {
+                a_step * ITERATIONS * ADDED
+            } else {
+                a_step * steps_to_go
+            }
     }
 
     /// What a run takes over one that is coarser by the ratio.

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::error::FlyError;
 use super::flight::Flight;
+use super::lee::Lee;
 use super::read::{self, Cells};
 use crate::output::Summary;
 
@@ -63,6 +64,9 @@ pub struct Level {
     pub open: f64,
     /// Area of the base, over the reference area.
     pub base_area: f64,
+    /// How far off the line of the moments the middle of the base lies, over the reference length.
+    #[serde(skip)]
+    pub base_arm: f64,
     /// Warnings of the run.
     #[serde(skip)]
     pub warnings: Vec<String>,
@@ -141,6 +145,7 @@ impl Level {
             },
             open: parts.open,
             base_area: parts.base_area,
+            base_arm: parts.base_arm,
             warnings: summary.warnings.iter().map(ToString::to_string).collect(),
         })
     }
@@ -150,6 +155,7 @@ impl Level {
 struct Parts {
     forebody: f64,
     base_area: f64,
+    base_arm: f64,
     open: f64,
 }
 
@@ -165,13 +171,16 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
     );
     let body = column("body");
     let images = f64::from(1_u32 << flight.mirrors().len());
-    let (mut forebody, mut base_area, mut sum, mut total) = (0.0, 0.0, 0.0, 0.0);
+    let (mut forebody, mut base_area, mut base_height) = (0.0, 0.0, 0.0);
+    let (mut sum, mut total) = (0.0, 0.0);
     let steep = BASE.to_radians().sin();
+    let lee = Lee::new(flight.shape.as_ref(), way, steep);
+    let normal_of = |n: usize| Vector::<3>::from_fn(|k, _| normal[3 * n + k]);
     let is_open: Vec<bool> = (0..area.len())
         .into_par_iter()
         .map(|n| {
             let along: f64 = (0..3).map(|k| normal[3 * n + k] * way[k]).sum();
-            along > steep && is_open_behind(flight, &surface.corners[n], &normal[3 * n..], &way)
+            along > steep && lee.is_open(&middle(&surface.corners[n]), &normal_of(n))
         })
         .collect();
     for n in 0..area.len() {
@@ -180,40 +189,34 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
         }
         let along: f64 = (0..3).map(|k| normal[3 * n + k] * way[k]).sum();
         if is_open[n] {
-            base_area += images * area[n] * along / flight.area;
+            let part = images * area[n] * along / flight.area;
+            base_area += part;
+            base_height += part * middle(&surface.corners[n])[1];
         } else {
             forebody -= images * cp[n] * along * area[n] / flight.area;
         }
         sum += normal[3 * n] * area[n];
         total += normal[3 * n].abs() * area[n];
     }
+    // What is mirrored, or turned about the axis, has its middle there.
+    let is_on_axis = flight.dimension() == 2 || flight.mirrors().contains(&1);
+    let base_arm = if is_on_axis || base_area == 0.0 {
+        0.0
+    } else {
+        (base_height / (base_area * flight.reference_length())).abs()
+    };
     Parts {
         forebody,
         base_area,
+        base_arm,
         open: (sum / f64::max(total, f64::MIN_POSITIVE)).abs(),
     }
 }
 
-/// True where a way along the stream from a cell of the surface meets no more of the body: by steps as long as the distance from it.
-fn is_open_behind(flight: &Flight, corners: &[[f64; 3]], normal: &[f64], way: &[f64; 3]) -> bool {
-    /// Off the surface at first, and least step, in lengths of the body.
-    const NEAR: [f64; 2] = [1e-5, 1e-3];
-    let [off, least] = NEAR.map(|part| part * flight.length());
-    let mut point = Vector::<3>::from_fn(|k, _| {
-        let sum: f64 = corners.iter().map(|corner| corner[k]).sum();
-        sum / corners.len() as f64 + off * normal[k]
-    });
-    let mut left = flight.bounds.size().norm();
-    while left > 0.0 {
-        let distance = flight.shape.signed_distance(&point);
-        if distance < 0.0 {
-            return false;
-        }
-        let step = distance.max(least);
-        point += Vector::from(*way) * step;
-        left -= step;
-    }
-    true
+/// The middle of a cell of the surface.
+fn middle(corners: &[[f64; 3]]) -> Vector<3> {
+    let sum: Vector<3> = corners.iter().copied().map(Vector::from).sum();
+    sum / corners.len() as f64
 }
 
 /// Half the range of the last rows.

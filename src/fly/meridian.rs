@@ -11,7 +11,7 @@ const STATIONS: usize = 300;
 const AROUND: usize = 23;
 
 /// Largest part by which radii around the axis may differ: that of a tube of 16 facets.
-const ROUND: f64 = 0.02;
+pub(super) const ROUND: f64 = 0.02;
 
 /// Corners nearer to the line between their neighbours than this part of the largest radius are left out.
 const STRAIGHT: f64 = 2e-4;

@@ -11,6 +11,7 @@ mod estimate;
 mod extrapolate;
 mod figure;
 mod flight;
+mod lee;
 mod level;
 mod meridian;
 mod pictures;

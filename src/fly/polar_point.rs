@@ -2,15 +2,17 @@
 
 use serde::Serialize;
 
-use super::extrapolate::{beyond, extrapolate};
+use super::extrapolate::{Extrapolated, beyond, extrapolate};
 use super::flight::Flight;
 use super::level::{Coefficients, Level};
 
 /// Ratio of specific heats of air.
 const GAMMA: f64 = 1.4;
 
-/// Part of the surface behind which a body is thinner than two cells, above which no trend of its runs is believed: they are runs of as many
-/// bodies of other thicknesses.
+/// Part of the surface behind which a body may be thinner than two cells: edges of wings always are.
+pub(super) const EDGES: f64 = 0.1;
+
+/// The same from which no trend of its runs is believed: they are runs of as many bodies of other thicknesses.
 pub(super) const UNSEEN: f64 = 0.5;
 
 /// A value and where half the width of its band comes from.
@@ -97,13 +99,8 @@ impl Point {
     /// no runs.
     pub fn new(flight: &Flight, levels: &[Level], thin: f64) -> Option<Self> {
         let last = levels.last()?;
-        let at_none = |runs: &[(f64, f64)]| {
-            if thin > UNSEEN {
-                beyond(runs)
-            } else {
-                extrapolate(runs)
-            }
-        };
+        let doubted = ((thin - EDGES) / (UNSEEN - EDGES)).clamp(0.0, 1.0);
+        let at_none = |runs: &[(f64, f64)]| doubting(doubted, runs);
         let banded = |of: fn(&Coefficients) -> f64, model: f64| {
             let runs: Vec<(f64, f64)> = levels
                 .iter()
@@ -129,8 +126,12 @@ impl Point {
             cd: banded(|c| c.cd, model),
             cd_forebody: banded(|c| c.cd_forebody, 0.0),
             cd_base: banded(|c| c.cd_base, model),
-            cl: banded(|c| c.cl, 0.0),
-            cm: banded(|c| c.cm, 0.0),
+            // A base that lies across the body is drawn back along it.
+            cl: banded(
+                |c| c.cl,
+                model * flight.wishes.incidence.to_radians().tan().abs(),
+            ),
+            cm: banded(|c| c.cm, model * last.base_arm),
         };
         let centres: Vec<(f64, f64)> = levels
             .iter()
@@ -164,6 +165,26 @@ impl Point {
     }
 }
 
+/// From runs whose trend is believed but for this part.
+fn doubting(part: f64, runs: &[(f64, f64)]) -> Extrapolated {
+    let (trend, none) = (extrapolate(runs), beyond(runs));
+    if part == 0.0 {
+        return trend;
+    }
+    let mix = |a: f64, b: f64| {
+        if part < 1.0 {
+            (1.0 - part) * a + part * b
+        } else {
+            b
+        }
+    };
+    Extrapolated {
+        value: mix(trend.value, none.value),
+        band: mix(trend.band, none.band),
+        order: trend.order.filter(|_| part < 1.0),
+    }
+}
+
 /// Where the force across the body would have to stand, behind the nose, in lengths: `x / L = (x_m - c_m L_ref / c_n) / L`.
 fn centre(flight: &Flight, c: &Coefficients) -> Option<f64> {
     /// Less is noise.
@@ -175,4 +196,22 @@ fn centre(flight: &Flight, c: &Coefficients) -> Option<f64> {
     let across = c.cl * angle.cos() + c.cd * angle.sin();
     let place = (flight.centre() - c.cm * flight.reference_length() / across) / flight.length();
     (across.abs() > LEAST * c.cd.abs()).then_some(place)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_less_of_a_body_is_seen_the_less_its_trend_is_believed() {
+        let runs = [(0.4, 1.08), (0.2, 1.04), (0.1, 1.02)];
+        let (all, none) = (extrapolate(&runs), beyond(&runs));
+        assert!(all.band < none.band);
+        assert_eq!(doubting(0.0, &runs), all);
+        assert_eq!(doubting(1.0, &runs), none);
+        let half = doubting(0.5, &runs);
+        assert!((half.band - 0.5 * (all.band + none.band)).abs() < 1e-12);
+        assert!((half.value - 0.5 * (all.value + none.value)).abs() < 1e-12);
+        assert!(doubting(0.5, &runs[..1]).band.is_infinite());
+    }
 }

@@ -10,12 +10,9 @@ use super::error::FlyError;
 use super::figure::escaped;
 use super::flight::Flight;
 use super::level::Level;
-use super::polar_point::{Banded, Point, UNSEEN};
+use super::polar_point::{Banded, EDGES, Point, UNSEEN};
 use super::{curves, pictures, skins};
 use crate::output::write_json;
-
-/// Part of the surface behind which the body may be thinner than two cells: edges of wings always are.
-const EDGES: f64 = 0.1;
 
 /// What came of a flight.
 #[derive(Clone, Debug, Serialize)]
@@ -70,7 +67,7 @@ impl Report {
             let wide = if thin > UNSEEN {
                 "; bands are three times what all runs differ by, for none of them has seen its shape"
             } else {
-                ""
+                "; bands are the wider for it"
             };
             warnings.push(format!(
                 "behind {:.0} % of the surface the body is thinner than two of the finest cells, {:.2e} m each: give more --minutes, or a \
@@ -154,8 +151,11 @@ impl Report {
         let mut rows = vec![
             ("cd, drag", point.bands.cd),
             ("  of the forebody", point.bands.cd_forebody),
-            ("  of the base", point.bands.cd_base),
         ];
+        let has_base = |level: &Level| level.base_area > 0.0;
+        if self.levels.last().is_some_and(has_base) {
+            rows.push(("  of the base", point.bands.cd_base));
+        }
         if point.bands.cl.value != 0.0 || point.bands.cm.value != 0.0 {
             rows.push(("cl, lift", point.bands.cl));
             rows.push(("cm, nose up", point.bands.cm));
@@ -199,7 +199,12 @@ pub fn write_report(flight: &Flight, report: &Report, folder: &Path) -> Result<(
 
 fn page(flight: &Flight, report: &Report, folder: &Path) -> Result<String, FlyError> {
     let w = &flight.wishes;
-    let title = format!("{} at Mach {}", report.body, w.mach);
+    let mut title = format!("{} at Mach {}", report.body, w.mach);
+    for (name, angle) in [("incidence", w.incidence), ("sideslip", w.sideslip)] {
+        if angle != 0.0 {
+            let _ = write!(title, ", {name} {angle}°");
+        }
+    }
     let mut page = format!(
         "<!DOCTYPE html><html lang=\"en\"><head><meta charset=\"utf-8\"><title>{0}</title><style>{STYLE}</style></head><body><h1>{0}</h1>",
         escaped(&title)
@@ -292,18 +297,19 @@ fn table(report: &Report) -> String {
 }
 
 fn runs(report: &Report) -> String {
-    let mut text = "<table><tr><th>spacing, m</th><th>finest, m</th><th>points</th><th>iterations</th><th>processor s</th><th>cd</th><th>cl</th><th>cm</th><th>end</th></tr>".to_owned();
+    let mut text = "<table><tr><th>spacing, m</th><th>finest, m</th><th>points</th><th>iterations</th><th>processor s</th><th>cd</th><th>forebody</th><th>cl</th><th>cm</th><th>end</th></tr>".to_owned();
     for level in &report.levels {
         let c = &level.coefficients;
         let _ = write!(
             text,
-            "<tr><td>{:.4e}</td><td>{:.4e}</td><td>{}</td><td>{}</td><td>{:.1}</td><td>{:.5}</td><td>{:.5}</td><td>{:.5}</td><td>{}</td></tr>",
+            "<tr><td>{:.4e}</td><td>{:.4e}</td><td>{}</td><td>{}</td><td>{:.1}</td><td>{:.5}</td><td>{:.5}</td><td>{:.5}</td><td>{:.5}</td><td>{}</td></tr>",
             level.spacing,
             level.finest,
             level.points,
             level.steps,
             level.cpu_seconds,
             c.cd,
+            c.cd_forebody,
             c.cl,
             c.cm,
             escaped(&level.end)

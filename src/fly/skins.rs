@@ -76,6 +76,7 @@ pub fn bare(flight: &Flight) -> Skin {
 pub fn by_thickness(flight: &Flight, finest: f64) -> Skin {
     let size = (0.02 * flight.bounds.size().max()).max(finest);
     let facets = flight.shape.facets(size, &flight.shape.bounds());
+    let facets: Vec<[Vector<3>; 3]> = facets.into_iter().flat_map(|f| pieces(f, size)).collect();
     let thickness = |facet: &[Vector<3>; 3]| {
         let normal = (facet[1] - facet[0]).cross(&(facet[2] - facet[0]));
         let normal = normal.try_normalize(0.0)?;
@@ -105,6 +106,29 @@ pub fn by_thickness(flight: &Flight, finest: f64) -> Skin {
     }
 }
 
+/// A facet in pieces whose edges are no longer than `size`.
+fn pieces(facet: [Vector<3>; 3], size: f64) -> Vec<[Vector<3>; 3]> {
+    let mut whole = vec![facet];
+    let mut pieces = Vec::new();
+    while let Some([a, b, c]) = whole.pop() {
+        let lengths = [(b - a).norm(), (c - b).norm(), (a - c).norm()];
+        let longest = lengths.into_iter().fold(0.0, f64::max);
+        if longest <= size || !longest.is_finite() {
+            pieces.push([a, b, c]);
+            continue;
+        }
+        // The longest edge first.
+        let [a, b, c] = match lengths.map(|length| length == longest) {
+            [true, ..] => [a, b, c],
+            [_, true, _] => [b, c, a],
+            _ => [c, a, b],
+        };
+        let middle = (a + b) * 0.5;
+        whole.extend([[a, middle, c], [middle, b, c]]);
+    }
+    pieces
+}
+
 /// Parts of the surface, by area, behind which fewer than two and fewer than four of the finest cells lie.
 pub fn thin_parts(skin: &Skin) -> [f64; 2] {
     let mut sums = [0.0; 2];
@@ -120,4 +144,26 @@ pub fn thin_parts(skin: &Skin) -> [f64; 2] {
         }
     }
     sums.map(|sum| sum / f64::max(total, f64::MIN_POSITIVE))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn pieces_of_a_facet_are_small_and_make_it_up() {
+        let [a, b, c] = [[0.0, 0.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.05, 0.0]].map(Vector::<3>::from);
+        let all = pieces([a, b, c], 0.1);
+        let up = |[a, b, c]: &[Vector<3>; 3]| 0.5 * (b - a).cross(&(c - a))[2];
+        let area: f64 = all.iter().map(up).sum();
+        assert!((area - 0.025).abs() < 1e-12, "{area}");
+        assert!(all.iter().all(|piece| up(piece) > 0.0));
+        let edge = |p: &[Vector<3>; 3]| {
+            (0..3)
+                .map(|k| (p[k] - p[(k + 1) % 3]).norm())
+                .fold(0.0, f64::max)
+        };
+        assert!(all.iter().all(|piece| edge(piece) <= 0.1));
+        assert_eq!(pieces([a, b, c], 2.0).len(), 1);
+    }
 }

@@ -33,6 +33,8 @@ pub struct Burst {
     pub ghosts: usize,
     /// Steps taken.
     pub steps: u32,
+    /// Seconds until the first step.
+    pub seconds_before: f64,
     /// Seconds a step takes.
     pub seconds_per_step: f64,
     /// Steps of this length to the end, or iterations that settling may take.
@@ -93,7 +95,9 @@ fn run<const D: usize>(case: Case<D>, seconds: f64) -> Result<Burst, RunError> {
     let settles = method
         .fixed()
         .is_some_and(|points| points.time == Time::Settle);
+    let begun = Instant::now();
     let mut flow = Flow::new(case.problem).map_err(RunError::SetUp)?;
+    let seconds_before = begun.elapsed().as_secs_f64();
     let start = Instant::now();
     let mut steps = 0;
     while steps < LEAST || (start.elapsed().as_secs_f64() < seconds && flow.time() < end) {
@@ -116,6 +120,7 @@ fn run<const D: usize>(case: Case<D>, seconds: f64) -> Result<Burst, RunError> {
         gas: counts.fluid,
         ghosts: counts.ghost,
         steps,
+        seconds_before,
         seconds_per_step,
         steps_to_go,
         settles,
@@ -133,6 +138,7 @@ mod tests {
             gas: 1000,
             ghosts: 0,
             steps: 10,
+            seconds_before: 0.0,
             seconds_per_step: 0.01,
             steps_to_go: 100.0,
             settles,

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use aero::fly::{Costs, Flight};
-use aero::run::burst;
+use aero::run::{Burst, burst};
 use aero::scene::Scene;
 
 use super::super::CommandError;
@@ -14,6 +14,12 @@ const SEEN: f64 = 2.0;
 
 /// So many times the points are worth it where the thinnest part is not seen.
 const UNSEEN_IS_WORTH: f64 = 3.0;
+
+/// So many times the seconds before the first step one more halving takes.
+const GROWS: f64 = 4.0;
+
+/// Part of the time within which one more is tried.
+const TRIED: f64 = 0.03;
 
 /// The coarsest run is no coarser than the look by more than this: its box is still a few cells wide.
 const COARSEST: f64 = 2.0;
@@ -42,12 +48,18 @@ pub(super) fn resolve(
         let text = flight.scene(look, None).map_err(CommandError::wrong)?;
         let scene =
             Scene::parse(&text, &flight.name, Path::new(".")).map_err(CommandError::wrong)?;
-        let is_worth_it = burst(checked(&scene)?, 0.0).is_ok_and(|seen| {
-            let took = Costs::of_burst(seen.seconds_per_step, seen.steps_to_go, seen.settles);
+        let seen = burst(checked(&scene)?, 0.0);
+        let is_worth_it = |seen: &Burst| {
+            let seconds_of = [seen.seconds_before, seen.seconds_per_step];
+            let took = Costs::of_burst(seconds_of, seen.steps_to_go, seen.settles);
             seen.gas as f64 <= worth * each * cells && costs.fit(took, seconds) <= COARSEST
-        });
-        if !is_worth_it {
+        };
+        let Some(seen) = seen.ok().filter(is_worth_it) else {
             flight.stand_back();
+            return Ok(());
+        };
+        // It would take much of the time only to see that the next is too much.
+        if GROWS * seen.seconds_before > TRIED * seconds {
             return Ok(());
         }
     }

@@ -5,6 +5,9 @@ use aero::fly::{Costs, FAMILY};
 /// Runs that show an order.
 const ORDER: usize = 3;
 
+/// The coarsest spacing over the finest, below which values say more of where points happen to lie than of the spacing.
+const SPREAD: f64 = 2.0;
+
 /// Spacings of runs that are planned.
 pub struct Family {
     /// The coarsest.
@@ -29,7 +32,8 @@ impl Family {
 }
 
 /// The next spacing after so many `runs` whose coarsest and finest spacings are `ends`, the finest of which took `seconds`, with `left`
-/// seconds left: a finer one, with others after it if they fit; where none fits, a coarser one until there are as many as show an order.
+/// seconds left: a finer one, with others after it if they fit; where none fits, a coarser one until there are as many as show an order, and they
+/// lie far enough apart.
 pub fn next_spacing(
     costs: Costs,
     [coarsest, finest]: [f64; 2],
@@ -43,7 +47,10 @@ pub fn next_spacing(
         .find_map(|more| costs.next_ratio(seconds, left, more));
     match ratio {
         Some(ratio) => Some(finest / ratio),
-        None => (runs < ORDER && seconds < left).then_some(coarsest * costs.ratio),
+        None => {
+            let too_few = runs < ORDER || coarsest < SPREAD * finest;
+            (too_few && seconds < left).then_some(coarsest * costs.ratio)
+        }
     }
 }
 
@@ -62,6 +69,8 @@ mod tests {
         assert_eq!(next(1, 30.0, 40.0), Some(2.0 * costs.ratio));
         assert_eq!(next(2, 30.0, 40.0), Some(2.0 * costs.ratio));
         assert_eq!(next(3, 30.0, 40.0), None);
+        let close = next_spacing(costs, [1.4, 1.0], 3, 30.0, 40.0);
+        assert_eq!(close, Some(1.4 * costs.ratio));
         assert_eq!(next(1, 50.0, 40.0), None);
     }
 }

@@ -41,7 +41,7 @@ pub(super) fn tell_rest(costs: Costs, seconds: f64, to_come: usize) {
 /// What of the flight as a whole is to be told.
 pub(super) fn warnings(flight: &Flight) -> Vec<String> {
     let mut warnings = Vec::new();
-    if flight.attitude.is_guess && flight.dimension() == 3 {
+    if flight.attitude.is_guess {
         warnings.push(format!(
             "how the body lies was guessed: its nose points along {} of the file, up is {}; mend with --axis",
             flight.attitude.nose, flight.attitude.up

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use aero::fly::{self, Costs, FAMILY, Flight, Level, minutes};
+use aero::output::Summary;
 use aero::run::{Destination, Progress, RunError, Stopwatch, burst};
 use aero::scene::Scene;
 
@@ -115,7 +116,11 @@ impl<'a> Trip<'a> {
             }
             tries += 1;
         };
-        let took = Costs::of_burst(seen.seconds_per_step, seen.steps_to_go, seen.settles);
+        let took = Costs::of_burst(
+            [seen.seconds_before, seen.seconds_per_step],
+            seen.steps_to_go,
+            seen.settles,
+        );
         let first = match asked {
             Some(first) => first,
             None => (look * self.costs.fit(took, self.left()))
@@ -286,7 +291,14 @@ impl<'a> Trip<'a> {
                 if summary.steps < UNDER_WAY {
                     return Ok(Came::Late);
                 }
-                *summary
+                let stop_reason = match interrupt.came() {
+                    true => summary.stop_reason,
+                    false => format!("its share of the time was over after {steps} steps"),
+                };
+                Summary {
+                    stop_reason,
+                    ..*summary
+                }
             }
             Err(error @ RunError::Output(_)) => return Err(CommandError::failed(error)),
             Err(error) => return Err(CommandError::wrong(error)),
