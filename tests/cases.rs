@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 45] = [
+const SMALL: [(&str, &[&str]); 46] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -21,6 +21,7 @@ const SMALL: [(&str, &[&str]); 45] = [
     ("bump", &["end_time=0.3", "spacing=0.0625", "stop=end-time"]),
     ("cavity", &["end_time=0.02"]),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
+    ("cone-faceted", &["end_time=0.15", "spacing=0.1"]),
     (
         "cone-incidence",
         &[

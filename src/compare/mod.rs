@@ -15,6 +15,7 @@ pub mod double_mach;
 mod duct;
 mod edge;
 mod expansion;
+mod faceted_cone;
 mod fly;
 mod free;
 mod inclined_cone;
@@ -54,7 +55,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 27] = [
+static CASES: [Case; 28] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -79,6 +80,7 @@ static CASES: [Case; 27] = [
     ("aerofoil", &[&aerofoil::AEROFOIL]),
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
+    ("cone-faceted", &[&faceted_cone::FACETED_CONE]),
     ("cone-incidence", &[&inclined_cone::INCLINED_CONE]),
     ("expansion", &[&expansion::EXPANSION, &edge::Edges]),
     ("free", &[&free::FreeBodies]),
