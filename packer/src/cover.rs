@@ -105,7 +105,8 @@ fn gaps<const D: usize>(
     gaps
 }
 
-/// Puts ghosts below places of the surface that none covers; a new one takes half of the volume of the nearest. Gives their number.
+/// Puts ghosts below places of the surface that none covers; a new one shares the volume of the nearest, images of both included, so that
+/// one on the axis of a body does not take a half from each of four. Gives their number.
 pub(crate) fn mend<const D: usize>(
     plan: &Plan<'_, D>,
     cloud: &mut Cloud<D>,
@@ -133,11 +134,9 @@ pub(crate) fn mend<const D: usize>(
             if gap < ROOM * spacing || !touched.claim(&place) {
                 continue;
             }
-            let share = |point: &Vector<D>| plan.mirrors.share(point);
             let lender = lender as usize;
-            let lent = 0.5 * cloud.volume[lender];
-            cloud.volume[lender] -= lent;
-            let volume = lent * share(&cloud.position[lender]) / share(&place);
+            let volume = cloud.volume[lender] * part_kept(plan, &cloud.position[lender], &place);
+            cloud.volume[lender] = volume;
             cloud.push(place, 0, Lock::Row, volume);
             added = true;
         }
@@ -146,6 +145,12 @@ pub(crate) fn mend<const D: usize>(
         }
     }
     cloud.len() - before
+}
+
+/// The part of its volume that a ghost keeps when it shares that with one at `place`: all of them, images included, then have the same.
+fn part_kept<const D: usize>(plan: &Plan<'_, D>, own: &Vector<D>, place: &Vector<D>) -> f64 {
+    let [own, new] = [own, place].map(|point| plan.mirrors.share(point));
+    own / (own + new)
 }
 
 /// A place inside of the body below a sample, half a spacing deep or in the middle of what is thinner; at an edge, where the way down leads

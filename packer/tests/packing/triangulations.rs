@@ -63,6 +63,24 @@ fn fans_and_rings_are_packed_alike() {
     }
 }
 
+/// Largest volume of a ghost, of a full one's: that of a row a spacing and a half thick, and a part of what rounding the number of ghosts
+/// leaves.
+const FULLEST: f64 = 1.5 * 1.05;
+
+/// Whether the tip gets a ghost of its own is a matter of round-off.
+#[test]
+fn a_ghost_on_the_axis_of_a_tip_is_no_fuller_than_those_beside_it() {
+    for around in [24, 48, 96] {
+        let cone = cone(around, 1);
+        for spacing in [0.05, 0.04, 0.035, 0.03, 0.025] {
+            let ghosts = pack(&cone, &PackOptions::new(spacing)).unwrap().ghosts;
+            let fullest = ghosts.volume.iter().fold(0.0_f64, |most, &v| most.max(v));
+            let part = fullest / spacing.powi(3);
+            assert!(part < FULLEST, "{around}, {spacing}: {part}");
+        }
+    }
+}
+
 /// Four triangles: three corners of 45 degrees, at which most layers have no room.
 #[test]
 fn a_corner_cut_off_a_cube_has_a_place_for_all_of_its_ghosts() {
