@@ -1,6 +1,8 @@
 //! Mirror planes: the part of space that is packed, and the copies that fill the rest.
 
-use aero_geometry::{Bounds, Shape, Vector};
+use aero_geometry::{Bounds, MirrorPlane, Shape, Vector};
+
+use crate::PackOptions;
 
 /// The planes used, at most one per axis; the side above each plane is packed.
 #[derive(Clone, Debug, Default)]
@@ -119,6 +121,35 @@ impl Mirrors {
             }
         }
     }
+}
+
+/// The mirrors of the region that cut a body elsewhere than in its own planes, the first across each axis; an endless body goes on as it
+/// is.
+pub(crate) fn cutting_mirrors<const D: usize>(
+    shape: &dyn Shape<D>,
+    options: &PackOptions<D>,
+) -> Vec<MirrorPlane> {
+    let Some(region) = &options.region else {
+        return Vec::new();
+    };
+    let (body, own) = (shape.bounds(), shape.mirror_planes());
+    let first_across = |axis: usize| {
+        let faces = [(region.min[axis], true), (region.max[axis], false)];
+        let mirrors = faces.into_iter().zip(options.mirrors[axis]);
+        mirrors
+            .filter(|(_, is_mirror)| *is_mirror)
+            .map(|((position, shows_above), _)| MirrorPlane {
+                axis,
+                position,
+                shows_above,
+            })
+            .find(|plane| body.min[axis] < plane.position && plane.position < body.max[axis])
+    };
+    (0..D)
+        .filter(|&axis| body.size()[axis].is_finite())
+        .filter_map(first_across)
+        .filter(|plane| !own.contains(&(plane.axis, plane.position)))
+        .collect()
 }
 
 /// A coordinate mirrored about `position`; a plain change of sign where `position` is zero.

@@ -16,6 +16,9 @@ pub struct PackOptions<const D: usize> {
     pub layers: usize,
     /// Only ghosts inside this box are kept; needed for endless walls.
     pub region: Option<Bounds<D>>,
+    /// Which faces of that box, the low and the high one across each axis, are mirrors: a body that one cuts goes on beyond it as its own
+    /// image, and no ghost stands beside that of itself. Of two mirrors across one axis the first that cuts the body counts.
+    pub mirrors: [[bool; 2]; D],
     /// Number of conforming fluid layers to pack outside the body as well; 0 for none.
     pub fluid_layers: usize,
     /// A corner of the fluid lattice, whose points are `anchor + (i + 1/2) dx`. Walls along the
@@ -34,6 +37,7 @@ impl<const D: usize> PackOptions<D> {
             spacing,
             layers: 5,
             region: None,
+            mirrors: [[false; 2]; D],
             fluid_layers: 0,
             anchor: Vector::zeros(),
             allow_loss: false,

@@ -2,8 +2,8 @@
 
 use std::time::Instant;
 
-use aero_geometry::Shape;
 use aero_geometry::parallel::prelude::*;
+use aero_geometry::{Mirrored, Shape};
 
 use crate::cloud::{Cloud, Lock};
 use crate::cover::mend;
@@ -13,7 +13,7 @@ use crate::fluid::{lattice_begins, pack_fluid};
 use crate::gaps::open_gaps;
 use crate::limits::{self, check_loss};
 use crate::midway;
-use crate::mirror::Mirrors;
+use crate::mirror::{Mirrors, cutting_mirrors};
 use crate::plan::Plan;
 use crate::quality::Quality;
 use crate::relax::{relax, relax_thin};
@@ -41,8 +41,20 @@ pub fn pack<const D: usize>(
     shape: &dyn Shape<D>,
     options: &PackOptions<D>,
 ) -> Result<Packing<D>, PackError> {
-    let start = Instant::now();
     options.check()?;
+    let cuts = cutting_mirrors(shape, options);
+    if cuts.is_empty() {
+        return pack_whole(shape, options);
+    }
+    pack_whole(&Mirrored::new(shape, cuts), options)
+}
+
+/// Packs a body that no mirror cuts but about its own planes.
+fn pack_whole<const D: usize>(
+    shape: &dyn Shape<D>,
+    options: &PackOptions<D>,
+) -> Result<Packing<D>, PackError> {
+    let start = Instant::now();
     let watch = &options.watch;
     watch.begin("finding the layers");
     let plan = Plan::new(shape, options, &Mirrors::of(shape), Side::Ghosts, 2.0)?;

@@ -21,7 +21,7 @@ use super::surface;
 use super::vector::{AXES, vector};
 use aero_solver::layers::GHOSTS;
 use aero_solver::method::Method;
-use aero_solver::problem::{Body, Domain, State};
+use aero_solver::problem::{Body, Domain, Side, State};
 
 /// So many times finer than the flow's may a body's own spacing be. The gas feels ghosts through kernels of
 /// its own size, so half is usual [Villodi & Ramachandran 2024, section 4.7] and more only serves corners and
@@ -130,6 +130,7 @@ fn options<const D: usize>(
         },
         allow_loss: wishes.allow_loss || entry.allow_loss == Some(true),
         region: Some(ghost_region(domain, margin)),
+        mirrors: domain.sides.map(|ends| ends.map(Side::is_mirror)),
         anchor: domain.bounds.min,
         watch: wishes.watch.clone(),
         ..PackOptions::new(spacing)

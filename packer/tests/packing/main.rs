@@ -4,6 +4,7 @@ mod bodies;
 mod defects;
 mod fins;
 mod layers;
+mod mirrors;
 mod mutations;
 mod quality;
 mod shapes;
