@@ -90,7 +90,9 @@ pub struct Flight {
     pub bounds: Bounds<3>,
     /// What is computed.
     pub extent: Extent,
-    /// Its frontal area, or what was given.
+    /// Its frontal area.
+    front: f64,
+    /// What coefficients refer to: the same, or what was given.
     pub area: f64,
     /// Its thinnest part, where it has one that is thin.
     pub thinnest: Option<f64>,
@@ -134,13 +136,14 @@ impl Flight {
         let shape: Arc<dyn Shape<3>> = Arc::new(Placed::new(solid.shape, attitude.placement()?));
         let bounds = box_of(shape.as_ref());
         let extent = extent(shape.as_ref(), &bounds, &wishes);
-        let area = wishes.area.unwrap_or_else(|| match &extent {
+        let front = match &extent {
             Extent::Meridian(line) => {
                 let widest = line.iter().map(|[_, radius]| *radius).fold(0.0, f64::max);
                 PI * widest * widest
             }
             Extent::Space(_) => silhouette::frontal_area(shape.as_ref(), &bounds),
-        });
+        };
+        let area = wishes.area.unwrap_or(front);
         let region = domain::around(&bounds, wishes.mach, [wishes.incidence, wishes.sideslip]);
         let halvings = match (wishes.with_the_gas, &extent) {
             (true, _) => 0,
@@ -152,6 +155,7 @@ impl Flight {
             closer: 0,
             thinnest: thinnest_part(shape.as_ref(), &bounds),
             region,
+            front,
             area,
             extent,
             bounds,
@@ -216,6 +220,11 @@ impl Flight {
     /// Length of the body.
     pub fn length(&self) -> f64 {
         self.bounds.size()[0]
+    }
+
+    /// Radius of a disc as large as the body's front.
+    pub fn front_radius(&self) -> f64 {
+        (self.front / PI).sqrt()
     }
 
     /// Reference length.

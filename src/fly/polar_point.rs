@@ -2,7 +2,7 @@
 
 use serde::Serialize;
 
-use super::extrapolate::{Extrapolated, beyond, extrapolate};
+use super::extrapolate::{Extrapolated, LEAST, beyond, extrapolate};
 use super::flight::Flight;
 use super::level::{Coefficients, Level};
 
@@ -14,6 +14,10 @@ pub(super) const EDGES: f64 = 0.1;
 
 /// The same from which no trend of its runs is believed: they are runs of as many bodies of other thicknesses.
 pub(super) const UNSEEN: f64 = 0.5;
+
+/// What a captured shock, some cells thick, costs of a load at least: so many cells over the radius of a disc as large as the body's front. Runs that are
+/// all as coarse agree with one another.
+const SHOCK: f64 = 0.2;
 
 /// A value and where half the width of its band comes from.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
@@ -101,18 +105,20 @@ impl Point {
         let last = levels.last()?;
         let doubted = ((thin - EDGES) / (UNSEEN - EDGES)).clamp(0.0, 1.0);
         let at_none = |runs: &[(f64, f64)]| doubting(doubted, runs);
+        let told = told(levels);
+        let near_shocks = last.spacing / f64::from(1_u32 << flight.halvings());
+        let shock = SHOCK * near_shocks / flight.front_radius();
         let banded = |of: fn(&Coefficients) -> f64, model: f64| {
-            let runs: Vec<(f64, f64)> = levels
-                .iter()
-                .map(|l| (l.spacing, of(&l.coefficients)))
-                .collect();
+            let told = told.iter();
+            let runs: Vec<(f64, f64)> = told.map(|l| (l.spacing, of(&l.coefficients))).collect();
             let found = at_none(&runs);
+            let spacing = found.band.max(shock * found.value.abs());
             let settling = of(&last.swing).abs();
             let packing = last.open * found.value.abs();
             Banded {
                 value: found.value,
-                band: found.band + settling + packing + model,
-                spacing: found.band,
+                band: spacing + settling + packing + model,
+                spacing,
                 settling,
                 packing,
                 model,
@@ -133,11 +139,11 @@ impl Point {
             ),
             cm: banded(|c| c.cm, model * last.base_arm),
         };
-        let centres: Vec<(f64, f64)> = levels
+        let centres: Vec<(f64, f64)> = told
             .iter()
             .filter_map(|level| Some((level.spacing, centre(flight, &level.coefficients)?)))
             .collect();
-        let centre = (centres.len() == levels.len()).then(|| at_none(&centres));
+        let centre = (centres.len() == told.len()).then(|| at_none(&centres));
         let has_lift = flight.dimension() == 3 && bands.cl.value.abs() > 1e-6;
         Some(Self {
             mach,
@@ -162,6 +168,21 @@ impl Point {
             cpu_seconds: levels.iter().map(|level| level.cpu_seconds).sum(),
             bands,
         })
+    }
+}
+
+/// The runs that a trend is looked for in: the finest, and those that settled; all where these are too few.
+fn told(levels: &[Level]) -> Vec<&Level> {
+    let finest = levels.len().saturating_sub(1);
+    let settled = levels
+        .iter()
+        .enumerate()
+        .filter(|(n, level)| *n == finest || level.settled);
+    let settled: Vec<&Level> = settled.map(|(_, level)| level).collect();
+    if settled.len() < LEAST {
+        levels.iter().collect()
+    } else {
+        settled
     }
 }
 
