@@ -1,4 +1,5 @@
-//! Open sides that send sound back: those of particles whose stream is slower than sound.
+//! Open sides that send sound back: those of particles whose stream is slower than sound. Beside points that stay sound goes out, but an outlet that
+//! holds no pressure leaves that of the whole flow open.
 
 use aero_packer::{About, Warning};
 use aero_solver::problem::{Problem, Side};
@@ -7,7 +8,13 @@ use super::{Check, side_name};
 
 /// Looks at each side.
 pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
-    if problem.method.fixed().is_some() {
+    let is_fixed = problem.method.fixed().is_some();
+    // From a reservoir gas may become faster than sound on its way.
+    if is_fixed
+        && problem
+            .domain
+            .has(|side| matches!(side, Side::Reservoir { .. }))
+    {
         return;
     }
     let stream = &problem.free_stream;
@@ -20,6 +27,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
         let crosses = outward.abs() > 0.1 * stream.velocity.norm();
         let mend = match side {
             Side::Outlet if crosses && outward > 0.0 => "take `{ outlet = { pressure = .. } }`",
+            _ if is_fixed => continue,
             Side::Inlet => "take `{ inlet = { reflecting = false } }`",
             Side::FreeStream if crosses => "keep it far from the bodies",
             _ => continue,
@@ -29,8 +37,13 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
         } else {
             "keep it far from the bodies"
         };
+        let wrong = if is_fixed {
+            "nothing holds the pressure there, so that the flow may swing for long"
+        } else {
+            "it sends back sound that meets it"
+        };
         let text = format!(
-            "side `{}`: the free stream crosses it at Mach {:.2}, and it sends back sound that meets it; {mend}",
+            "side `{}`: the free stream crosses it at Mach {:.2}, and {wrong}; {mend}",
             side_name(axis, end),
             outward.abs() / sound
         );
@@ -73,7 +86,14 @@ x_max = "outlet"
         assert_eq!(told.len(), 2, "{told:?}");
         assert!(told[0].contains("reflecting = false") && told[1].contains("outlet = { pressure"));
         assert!(warnings(&["free_stream.mach=1.5"]).is_empty());
-        assert!(warnings(&["scheme.motion=fixed"]).is_empty());
+        let fixed = warnings(&["scheme.motion=fixed"]);
+        assert_eq!(fixed.len(), 1, "{fixed:?}");
+        assert!(
+            fixed[0].contains("nothing holds the pressure")
+                && fixed[0].contains("outlet = { pressure")
+        );
+        let nozzle = "domain.sides.x_min=reservoir";
+        assert!(warnings(&["scheme.motion=fixed", nozzle]).is_empty());
         let mended = [
             "domain.sides.x_min={ inlet = { reflecting = false } }",
             "domain.sides.x_max={ outlet = { pressure = 1.0 } }",

@@ -124,7 +124,8 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
         fly::write_report(&flight, &report, &out).map_err(CommandError::failed)?;
         say_all!("{}", report.text());
         say!(
-            "{} in all; report in `{}`",
+            "{}, {} in all; report in `{}`",
+            report.runs_words(flight.halvings()),
             minutes(begun.elapsed().as_secs_f64()),
             out.join("report.html").display()
         );
@@ -143,6 +144,7 @@ pub fn words(flight: &Flight) -> Vec<String> {
             .iter()
             .map(|repair| format!("mended: {repair}")),
     );
+    lines.push(flight.stream_words());
     let sizes = flight.region().size();
     let sizes = sizes.iter().take(flight.dimension());
     let sizes: Vec<String> = sizes.map(|size| format!("{size:.3}")).collect();

@@ -14,7 +14,11 @@ use super::error::FlyError;
 use super::estimate::Costs;
 use super::meridian::meridian;
 use super::silhouette;
+use crate::scene::atmosphere::{self, GAS_CONSTANT};
 use crate::scene::shapes::{StlEntry, Unit};
+
+/// Ratio of specific heats of air.
+pub(super) const GAMMA: f64 = 1.4;
 
 /// Cells that a captured shock is thick, and as many before it.
 const THICK: f64 = 5.0;
@@ -261,6 +265,27 @@ impl Flight {
         let dimension = self.dimension();
         let room: f64 = (0..dimension).map(|k| size[k]).product();
         (room / cells).powf(1.0 / dimension as f64)
+    }
+
+    /// The stream, in words: what is not asked for is air at sea level.
+    pub fn stream_words(&self) -> String {
+        let (place, pressure, temperature) = match self.wishes.air {
+            Air::Altitude(height) => {
+                let air = atmosphere::Air::at(height);
+                (
+                    format!(", {height} m above the sea"),
+                    air.pressure,
+                    air.temperature,
+                )
+            }
+            Air::State(pressure, temperature) => (String::new(), pressure, temperature),
+        };
+        let mach = self.wishes.mach;
+        let speed = mach * (GAMMA * GAS_CONSTANT * temperature).sqrt();
+        let dynamic = 0.5 * GAMMA * pressure * mach * mach;
+        format!(
+            "Mach {mach}{place}: {pressure:.5e} Pa, {temperature:.2} K, {speed:.1} m/s, dynamic pressure {dynamic:.4e} Pa"
+        )
     }
 
     /// What is computed, in words.

@@ -3,11 +3,8 @@
 use serde::Serialize;
 
 use super::extrapolate::{Extrapolated, LEAST, beyond, extrapolate};
-use super::flight::Flight;
+use super::flight::{Flight, GAMMA};
 use super::level::{Coefficients, Level};
-
-/// Ratio of specific heats of air.
-const GAMMA: f64 = 1.4;
 
 /// Part of the surface behind which a body may be thinner than two cells: edges of wings always are.
 pub(super) const EDGES: f64 = 0.1;

@@ -144,6 +144,15 @@ impl Report {
         text
     }
 
+    /// How many runs there are and how fine they got, with so many halvings near shocks.
+    pub fn runs_words(&self, halvings: u8) -> String {
+        let finest = self.levels.iter().map(|level| level.spacing);
+        let finest = finest.fold(f64::INFINITY, f64::min) / f64::from(1_u32 << halvings);
+        let count = self.levels.len();
+        let runs = if count == 1 { "run" } else { "runs" };
+        format!("{count} {runs}, down to a spacing of {finest:.3e} m near shocks")
+    }
+
     fn rows(&self) -> Vec<(&'static str, Banded)> {
         let Some(point) = self.points.first() else {
             return Vec::new();

@@ -1,7 +1,7 @@
 //! The US Standard Atmosphere [U.S. Standard Atmosphere, 1976, NOAA-S/T 76-1562, part 1, eqs 18, 23, 33 and table 4].
 
 /// Gas constant of the air of the standard, J/(kg K): 8 314.32 / 28.964 4.
-pub(super) const GAS_CONSTANT: f64 = 8_314.32 / 28.964_4;
+pub(crate) const GAS_CONSTANT: f64 = 8_314.32 / 28.964_4;
 
 /// Standard gravity, m/s^2.
 const GRAVITY: f64 = 9.806_65;
@@ -28,7 +28,7 @@ const LAYERS: [(f64, f64); 7] = [
 
 /// Air at rest at an altitude.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct Air {
+pub(crate) struct Air {
     /// Pressure, Pa.
     pub pressure: f64,
     /// Temperature on the molecular scale, K: that of the air up to 80 km, 0.04 % above it at 86 km.
@@ -37,7 +37,7 @@ pub(super) struct Air {
 
 impl Air {
     /// At `altitude` m above the sea, between [`LOWEST`] and [`HIGHEST`].
-    pub(super) fn at(altitude: f64) -> Self {
+    pub(crate) fn at(altitude: f64) -> Self {
         let height = EARTH * altitude / (EARTH + altitude);
         let mut air = Self {
             pressure: 101_325.0,

@@ -36,7 +36,7 @@
 //! # Ok::<(), aero::scene::SceneError>(())
 //! ```
 
-mod atmosphere;
+pub(crate) mod atmosphere;
 mod axis;
 mod bodies;
 mod body_force;

@@ -136,11 +136,20 @@ impl<'a> Trip<'a> {
             .costs
             .of_family(took * (look / first).powf(self.costs.power));
         let finest = family.finest() / halved;
-        let across = self
-            .flight
-            .thinnest
-            .unwrap_or(f64::INFINITY)
-            .min(self.flight.bounds.size().min());
+        let size = self.flight.bounds.size().min();
+        let across = |extent: f64| {
+            let cells =
+                extent / (family.finest() / f64::from(1_u32 << self.flight.body_halvings()));
+            if cells < 1.0 {
+                "less than one cell".into()
+            } else {
+                format!("{cells:.0} cells")
+            }
+        };
+        let across = match self.flight.thinnest {
+            Some(thin) if thin < size => format!("{} across the thinnest part", across(thin)),
+            _ => format!("{} across the body", across(size)),
+        };
         let most = if self.budget.is_finite() {
             format!(", at most {}", minutes(self.left()))
         } else if is_long(seconds) {
@@ -149,9 +158,8 @@ impl<'a> Trip<'a> {
             String::new()
         };
         let told = format!(
-            "{FAMILY} runs{}, down to a spacing of {finest:.3e} m near shocks, {:.1} across the thinnest part; this will take about {} on {} threads{most}",
+            "{FAMILY} runs{}, down to a spacing of {finest:.3e} m near shocks, {across}; this will take about {} on {} threads{most}",
             if family.is_fixed { "" } else { " or more" },
-            across / (family.finest() / f64::from(1_u32 << self.flight.body_halvings())),
             minutes(seconds),
             rayon::current_num_threads(),
         );
