@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 
 use super::state::Primitive;
+use super::walls::Wall;
 
 /// A convex bend in the plane, or a piece of an edge in space, met from one side.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,17 +57,19 @@ pub struct BentWall<const D: usize> {
     pub away: f64,
 }
 
-/// A wall that gas slides along towards a bend, in the bend's own cell.
-#[derive(Clone, Copy, Debug, PartialEq)]
+/// A wall that gas slides along towards a bend or an edge, in the cell that holds it; towards an edge in the one before, too.
+#[derive(Clone, Copy, Debug)]
 pub struct Kink<const D: usize> {
     /// Its number in its block.
     pub wall: usize,
     /// A cell on the wall before, which does not hold the bend.
     pub donor: u32,
+    /// The wall of that cell whose pressure goes on up to an edge; none before a bend, where its gas tells.
+    pub pressed: Option<Wall<D>>,
     /// Direction of the wall, towards the bend.
     pub before: [f64; D],
-    /// Direction of the wall behind the bend, away from it.
-    pub along: [f64; D],
+    /// Direction of the wall behind a concave bend, away from it; none of an edge that no gas follows.
+    pub along: Option<[f64; D]>,
 }
 
 impl<const D: usize> Bend<D> {

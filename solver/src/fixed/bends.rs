@@ -4,6 +4,7 @@ use aero_geometry::Vector;
 
 use super::bend::{Kink, Surroundings};
 use super::bent_face::middle;
+use super::brinks::brinks;
 use super::cells::Cells;
 use super::chain::Chain;
 use super::fan::farthest;
@@ -14,6 +15,9 @@ use crate::problem::Problem;
 impl<const D: usize> Net<D> {
     /// Finds the sharp bends of the walls of `cells`, and what lies around them.
     pub(super) fn add_bends(&mut self, cells: &Cells<D>, problem: &Problem<D>) {
+        for (number, kink) in brinks(self, cells) {
+            self.add_kink(number, kink);
+        }
         match D {
             2 => self.add_bends_in_plane(cells),
             3 => {

@@ -170,8 +170,9 @@ impl<'a, const D: usize> Chain<'a, D> {
                 let kink = |wall: usize| Kink {
                     wall,
                     donor: self.walls[next].i,
+                    pressed: None,
                     before: (self.way(wall) * way).into(),
-                    along: (self.way(to) * way).into(),
+                    along: Some((self.way(to) * way).into()),
                 };
                 return held.into_iter().map(|wall| (wall, kink(wall))).collect();
             }

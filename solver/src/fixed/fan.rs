@@ -20,7 +20,7 @@ pub const SUPERSONIC: f64 = 2.0;
 const STEEP: f64 = 0.25 * std::f64::consts::PI;
 
 /// Turn from which on there is no saying where the gas goes, radians.
-const STEEPEST: f64 = 5.0 / 18.0 * std::f64::consts::PI;
+pub const STEEPEST: f64 = 5.0 / 18.0 * std::f64::consts::PI;
 
 /// Turn below which there is nothing but rounding in a fan, radians.
 const LEAST: f64 = 1e-9;

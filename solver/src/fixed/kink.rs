@@ -1,4 +1,4 @@
-//! Walls ahead of a sharp concave bend, in the cell that holds it.
+//! Walls ahead of a sharp concave bend, or of a blunt edge ([`super::brinks`]), in the cell that holds it.
 //!
 //! A shock stands at the bend. Gas faster than sound slides along the wall ahead of it as if nothing were to come, and presses on that wall as in the
 //! cells before; the cell that the bend lies in holds gas of both sides of the shock, in parts that depend on where in it the bend lies.
@@ -7,7 +7,7 @@ use super::bend::Kink;
 use super::fan::{SONIC, SUPERSONIC, rise};
 use super::gas::Gas;
 use super::net::Block;
-use super::slopes::Flow;
+use super::slopes::{Flow, Slopes};
 use super::state::{Primitive, dot};
 
 /// Part of the largest turn that a shock at the bend may make from which on it may stand ahead of the bend.
@@ -23,12 +23,15 @@ impl<const D: usize> Kink<D> {
         if towards <= 0.0 {
             return 0.0;
         }
+        let fast = rise(towards * towards / sound, SONIC, SUPERSONIC);
+        let Some(along) = &self.along else {
+            return fast;
+        };
         let speed = dot(&front.velocity, &front.velocity);
-        let cosine = dot(&front.velocity, &self.along) / speed.sqrt();
+        let cosine = dot(&front.velocity, along) / speed.sqrt();
         let turn = cosine.clamp(-1.0, 1.0).acos();
         let largest = largest_turn(speed / sound, gamma);
-        rise(towards * towards / sound, SONIC, SUPERSONIC)
-            * (1.0 - rise(turn, NEARLY * largest, largest))
+        fast * (1.0 - rise(turn, NEARLY * largest, largest))
     }
 }
 
@@ -43,9 +46,17 @@ pub fn hold<G: Gas, const D: usize>(
         let front = &flow.states[kink.donor as usize];
         let share = kink.share(gas, front);
         if share > 0.0 {
-            let normal = &block.walls[kink.wall].image.normal;
-            let speed = dot(&front.velocity, normal);
-            let ahead = gas.wall_pressure(front.density, front.pressure, speed);
+            let ahead = match &kink.pressed {
+                Some(wall) => {
+                    let Slopes { along, calmness } = &flow.slopes[kink.donor as usize];
+                    wall.pressure(gas, front, along, *calmness)
+                }
+                None => {
+                    let normal = &block.walls[kink.wall].image.normal;
+                    let speed = dot(&front.velocity, normal);
+                    gas.wall_pressure(front.density, front.pressure, speed)
+                }
+            };
             let pressure = &mut pressures[kink.wall];
             *pressure += share * (ahead - *pressure);
         }
@@ -80,8 +91,9 @@ mod tests {
         let kink = Kink {
             wall: 0,
             donor: 0,
+            pressed: None,
             before: [1.0, 0.0],
-            along: [cosine, sine],
+            along: Some([cosine, sine]),
         };
         let front = Primitive {
             density: 1.4,

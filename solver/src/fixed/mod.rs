@@ -9,6 +9,7 @@ mod bends;
 mod bent;
 mod bent_face;
 mod beside;
+mod brinks;
 pub mod build;
 mod calmness;
 pub mod carry;

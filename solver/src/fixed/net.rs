@@ -69,7 +69,7 @@ pub struct Block<const D: usize> {
     pub sides: Vec<Side<D>>,
     /// What lies around sharp bends of walls.
     pub bends: Vec<Surroundings<D>>,
-    /// Walls ahead of sharp concave bends.
+    /// Walls ahead of sharp concave bends and of blunt edges.
     pub kinks: Vec<Kink<D>>,
     /// Blocks with cells at most two faces away, this one among them.
     pub nearby: Vec<u32>,

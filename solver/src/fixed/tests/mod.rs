@@ -15,6 +15,7 @@ use crate::problem::{Domain, Side};
 mod adapting;
 mod apart;
 mod bends;
+mod brinks;
 pub(super) mod flows;
 mod jumps;
 pub(crate) mod lattice;
