@@ -46,16 +46,13 @@ pub fn hold<G: Gas, const D: usize>(
         let front = &flow.states[kink.donor as usize];
         let share = kink.share(gas, front);
         if share > 0.0 {
-            let ahead = match &kink.pressed {
-                Some(wall) => {
-                    let Slopes { along, calmness } = &flow.slopes[kink.donor as usize];
-                    wall.pressure(gas, front, along, *calmness)
-                }
-                None => {
-                    let normal = &block.walls[kink.wall].image.normal;
-                    let speed = dot(&front.velocity, normal);
-                    gas.wall_pressure(front.density, front.pressure, speed)
-                }
+            let ahead = if let Some(wall) = &kink.pressed {
+                let Slopes { along, calmness } = &flow.slopes[kink.donor as usize];
+                wall.pressure(gas, front, along, *calmness)
+            } else {
+                let normal = &block.walls[kink.wall].image.normal;
+                let speed = dot(&front.velocity, normal);
+                gas.wall_pressure(front.density, front.pressure, speed)
             };
             let pressure = &mut pressures[kink.wall];
             *pressure += share * (ahead - *pressure);

@@ -45,13 +45,10 @@ pub fn next_spacing(
     let ratio = (1..=planned)
         .rev()
         .find_map(|more| costs.next_ratio(seconds, left, more));
-    match ratio {
-        Some(ratio) => Some(finest / ratio),
-        None => {
-            let too_few = runs < ORDER || coarsest < SPREAD * finest;
-            (too_few && seconds < left).then_some(coarsest * costs.ratio)
-        }
-    }
+    ratio.map(|ratio| finest / ratio).or_else(|| {
+        let too_few = runs < ORDER || coarsest < SPREAD * finest;
+        (too_few && seconds < left).then_some(coarsest * costs.ratio)
+    })
 }
 
 #[cfg(test)]

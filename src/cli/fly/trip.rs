@@ -4,7 +4,6 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use aero::fly::{self, Costs, FAMILY, Flight, Level, minutes};
-use aero::output::Summary;
 use aero::run::{Destination, Progress, RunError, Stopwatch, burst};
 use aero::scene::Scene;
 
@@ -299,14 +298,12 @@ impl<'a> Trip<'a> {
                 if summary.steps < UNDER_WAY {
                     return Ok(Came::Late);
                 }
-                let stop_reason = match interrupt.came() {
-                    true => summary.stop_reason,
-                    false => format!("its share of the time was over after {steps} steps"),
-                };
-                Summary {
-                    stop_reason,
-                    ..*summary
+                let mut summary = *summary;
+                if !interrupt.came() {
+                    summary.stop_reason =
+                        format!("its share of the time was over after {steps} steps");
                 }
+                summary
             }
             Err(error @ RunError::Output(_)) => return Err(CommandError::failed(error)),
             Err(error) => return Err(CommandError::wrong(error)),
