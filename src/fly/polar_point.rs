@@ -101,21 +101,26 @@ impl Point {
     pub fn new(flight: &Flight, levels: &[Level], thin: f64) -> Option<Self> {
         let last = levels.last()?;
         let doubted = ((thin - EDGES) / (UNSEEN - EDGES)).clamp(0.0, 1.0);
-        let at_none = |runs: &[(f64, f64)]| doubting(doubted, runs);
         let told = told(levels);
         let near_shocks = last.spacing / f64::from(1_u32 << flight.halvings());
         let shock = SHOCK * near_shocks / flight.front_radius();
+        let at_none = |runs: &[(f64, f64)]| {
+            let found = doubting(doubted, runs);
+            Extrapolated {
+                band: found.band.max(shock * found.value.abs()),
+                ..found
+            }
+        };
         let banded = |of: fn(&Coefficients) -> f64, model: f64| {
             let told = told.iter();
             let runs: Vec<(f64, f64)> = told.map(|l| (l.spacing, of(&l.coefficients))).collect();
             let found = at_none(&runs);
-            let spacing = found.band.max(shock * found.value.abs());
             let settling = of(&last.swing).abs();
             let packing = last.open * found.value.abs();
             Banded {
                 value: found.value,
-                band: spacing + settling + packing + model,
-                spacing,
+                band: found.band + settling + packing + model,
+                spacing: found.band,
                 settling,
                 packing,
                 model,
@@ -219,6 +224,99 @@ fn centre(flight: &Flight, c: &Coefficients) -> Option<f64> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    use std::path::PathBuf;
+
+    use aero_geometry::{bodies, stl};
+
+    use super::super::flight::{Air, Wishes};
+
+    /// A sphere of radius one in space, 10 degrees to a stream of Mach 2.
+    fn flight() -> Flight {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("sphere.stl");
+        let mut bytes = Vec::new();
+        let facets = bodies::sphere(1.0).unwrap().tessellate(24);
+        stl::write_binary(&mut bytes, &facets).unwrap();
+        std::fs::write(&file, bytes).unwrap();
+        Flight::new(Wishes {
+            body: file,
+            unit: None,
+            axes: Some("-x,+y".parse().unwrap()),
+            roll: 0.0,
+            mach: 2.0,
+            incidence: 10.0,
+            sideslip: 0.0,
+            air: Air::State(1e5, 300.0),
+            with_the_gas: false,
+            area: None,
+            length: None,
+            centre: None,
+        })
+        .unwrap()
+    }
+
+    fn level(spacing: f64, value: f64, settled: bool) -> Level {
+        Level {
+            spacing,
+            finest: spacing,
+            folder: PathBuf::new(),
+            points: 1,
+            steps: 1,
+            wall_seconds: 1.0,
+            cpu_seconds: 1.0,
+            settled,
+            end: String::new(),
+            coefficients: Coefficients {
+                cd: value,
+                cd_forebody: value,
+                cd_base: 0.0,
+                cl: value,
+                cm: value,
+            },
+            swing: Coefficients::default(),
+            open: 0.0,
+            base_area: 0.5,
+            base_arm: 0.1,
+            warnings: Vec::new(),
+        }
+    }
+
+    /// Four runs that agree to a millionth.
+    #[test]
+    fn no_band_is_narrower_than_shocks_allow_and_what_a_base_may_be_counts_in_all() {
+        let flight = flight();
+        let runs: Vec<Level> = (0..4)
+            .map(|n| level(0.4 / f64::from(1 << n), 1.0 + 1e-6 * f64::from(n % 2), true))
+            .collect();
+        let Bands {
+            cd,
+            cd_forebody,
+            cl,
+            cm,
+            ..
+        } = Point::new(&flight, &runs, 0.0).unwrap().bands;
+        let least = 0.2 * 0.05 / f64::from(1 << flight.halvings()) / flight.front_radius();
+        for banded in [cd, cd_forebody, cl, cm] {
+            assert!((banded.spacing - least).abs() < 1e-3 * least, "{banded:?}");
+        }
+        let model = 0.5 / (1.4 * 4.0);
+        assert!((cd.model - model).abs() < 1e-12 && cd_forebody.model == 0.0);
+        assert!((cl.model - model * 10_f64.to_radians().tan()).abs() < 1e-12);
+        assert!((cm.model - 0.1 * model).abs() < 1e-12);
+    }
+
+    #[test]
+    fn a_run_that_did_not_settle_is_left_out_where_three_did() {
+        let mut runs = vec![level(0.8, 9.0, false)];
+        runs.extend([0.4, 0.2, 0.1].map(|h| level(h, 1.0 + h, true)));
+        let spacings = |runs: &[Level]| told(runs).iter().map(|l| l.spacing).collect::<Vec<_>>();
+        assert_eq!(spacings(&runs), [0.4, 0.2, 0.1]);
+        // Of too few all count, and the finest always does.
+        assert_eq!(spacings(&runs[..3]), [0.8, 0.4, 0.2]);
+        runs[3].settled = false;
+        assert_eq!(spacings(&runs), [0.4, 0.2, 0.1]);
+    }
 
     #[test]
     fn the_less_of_a_body_is_seen_the_less_its_trend_is_believed() {
