@@ -146,6 +146,7 @@ fn run(
         scene: &lines,
         noted: &scene.lines_from_anywhere(),
         resume: false,
+        skips_start: false,
         overwrite: true,
     };
     run_watched(case, destination, stopwatch, interrupt, &mut |_| false).map_err(

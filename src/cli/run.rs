@@ -49,6 +49,7 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
         scene: &scene_lines,
         noted: &scene.lines_from_anywhere(),
         resume: args.resume,
+        skips_start: false,
         overwrite: args.overwrite,
     };
     on_threads(args.scene.threads, || {

@@ -13,6 +13,8 @@ pub struct Destination<'a> {
     pub noted: &'a str,
     /// Go on from the checkpoint, where there is one.
     pub resume: bool,
+    /// Leave out the frame of the start: of a flow that begins as another run's last frame.
+    pub skips_start: bool,
     /// Write over what a run of another scene has left.
     pub overwrite: bool,
 }

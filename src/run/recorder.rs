@@ -59,6 +59,8 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     region: Option<Bounds<D>>,
     is_compressed: bool,
     has_ghosts: bool,
+    /// Leave the next frame out.
+    pub(super) skips_next: bool,
     mirrors: Mirrors,
     history: History,
     plan: RunPlan<D>,
@@ -155,6 +157,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             region: case.plan.output.region,
             is_compressed: case.plan.output.is_compressed,
             has_ghosts: case.plan.output.has_ghosts,
+            skips_next: false,
             mirrors: Mirrors(case.plan.output.mirrors.clone()),
             history,
             plan: case.plan.clone(),
@@ -171,6 +174,9 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
 
 impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
     fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError> {
+        if std::mem::take(&mut self.skips_next) {
+            return Ok(());
+        }
         let number = self.written.times.len();
         let time = shown_time(simulation);
         let region = self.region.as_ref();

@@ -60,6 +60,7 @@ fn run<const D: usize>(
         under_way.finish(&mut recorder)
     } else {
         let mut recorder = FileRecorder::create(folder, &case, scene, watch)?;
+        recorder.skips_next = destination.skips_start;
         Claim::note(&destination)?;
         UnderWay::start(case, &mut recorder, stopwatch)?.finish(&mut recorder)
     };

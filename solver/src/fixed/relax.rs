@@ -41,6 +41,8 @@ struct System<'a> {
     sweeps: &'a Sweeps,
     /// `L_i`, place by place.
     reaches: &'a [f64],
+    /// Speed of sound of each cell that is awake, by its number.
+    sounds: &'a [f64],
     /// `1/2 + 1/(2 c)`.
     share: f64,
 }
@@ -93,11 +95,13 @@ impl<const D: usize> FixedSimulation<D> {
                 }
             })
         });
-        let reaches = self.reaches(&sweeps);
+        let sounds = self.sounds();
+        let reaches = self.reaches(&sweeps, &sounds);
         let residual = self.residual(&sweeps, &reaches);
         let changes = self.solved(&System {
             sweeps: &sweeps,
             reaches: &reaches,
+            sounds: &sounds,
             share: 0.5 + 0.5 / courant,
         });
         if let Some(start) = start {
@@ -130,7 +134,8 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     /// The changes that a system asks for, place by place. A stream slower than sound carries nothing out of the domain at once, and what the
-    /// first sweeps leave of the system is worth others.
+    /// first sweeps leave of the system is worth others; a flow that began near its end has all its cells from the first step on, and is
+    /// there in fewer steps for one more sweep.
     fn solved(&self, system: &System<'_>) -> Vec<Conserved<D>> {
         let mut changes = vec![Conserved::ZERO; system.reaches.len()];
         let levels = || system.sweeps.levels();
@@ -142,6 +147,10 @@ impl<const D: usize> FixedSimulation<D> {
         }
         if self.is_slow() {
             for places in levels().chain(levels().rev()) {
+                self.relax(system, places, Sweep::Again, &mut changes);
+            }
+        } else if self.settling.is_near {
+            for places in levels() {
                 self.relax(system, places, Sweep::Again, &mut changes);
             }
         }
@@ -178,7 +187,7 @@ impl<const D: usize> FixedSimulation<D> {
                 }
                 .map(|change| (link, change))
             });
-            let beside = self.neighbours(known);
+            let beside = self.neighbours(known, system.sounds);
             let over = 1.0 / (system.share * system.reaches[place]);
             *change = match sweep {
                 Sweep::Back => change.plus(-0.5 * over, &beside),
@@ -191,8 +200,21 @@ impl<const D: usize> FixedSimulation<D> {
         self.quiet.blocks[i / super::net::BLOCK].is_awake
     }
 
+    /// Speed of sound of each cell that is awake.
+    fn sounds(&self) -> Vec<f64> {
+        let cells = self.columns.states.par_iter().enumerate();
+        let sound = |(i, state): (usize, &Primitive<D>)| {
+            if self.is_awake(i) {
+                self.sound(state)
+            } else {
+                0.0
+            }
+        };
+        cells.with_min_len(CHUNK).map(sound).collect()
+    }
+
     /// Sum of wave speed times area over all faces of each cell that is awake, place by place.
-    fn reaches(&self, sweeps: &Sweeps) -> Vec<f64> {
+    fn reaches(&self, sweeps: &Sweeps, sounds: &[f64]) -> Vec<f64> {
         let mut ends = vec![0.0; self.columns.held.len()];
         for (block, rest) in self.net.blocks.iter().zip(&self.quiet.blocks) {
             if !rest.is_awake {
@@ -202,7 +224,7 @@ impl<const D: usize> FixedSimulation<D> {
             let sides = block.sides.iter().map(|side| (side.i, &side.image));
             for (i, image) in walls.chain(sides) {
                 let state = &self.columns.states[i as usize];
-                let speed = dot(&state.velocity, &image.normal).abs() + self.sound(state);
+                let speed = dot(&state.velocity, &image.normal).abs() + sounds[i as usize];
                 ends[i as usize] += speed * image.size;
             }
             if let Some(viscous) = &self.fluid.viscous {
@@ -222,7 +244,7 @@ impl<const D: usize> FixedSimulation<D> {
                 return 1.0;
             }
             let state = &self.columns.states[i];
-            let sound = self.sound(state);
+            let sound = sounds[i];
             let mut sum = ends[i];
             for link in sweeps.links(place) {
                 let shape = &self.net.face_shapes[link.shape as usize];
@@ -262,6 +284,7 @@ impl<const D: usize> FixedSimulation<D> {
     fn neighbours<'a>(
         &self,
         known: impl Iterator<Item = (&'a Link, &'a Conserved<D>)>,
+        sounds: &[f64],
     ) -> Conserved<D> {
         let Fluid { gas, viscous } = &self.fluid;
         let mut sum = Conserved::ZERO;
@@ -272,7 +295,7 @@ impl<const D: usize> FixedSimulation<D> {
             let state = &self.columns.states[j];
             let speed = dot(&state.velocity, &area);
             let moved = state.flux_change(gas, self.columns.held[j].energy, &area, change);
-            let mut wave = speed.abs() + self.sound(state) * shape.size;
+            let mut wave = speed.abs() + sounds[j] * shape.size;
             if let Some(viscous) = viscous {
                 let apart = dot(&shape.apart, &shape.apart).sqrt();
                 let viscosities = [self.columns.viscosities[j]; 2];

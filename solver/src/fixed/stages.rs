@@ -10,9 +10,9 @@ const PATIENCE: u64 = 400;
 /// The same of viscous flows: a layer that has not grown yet asks for too few.
 const PATIENCE_VISCOUS: u64 = 4000;
 
-/// So many iterations after which a flow that began near its end asks for the first time: by then shocks are where they will be, but for
+/// So many iterations after which a flow that began near its end asks, and asks again: by then shocks are where they will be, but for
 /// little.
-const SOON: u64 = 10;
+const SOON: u64 = 5;
 
 /// Part of all points that is hardly any.
 const FEW: f64 = 0.02;
@@ -30,8 +30,7 @@ impl<const D: usize> FixedSimulation<D> {
             return Ok(());
         };
         let settling = &self.settling;
-        let is_first = settling.adaptions == u32::from(ground.most());
-        let is_soon = settling.is_near && is_first && settling.since == SOON;
+        let is_soon = settling.is_near && settling.since == SOON;
         let patience = if self.fluid.viscous.is_some() {
             PATIENCE_VISCOUS
         } else {

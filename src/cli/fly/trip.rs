@@ -274,6 +274,7 @@ impl<'a> Trip<'a> {
             scene: &lines,
             noted: &scene.lines_from_anywhere(),
             resume: false,
+            skips_start: false,
             overwrite: true,
         };
         let begun = Instant::now();

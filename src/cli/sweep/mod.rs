@@ -230,10 +230,11 @@ fn fly(
 ) -> Result<Value, CommandError> {
     let nearest = start.map(|start| start.nearest);
     let started = started(scene, nearest, start.and_then(|start| start.trend))?;
-    let (mut summary, mut came_to_its_end) = run(&started, folder, interrupt)?;
-    if !came_to_its_end && !interrupt.came() && started.lines() != scene.lines() {
+    let is_started = started.lines() != scene.lines();
+    let (mut summary, mut came_to_its_end) = run(&started, folder, is_started, interrupt)?;
+    if !came_to_its_end && !interrupt.came() && is_started {
         note!("it is run again from the free stream");
-        (summary, came_to_its_end) = run(scene, folder, interrupt)?;
+        (summary, came_to_its_end) = run(scene, folder, false, interrupt)?;
     }
     if came_to_its_end {
         std::fs::write(folder.join(SETTINGS), scene.lines()).map_err(CommandError::failed)?;
@@ -241,10 +242,11 @@ fn fly(
     serde_json::to_value(&summary).map_err(CommandError::failed)
 }
 
-/// Runs a scene; tells whether it came to its end.
+/// Runs a scene, without the frame of its start where a neighbour's last is that; tells whether it came to its end.
 fn run(
     scene: &Scene,
     folder: &Path,
+    skips_start: bool,
     interrupt: &Interrupt,
 ) -> Result<(Summary, bool), CommandError> {
     let stopwatch = Stopwatch::start();
@@ -256,6 +258,7 @@ fn run(
         scene: &lines,
         noted: &scene.lines_from_anywhere(),
         resume: false,
+        skips_start,
         overwrite: true,
     };
     match run_watched(case, destination, stopwatch, interrupt, &mut |_| false) {
