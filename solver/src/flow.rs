@@ -8,6 +8,7 @@ use crate::carrier::Carrier;
 use crate::compiled;
 use crate::fixed::Settled;
 use crate::frame::{CellFrame, Frame, Load, PanelFrame, SurfaceFrame, Totals};
+use crate::panels::shown_forces;
 use crate::problem::Problem;
 use crate::{Failure, Pose, Statistics};
 
@@ -98,6 +99,12 @@ impl<const D: usize> Flow<D> {
     /// Loads of a pressure of one everywhere, on bodies, then on wall sides: nothing on what is closed.
     pub fn uniform_loads(&self) -> Vec<Load> {
         compiled::uniform_loads(&self.0)
+    }
+
+    /// Forces on the bodies by what `panels`, those of now, show: pressure over the free stream's and friction. Those of [`Self::loads`] are
+    /// what the gas itself is held off with.
+    pub fn shown_forces(&self, panels: &PanelFrame) -> Vec<[f64; 3]> {
+        shown_forces(self.problem(), panels)
     }
 
     /// Loads on bodies, then on wall sides.

@@ -16,6 +16,7 @@ mod reach;
 mod recorder;
 mod same;
 mod settle;
+mod shown;
 mod stagnation;
 mod steady;
 mod stopwatch;

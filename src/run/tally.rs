@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use super::{far_field, outlets, reach, stagnation, warmth};
+use super::{far_field, outlets, reach, shown, stagnation, warmth};
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
@@ -242,6 +242,7 @@ impl Tally {
                 .chain(outlets::warnings(problem, &frame))
                 .chain(warmth::warnings(problem, &frame))
                 .chain(stagnation::warnings(problem, &frame))
+                .chain(shown::warnings(simulation, &self.coefficients))
                 .chain(reach::warnings(ways, problem.spacing))
                 .collect(),
         }

@@ -5,11 +5,13 @@ mod bend;
 mod cut;
 mod exposed;
 pub(crate) mod fit;
+mod integral;
 mod press;
 mod seen;
 mod show;
 mod uniform;
 
+pub use integral::shown_forces;
 pub use press::Pressed;
 pub use show::Heated;
 
