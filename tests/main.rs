@@ -34,6 +34,7 @@ mod run;
 mod scene_page;
 mod stress;
 mod support;
+mod telling;
 mod views;
 mod viscous;
 mod wall_treatments;

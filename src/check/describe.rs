@@ -1,15 +1,20 @@
 //! What a case is, in words: the stream, what each side does, how finely each body is resolved and what it touches.
 
+use aero_packer::thinnest_part;
 use aero_solver::gas::Gas;
+use aero_solver::method::Refine;
 use aero_solver::panels::Panels;
 use aero_solver::problem::{Opening, Problem};
 
 use super::layer::reynolds_per_length;
 use super::{shortened, side_name};
-use crate::case::{AnyCase, Case};
+use crate::case::{AnyCase, Case, Stop};
 
 /// Nearer than this, in spacings, is touching.
 const TOUCHES: f64 = 0.5;
+
+/// More spacings than this across are not worth a word.
+const THIN: f64 = 20.0;
 
 impl AnyCase {
     /// What the case is, a line each.
@@ -33,12 +38,20 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
         "particles that move with the gas"
     };
     let mut lines = vec![
-        format!("{motion}, to t = {:.4e}", case.plan.end_time),
+        match (case.plan.stop, problem.method.settles()) {
+            (_, true) => format!("{motion}, until the flow is steady"),
+            (Stop::Steady, _) => format!(
+                "{motion}, until forces are steady or t = {:.4e}",
+                case.plan.end_time
+            ),
+            (Stop::EndTime, _) => format!("{motion}, to t = {:.4e}", case.plan.end_time),
+        },
         format!(
-            "stream: Mach {:.4}, pressure {:.5e}, density {:.5e}, dynamic pressure {:.5e}",
+            "stream: Mach {:.4}, pressure {:.5e}, density {:.5e}{}, dynamic pressure {:.5e}",
             speed / sound,
             stream.pressure,
             stream.density,
+            temperature(case),
             0.5 * stream.density * speed * speed
         ),
     ];
@@ -62,6 +75,18 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
         lines.extend(body(problem, &panels, number));
     }
     lines
+}
+
+/// How warm the stream of an ideal gas is, where its gas constant is known.
+fn temperature<const D: usize>(case: &Case<D>) -> String {
+    match (&case.problem.gas, case.plan.gas_constant) {
+        (Gas::Ideal(_), Some(constant)) => {
+            let stream = &case.problem.free_stream;
+            let kelvins = stream.pressure / (stream.density * constant);
+            format!(", temperature {kelvins:.2} K")
+        }
+        _ => String::new(),
+    }
 }
 
 /// The gas, and how warm its stream is where that is known.
@@ -136,6 +161,22 @@ fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize)
         shortened(body.reference_length),
         super::place(&body.moment_centre)
     )];
+    let thin = thinnest_part(body.shape.as_ref(), &problem.domain.bounds);
+    if let Some(thin) = thin.filter(|thin| *thin < THIN * problem.spacing) {
+        let spacings = thin / problem.spacing;
+        let refine = problem.method.fixed().map(|points| points.refine);
+        let finest = match refine {
+            Some(Refine::Points(_)) | None => 0,
+            Some(refine) => refine.levels(),
+        };
+        let finely = match finest {
+            0 => String::new(),
+            most => format!(", {:.1} of the finest", spacings * f64::from(1_u32 << most)),
+        };
+        lines.push(format!(
+            "  its thinnest part, {thin:.3e}, is {spacings:.1} spacings across{finely}"
+        ));
+    }
     if let Some(free) = &body.motion.free {
         let mass = match D {
             1 => "kg to a square metre",

@@ -8,7 +8,7 @@ use aero::run::{Burst, burst};
 use clap::Args;
 
 use super::minutes::turned_into_points;
-use super::scene::{SceneArgs, folder};
+use super::scene::{SceneArgs, described, folder};
 use super::{CommandError, on_threads};
 
 /// What `aero check` takes.
@@ -32,13 +32,8 @@ pub fn check(args: &CheckArgs) -> Result<(), CommandError> {
     on_threads(args.scene.threads, || {
         let scene = turned_into_points(scene, None)?;
         let case = scene.build_any().map_err(CommandError::wrong)?;
-        say!(
-            "{name}: {} dimensions, spacing {}",
-            scene.dimension(),
-            scene.file().spacing.get()
-        );
-        for line in case.description() {
-            say!("  {line}");
+        for line in described(&scene, &case) {
+            say!("{line}");
         }
         let found = case.check();
         for line in &found.warnings {

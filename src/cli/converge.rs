@@ -149,14 +149,14 @@ fn run(
         skips_start: false,
         overwrite: true,
     };
-    run_watched(case, destination, stopwatch, interrupt, &mut |_| false).map_err(
-        |error| match error {
+    run_watched(case, destination, stopwatch, interrupt, &[], &mut |_| false).map_err(|error| {
+        match error {
             RunError::SetUp(_) | RunError::Resume(_) | RunError::Occupied(_) => {
                 CommandError::wrong(error)
             }
             _ => CommandError::failed(error),
-        },
-    )
+        }
+    })
 }
 
 /// True where loads came to rest, or a run through time to its end.

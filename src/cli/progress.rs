@@ -72,15 +72,15 @@ impl Display {
     /// Shows where a run is.
     pub fn show(&mut self, progress: Progress) {
         if progress.settles {
-            self.count(progress.steps);
+            self.count(progress);
         } else {
             self.advance(progress);
         }
     }
 
     /// Shows at which iteration a flow is that settles: how many there will be nobody knows.
-    fn count(&mut self, iteration: u64) {
-        let text = format!("iteration {iteration}");
+    fn count(&mut self, progress: Progress) {
+        let text = format!("iteration {}{}", progress.steps, loads(&progress));
         match self {
             Self::Bar(bar) => {
                 if bar.message().is_empty()
@@ -102,7 +102,12 @@ impl Display {
 
     fn advance(&mut self, progress: Progress) {
         let part = (progress.time / progress.end_time).clamp(0.0, 1.0);
-        let text = format!("step {}, t = {:.4e}", progress.steps, progress.time);
+        let text = format!(
+            "step {}, t = {:.4e}{}",
+            progress.steps,
+            progress.time,
+            loads(&progress)
+        );
         match self {
             Self::Bar(bar) => {
                 let first = bar.position() == 0;
@@ -160,6 +165,14 @@ impl Lines {
     }
 }
 
+/// How hard the first body is pressed, and how much that changes still.
+fn loads(progress: &Progress) -> String {
+    progress.coefficients.map_or(String::new(), |now| {
+        let swing = 100.0 * now.swing;
+        format!(", cd {:.4}, cl {:.4} +- {swing:.1} %", now.cd, now.cl)
+    })
+}
+
 fn fill(bar: &ProgressBar, part: f64, text: String) {
     bar.set_position((part * TICKS as f64) as u64);
     bar.set_message(text);
@@ -177,4 +190,33 @@ pub fn watched<T>(work: impl FnOnce(Watch) -> T) -> T {
     }));
     lock(&display, &|display| display.finish());
     result
+}
+
+#[cfg(test)]
+mod tests {
+    use aero::run::Latest;
+
+    use super::*;
+
+    #[test]
+    fn progress_shows_how_hard_the_first_body_is_pressed_where_there_is_one() {
+        let latest = Latest {
+            cd: 0.188_41,
+            cl: -0.4507,
+            swing: 0.0123,
+        };
+        let progress = |coefficients| Progress {
+            steps: 1,
+            time: 0.0,
+            end_time: 1.0,
+            dt: 0.1,
+            settles: false,
+            coefficients,
+        };
+        assert_eq!(
+            loads(&progress(Some(latest))),
+            ", cd 0.1884, cl -0.4507 +- 1.2 %"
+        );
+        assert_eq!(loads(&progress(None)), "");
+    }
 }

@@ -10,7 +10,7 @@ use clap::Args;
 
 use super::interrupt::Interrupt;
 use super::minutes::turned_into_points;
-use super::scene::{SceneArgs, checked, folder, run_watched, tell};
+use super::scene::{SceneArgs, checked, described, folder, run_watched, tell};
 use super::{CommandError, on_threads};
 
 /// What `aero run` takes.
@@ -28,6 +28,9 @@ pub struct RunArgs {
     #[arg(long)]
     overwrite: bool,
 }
+
+/// Spread of a force about its mean, in per cent of it, below which it has settled.
+const SETTLED: f64 = 1.0;
 
 /// Runs a scene.
 pub fn run(args: &RunArgs) -> Result<(), CommandError> {
@@ -53,7 +56,9 @@ pub fn run(args: &RunArgs) -> Result<(), CommandError> {
         overwrite: args.overwrite,
     };
     on_threads(args.scene.threads, || {
-        run_case(checked(&scene)?, destination, stopwatch, &interrupt)
+        let case = checked(&scene)?;
+        let words = described(&scene, &case);
+        run_case(case, destination, stopwatch, &interrupt, &words)
     })
 }
 
@@ -86,9 +91,12 @@ fn run_case(
     destination: Destination<'_>,
     stopwatch: Stopwatch,
     interrupt: &Interrupt,
+    words: &[String],
 ) -> Result<(), CommandError> {
     tell(&case);
-    let result = run_watched(case, destination, stopwatch, interrupt, &mut |_| false);
+    let result = run_watched(case, destination, stopwatch, interrupt, words, &mut |_| {
+        false
+    });
     let folder = destination.folder.display();
     let go_on = if destination.folder.join(CHECKPOINT).exists() {
         "; the last checkpoint is kept: go on from it with `--resume`"
@@ -182,6 +190,7 @@ fn loads(name: &str, body: &BodySummary) -> String {
         if let (Some(ca), Some(cn)) = (body.ca_mean, body.cn_mean) {
             let _ = write!(text, ", axial {ca:.4}, normal {cn:.4}");
         }
+        text.push_str(&settled(body));
         let [x, y, z] = body.moment_centre;
         let _ = write!(
             text,
@@ -204,6 +213,18 @@ fn loads(name: &str, body: &BodySummary) -> String {
     }
     text.push('\n');
     text
+}
+
+/// Whether the force on a body has come to rest, by its spread over the time of its mean; nothing where none was taken.
+fn settled(body: &BodySummary) -> String {
+    let spread = body.settled_percent;
+    if spread == 0.0 {
+        String::new()
+    } else if spread < SETTLED {
+        format!("\n  settled: +- {spread:.1} % while the mean was taken")
+    } else {
+        format!("\n  not settled: +- {spread:.1} % while the mean was taken")
+    }
 }
 
 /// The drift of what is conserved, where the run went through time.

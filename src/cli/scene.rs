@@ -54,6 +54,19 @@ pub fn checked(scene: &Scene) -> Result<AnyCase, CommandError> {
     case.checked().map_err(CommandError::wrong)
 }
 
+/// What a scene is, in words, a line each.
+pub fn described(scene: &Scene, case: &AnyCase) -> Vec<String> {
+    let heading = format!(
+        "{}: {} dimensions, spacing {}",
+        scene.name(),
+        scene.dimension(),
+        scene.file().spacing.get()
+    );
+    let lines = case.description();
+    let lines = lines.iter().map(|line| format!("  {line}"));
+    std::iter::once(heading).chain(lines).collect()
+}
+
 /// Tells what was mended in the bodies, and what the user should know.
 pub fn tell(case: &AnyCase) {
     for line in case.remarks() {
@@ -61,7 +74,7 @@ pub fn tell(case: &AnyCase) {
     }
 }
 
-/// Runs a case with its progress shown, until an interrupt or until `is_late` says so.
+/// Runs a case with its progress shown, until an interrupt or until `is_late` says so; once it is under way `words` are said.
 ///
 /// # Errors
 /// As of [`run_any`].
@@ -70,11 +83,16 @@ pub fn run_watched(
     destination: Destination<'_>,
     stopwatch: Stopwatch,
     interrupt: &Interrupt,
+    words: &[String],
     is_late: &mut dyn FnMut(Progress) -> bool,
 ) -> Result<Summary, RunError> {
     let mut display = Display::of_run();
+    let mut words = words.iter();
     let result = run_any(case, destination, stopwatch, &mut |progress| {
         interrupt.hold(true);
+        for line in words.by_ref() {
+            note!("{line}");
+        }
         display.show(progress);
         if is_late(progress) {
             ControlFlow::Break(())

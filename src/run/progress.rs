@@ -1,5 +1,7 @@
 //! How far a run is.
 
+use super::lately::Coefficients;
+
 /// How far a run is.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Progress {
@@ -13,4 +15,6 @@ pub struct Progress {
     pub dt: f64,
     /// True of a flow that settles: its steps are iterations, and no time says how far it is.
     pub settles: bool,
+    /// Of the first body, where a stream gives it any; as of the last row of the history.
+    pub coefficients: Option<Coefficients>,
 }

@@ -9,6 +9,7 @@ use aero_geometry::Bounds;
 
 use super::checkpoint::{Checkpoint, Written};
 use super::coefficients::Coefficients;
+use super::lately::{self, Lately};
 use super::probes::Probes;
 use super::progress::Progress;
 use super::views::Views;
@@ -65,6 +66,9 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     history: History,
     plan: RunPlan<D>,
     coefficients: Option<Coefficients>,
+    lately: Lately,
+    /// Of the first body, as of the last row of the history.
+    latest: Option<lately::Coefficients>,
     history_every: u64,
     checkpoint_every: Duration,
     last_checkpoint: Instant,
@@ -162,6 +166,8 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             history,
             plan: case.plan.clone(),
             coefficients: None,
+            lately: Lately::default(),
+            latest: None,
             history_every: case.plan.output.history_every as u64,
             checkpoint_every: Duration::from_secs_f64(case.plan.output.checkpoint_seconds),
             last_checkpoint: Instant::now(),
@@ -239,6 +245,8 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             let loads = simulation.loads();
             let bodies = loads.iter().take(simulation.problem().bodies.len());
             let coefficients: Vec<_> = bodies.enumerate().map(|(n, l)| scales.of(n, l)).collect();
+            let first = coefficients.first().copied().flatten();
+            self.latest = first.map(|first| self.lately.add(first.cd, first.cl));
             let numbers = 0..simulation.problem().bodies.len();
             let motions: Vec<_> = numbers
                 .filter_map(|number| BodyMotion::of(simulation, number))
@@ -260,6 +268,7 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             end_time: self.end_time,
             dt,
             settles: simulation.problem().method.settles(),
+            coefficients: self.latest,
         }))
     }
 

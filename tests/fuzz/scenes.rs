@@ -76,6 +76,7 @@ pub fn try_scene(text: &str, setting: Option<&str>, folder: &Path) -> Result<Fat
         scene: "",
         noted: "",
         resume: false,
+        skips_start: false,
         overwrite: true,
     };
     let mut stop = |_| ControlFlow::Break(());

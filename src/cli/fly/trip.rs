@@ -288,7 +288,14 @@ impl<'a> Trip<'a> {
             steps = progress.steps;
             is_late(steps)
         };
-        let result = run_watched(case, destination, Stopwatch::start(), interrupt, &mut watch);
+        let result = run_watched(
+            case,
+            destination,
+            Stopwatch::start(),
+            interrupt,
+            &[],
+            &mut watch,
+        );
         let summary = match result {
             Ok(summary) => summary,
             Err(RunError::Stopped { reason, summary }) => {

@@ -261,7 +261,7 @@ fn run(
         skips_start,
         overwrite: true,
     };
-    match run_watched(case, destination, stopwatch, interrupt, &mut |_| false) {
+    match run_watched(case, destination, stopwatch, interrupt, &[], &mut |_| false) {
         Ok(summary) => Ok((summary, true)),
         Err(RunError::Stopped { .. }) if interrupt.came() => Err(CommandError::failed(
             "interrupted; the same command goes on with the points that are left",

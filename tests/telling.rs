@@ -1,0 +1,91 @@
+//! What a run tells of itself while it goes and at its end.
+
+use crate::support::Workplace;
+
+/// Gas of 288 K about a plate less than a spacing thick.
+const PLATE: &str = r#"
+dimension = 2
+spacing = 0.05
+end_time = 0.2
+
+[gas]
+gas_constant = 287.0
+
+[free_stream]
+mach = 2.0
+pressure = 101325.0
+temperature = 288.0
+incidence = 3.0
+
+[domain]
+min = [-0.4, -0.5]
+max = [1.4, 0.5]
+
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+y_min = "free-stream"
+y_max = "free-stream"
+
+[[body]]
+name = "plate"
+shape = { polygon = [[[0.0, 0.0], [0.5, -0.02], [1.0, 0.0], [0.5, 0.02]]] }
+reference_area = 1.0
+reference_length = 1.0
+"#;
+
+/// Dynamic pressure: `0.7 p M^2`.
+#[test]
+fn a_run_says_in_words_what_it_is_about_to_do() {
+    let place = Workplace::new();
+    place.write("plate.toml", PLATE);
+    let halt = ["run", "plate.toml", "--set", "end_time=1e-5"];
+    let ran = place.aero(&halt);
+    ran.succeeds();
+    for words in [
+        "plate: 2 dimensions, spacing 0.05",
+        "particles that move with the gas, to t = 1.0000e-5",
+        "Mach 2.0000, pressure 1.01325e5",
+        "temperature 288.00 K, dynamic pressure 2.83710e5",
+        "side x_min at -0.4: the free stream comes in",
+        "body `plate`: 20.0 x 0.8 spacings",
+        "its thinnest part",
+    ] {
+        assert!(ran.err.contains(words), "`{words}` in {}", ran.err);
+    }
+    assert!(!ran.err.contains("Reynolds"), "{}", ran.err);
+    let viscous = ["run", "plate.toml", "--set", "end_time=1e-5", "--overwrite"];
+    let viscous = [
+        &viscous[..],
+        &["--set", "gas.viscosity={ reynolds = 2000.0 }"],
+    ]
+    .concat();
+    let ran = place.aero(&viscous);
+    assert!(
+        ran.err.contains("Reynolds number: 2.00000e3"),
+        "{}",
+        ran.err
+    );
+}
+
+#[test]
+fn a_run_says_at_its_end_whether_its_forces_have_settled() {
+    let place = Workplace::new();
+    place.write("plate.toml", PLATE);
+    let told = |settings: &[&str]| {
+        let run = ["run", "plate.toml", "--overwrite"];
+        let ran = place.aero(&[&run[..], settings].concat());
+        ran.succeeds();
+        let summary = place.json("out/plate/summary.json");
+        (ran.out, summary)
+    };
+    let (early, summary) = told(&["--set", "end_time=4e-4"]);
+    let swing = summary["bodies"]["plate"]["settled_percent"].as_f64();
+    let swing = swing.expect("a number");
+    let words = format!("not settled: +- {swing:.1} %");
+    assert!(swing > 1.0 && early.contains(&words), "{swing}: {early}");
+    let settles = ["--set", "stop=\"steady\"", "--set", "scheme.motion=fixed"];
+    let (settled, _) = told(&settles);
+    assert!(settled.contains("settled after"), "{settled}");
+    assert!(!settled.contains("not settled"), "{settled}");
+}
