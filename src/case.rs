@@ -158,6 +158,8 @@ pub struct OutputPlan<const D: usize> {
     pub has_cells: bool,
     /// Ghosts and buffers are written, too.
     pub has_ghosts: bool,
+    /// Frames have the gradient of the density, too.
+    pub has_gradients: bool,
     /// Planes `(axis, place)` that what is written is mirrored at.
     pub mirrors: Vec<(usize, f64)>,
     /// The gas on a lattice is written, too.

@@ -43,7 +43,17 @@ fn a_linear_flow_is_met_to_round_off_by_particles_and_by_points() {
     for motion in ["with-the-gas", "fixed"] {
         let place = Workplace::new();
         let motion = format!("scheme.motion=\"{motion}\"");
-        place.run(LINEAR, &["--set", &motion]).succeeds();
+        let gradients = "output.density_gradient=true";
+        place
+            .run(LINEAR, &["--set", &motion, "--set", gradients])
+            .succeeds();
+        let frame = place.path("results/frame-000000.vtp");
+        let gradients = appended(&frame, "density_gradient").expect("gradients");
+        assert!(gradients.len() > 3 * 200);
+        for gradient in gradients.chunks(3) {
+            let off = (gradient[0] - 0.5).hypot(gradient[1] + 0.25);
+            assert!(off < 1e-9 && gradient[2] == 0.0, "{gradient:?}");
+        }
         let path = place.path("results/field-000000.vti");
         let array = |name: &str| appended(&path, name).expect("an array");
         let (density, pressure) = (array("density"), array("pressure"));
@@ -237,7 +247,15 @@ fn the_other_half_is_shown_and_forces_stay_what_they_are() {
         (history, count, surface, cells, field)
     };
     let (history, half, half_surface, half_cells, half_field) = run(&[]);
-    let (again, whole, surface, cells, field) = run(&["--set", "output.mirror=true"]);
+    let gradients = ["--set", "output.density_gradient=true"];
+    let (again, whole, surface, cells, field) =
+        run(&[&gradients[..], &["--set", "output.mirror=true"]].concat());
+    let gradients = appended(&file("frame-000001.vtp"), "density_gradient").expect("gradients");
+    let (own, images) = gradients.split_at(gradients.len() / 2);
+    for (own, image) in own.chunks(3).zip(images.chunks(3)) {
+        let off = (own[0] - image[0]).hypot(own[1] + image[1]);
+        assert!(off < 1e-9, "{own:?} {image:?}");
+    }
     assert!(history == again);
     assert_eq!((whole, cells), (2 * half, 2 * half_cells));
     assert_eq!(surface.cells.len(), 2 * half_surface.cells.len());

@@ -8,10 +8,12 @@ use super::vtk_xml::Told;
 use super::vtp::Cloud;
 use aero_solver::frame::Frame;
 
-/// Writes a snapshot of particles, with what follows from their state by `reference`, compressed if so wished.
+/// Writes a snapshot of particles, with what follows from their state by `reference` and with the `gradients` of the density unless there are
+/// none, compressed if so wished.
 pub fn write_frame(
     path: &Path,
     frame: &Frame,
+    gradients: &[[f64; 3]],
     reference: Option<&Reference>,
     is_compressed: bool,
 ) -> Result<(), OutputError> {
@@ -41,6 +43,9 @@ pub fn write_frame(
         if let Some(temperatures) = reference.temperatures(pressure, density) {
             cloud = cloud.scalars("temperature", &temperatures[..]);
         }
+    }
+    if !gradients.is_empty() {
+        cloud = cloud.vectors("density_gradient", gradients);
     }
     if !frame.spacing.is_empty() {
         cloud = cloud.scalars("spacing", &frame.spacing[..]);

@@ -209,15 +209,16 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             (path, frame.chosen(|kind| kind != Kind::Fluid as u8))
         });
         let mut frame = frame.chosen(|kind| kind == Kind::Fluid as u8);
+        let gradients = self.views.gradients(simulation, &frame);
         let mut views = self.views.take(simulation, number, time);
         views.extend(self.probes.lines(&self.folder, simulation, number));
         self.background.hand(move || {
             if let Some((path, ghosts)) = ghosts {
-                output::write_frame(&path, &ghosts, Some(&reference), is_compressed)?;
+                output::write_frame(&path, &ghosts, &[], Some(&reference), is_compressed)?;
             }
             let mut cells = cells;
             mirrors.apply(&mut frame, cells.as_mut().map(|(_, cells, _)| cells));
-            output::write_frame(&path, &frame, Some(&reference), is_compressed)?;
+            output::write_frame(&path, &frame, &gradients, Some(&reference), is_compressed)?;
             particles.write()?;
             if let Some((path, mut surface, surfaces)) = surface {
                 mirrors.surface(&mut surface);

@@ -3,11 +3,13 @@
 use std::path::{Path, PathBuf};
 
 use aero_geometry::Vector;
+use rayon::prelude::*;
 
 use crate::case::{OutputPlan, RunPlan, Stretch};
-use crate::output::{self, Caption, Collection, OutputError, Reference};
+use crate::output::{self, Caption, Collection, Mirrors, OutputError, Reference};
 use crate::sample::{Field, Gas, Solids};
 use aero_solver::Flow;
+use aero_solver::frame::Frame;
 
 /// Points of a curve.
 const SAMPLES: usize = 800;
@@ -57,6 +59,23 @@ impl<const D: usize> Views<D> {
         let field = self.field(&gas, number, time);
         let picture = self.picture(&gas, flow, number);
         [field, picture].into_iter().flatten().collect()
+    }
+
+    /// How the density changes where `frame`, mirrored as it is shown, has gas; none unless the plan asks for it.
+    pub(super) fn gradients(&self, flow: &Flow<D>, frame: &Frame) -> Vec<[f64; 3]> {
+        if !self.plan.has_gradients {
+            return Vec::new();
+        }
+        let mut shown = frame.clone();
+        Mirrors(self.plan.mirrors.clone()).apply(&mut shown, None);
+        let problem = flow.problem();
+        let solids = Solids::new(&problem.bodies, |number| flow.pose(number));
+        let gas = Gas::new(&flow.frame(), problem, &solids);
+        let gradient = |place: &[f64; 3]| {
+            let (found, _) = gas.at(&Vector::from_fn(|k, _| place[k]));
+            found.map_or([0.0; 3], |state| state.density_gradient)
+        };
+        shown.position.par_iter().map(gradient).collect()
     }
 
     fn field(&self, gas: &Gas<'_, D>, number: usize, time: f64) -> Option<Job> {

@@ -371,6 +371,8 @@ pub struct OutputEntry {
     pub picture: Option<PictureEntry>,
     /// Ghosts and buffers, beside every frame; off unless given, of particles alone.
     pub ghosts: Option<bool>,
+    /// How the density changes along each axis where particles or points are, in every frame: schlieren; off unless given.
+    pub density_gradient: Option<bool>,
     /// The other half of a scene with symmetry sides or an axis, in all that shows the flow; off unless given. Forces stay what they are.
     pub mirror: Option<bool>,
     /// Compressed files; on unless given.

@@ -59,6 +59,7 @@ pub(super) fn plan<const D: usize>(
         frame_interval,
         has_cells,
         has_ghosts,
+        has_gradients: entry.density_gradient.unwrap_or(false),
         region: shown.transpose()?,
         field: field.transpose()?,
         picture: picture.transpose()?,
