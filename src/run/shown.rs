@@ -37,8 +37,8 @@ pub(super) fn warnings<const D: usize>(
         (part.abs() > WORTH).then(|| {
             let (part, word) = (100.0 * part.abs(), if part > 0.0 { "more" } else { "less" });
             let text = format!(
-                "its force is {part:.1} % {word} than the integral of what its surface shows: edges or thin parts are smaller than the cells \
-                 or particles there; use a smaller `spacing`, or halve it near the body",
+                "its force is {part:.1} % {word} than the integral of what its surface shows: edges, thin parts or what \
+                 a side cuts off are no more than a few cells or particles large; use a smaller `spacing`, or halve it near the body",
             );
             Warning::new(About::Scene, text).of(&problem.bodies[number].name)
         })
