@@ -2,6 +2,8 @@
 
 use aero_geometry::Bounds;
 
+use crate::check::shortened;
+
 /// Spacings across the thinnest extent of the body: enough to tell its form, few enough to look at
 /// at once.
 const ACROSS: f64 = 24.0;
@@ -57,7 +59,10 @@ fn of_extent(bounds: &Bounds<3>, layers: usize) -> (f64, String) {
     let affordable = (box_area(bounds) * layers as f64 / MOST).sqrt();
     if fine >= affordable {
         let spacing = two_digits(fine);
-        let reason = format!("picked: the thinnest extent, {thinnest:.4}, over {ACROSS}");
+        let reason = format!(
+            "picked: the thinnest extent, {}, over {ACROSS}",
+            shortened(thinnest)
+        );
         (spacing, reason)
     } else {
         let spacing = two_digits(affordable);
