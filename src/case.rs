@@ -154,12 +154,8 @@ pub struct OutputPlan<const D: usize> {
     pub frame_interval: f64,
     /// What frames show; everything if none.
     pub region: Option<Bounds<D>>,
-    /// The cells about points that stay are written, too.
-    pub has_cells: bool,
-    /// Ghosts and buffers are written, too.
-    pub has_ghosts: bool,
-    /// Frames have the gradient of the density, too.
-    pub has_gradients: bool,
+    /// What is written beside.
+    pub extras: Extras,
     /// Planes `(axis, place)` that what is written is mirrored at.
     pub mirrors: Vec<(usize, f64)>,
     /// The gas on a lattice is written, too.
@@ -174,6 +170,17 @@ pub struct OutputPlan<const D: usize> {
     pub history_every: usize,
     /// Longest wall time between checkpoints, s.
     pub checkpoint_seconds: f64,
+}
+
+/// What frames have beside the gas, where it is asked for.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub struct Extras {
+    /// The cells about points that stay.
+    pub cells: bool,
+    /// Ghosts and buffers.
+    pub ghosts: bool,
+    /// The gradient of the density.
+    pub gradients: bool,
 }
 
 /// The gas on a lattice, beside every frame.

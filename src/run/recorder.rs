@@ -152,7 +152,8 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             particles: Collection::new(folder.join("run.pvd")),
             surfaces: has_surfaces.then(|| Collection::new(folder.join("surface.pvd"))),
             cells: plan
-                .has_cells
+                .extras
+                .cells
                 .then(|| Collection::new(folder.join("cells.pvd"))),
             probes,
             views: Views::new(folder, &case.plan, reference(case)),
@@ -160,7 +161,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             background: Background::default(),
             region: case.plan.output.region,
             is_compressed: case.plan.output.is_compressed,
-            has_ghosts: case.plan.output.has_ghosts,
+            has_ghosts: case.plan.output.extras.ghosts,
             skips_next: false,
             mirrors: Mirrors(case.plan.output.mirrors.clone()),
             history,

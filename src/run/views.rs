@@ -63,7 +63,7 @@ impl<const D: usize> Views<D> {
 
     /// How the density changes where `frame`, mirrored as it is shown, has gas; none unless the plan asks for it.
     pub(super) fn gradients(&self, flow: &Flow<D>, frame: &Frame) -> Vec<[f64; 3]> {
-        if !self.plan.has_gradients {
+        if !self.plan.extras.gradients {
             return Vec::new();
         }
         let mut shown = frame.clone();

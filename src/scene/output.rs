@@ -6,7 +6,7 @@ use super::number::Count;
 use super::picture;
 use super::region::{Surroundings, mirrors, region};
 use super::views;
-use crate::case::{OutputPlan, Pressure};
+use crate::case::{Extras, OutputPlan, Pressure};
 
 /// What a run of that length writes, about points that stay or not.
 pub(super) fn plan<const D: usize>(
@@ -57,9 +57,11 @@ pub(super) fn plan<const D: usize>(
     let picture = picture.map(|picture| picture::picture(picture, scene, &mirrors));
     Ok(OutputPlan {
         frame_interval,
-        has_cells,
-        has_ghosts,
-        has_gradients: entry.density_gradient.unwrap_or(false),
+        extras: Extras {
+            cells: has_cells,
+            ghosts: has_ghosts,
+            gradients: entry.density_gradient.unwrap_or(false),
+        },
         region: shown.transpose()?,
         field: field.transpose()?,
         picture: picture.transpose()?,

@@ -97,13 +97,16 @@ impl<'a, const D: usize> Nearby<'a, D> {
     /// The same of walls that are no farther than `reach`; none where a piece has none.
     fn pieces_within(&self, panel: &Panel<D>, reach: f64) -> Option<Vec<Piece<D>>> {
         let mut found = Vec::new();
-        let mut left = vec![(panel.corners, 1.0)];
+        let near = self.candidates(panel, reach);
+        let owner = |place: &Vector<D>| owner(&near, place, reach);
+        // Whom a corner belongs to is found out once, not for each of the pieces that meet there.
+        let owners = panel.corners.each_ref().map(owner);
+        let mut left = vec![(panel.corners, owners, 1.0)];
         let least = LEAST[usize::from(D == 3)];
-        while let Some((corners, part)) = left.pop() {
+        while let Some((corners, owners, part)) = left.pop() {
             let place = corners.iter().sum::<Vector<D>>() / D as f64;
-            let wall = self.owner(panel, &place, reach)?;
-            let same = |corner| self.owner(panel, corner, reach) == Some(wall);
-            let fine = if corners.iter().all(same) {
+            let wall = owner(&place)?;
+            let fine = if owners.iter().all(|corner| *corner == Some(wall)) {
                 FINE
             } else {
                 FINEST[usize::from(D == 3)]
@@ -112,10 +115,11 @@ impl<'a, const D: usize> Nearby<'a, D> {
             match longest_edge(&corners) {
                 Some((a, b, long)) if long > longest && part > least => {
                     let middle = (corners[a] + corners[b]) * 0.5;
+                    let beside = owner(&middle);
                     for end in [a, b] {
-                        let mut half = corners;
-                        half[end] = middle;
-                        left.push((half, 0.5 * part));
+                        let (mut half, mut halves) = (corners, owners);
+                        (half[end], halves[end]) = (middle, beside);
+                        left.push((half, halves, 0.5 * part));
                     }
                 }
                 _ => found.push(Piece { place, part, wall }),
@@ -124,58 +128,80 @@ impl<'a, const D: usize> Nearby<'a, D> {
         Some(found)
     }
 
-    /// Number of the wall that a place on a panel belongs to: as cells are divided, of the cell whose point is nearest; of its walls
-    /// the one that faces the panel most, the larger one of several.
-    fn owner(&self, panel: &Panel<D>, place: &Vector<D>, reach: f64) -> Option<usize> {
-        let mut best: Option<Candidate> = None;
+    /// The walls that places on a panel may belong to which are no farther from them than `reach`.
+    fn candidates(&self, panel: &Panel<D>, reach: f64) -> Vec<Candidate<D>> {
+        let mut found = Vec::new();
         let sliver = SLIVER * self.look.powi(D as i32 - 1);
-        self.for_each(place, reach, |n, (wall, _)| {
-            let facing = facing(wall, panel);
-            if facing <= ROUND
-                || wall.image.share < sliver
-                || (wall.foot - place).norm_squared() > reach * reach
-            {
-                return;
-            }
-            let found = Candidate {
-                n,
-                cell: wall.i,
-                from_point: (self.points[wall.i as usize] - place).norm_squared(),
-                facing,
-                area: wall.image.share,
-            };
-            if best.is_none_or(|best| found.is_before(&best)) {
-                best = Some(found);
+        let [low, high] = panel
+            .corners
+            .iter()
+            .fold([panel.corners[0]; 2], |[low, high], corner| {
+                [low.inf(corner), high.sup(corner)]
+            });
+        self.by_foot.for_each_run_near(&low, &high, reach, |run| {
+            for &n in &self.by_foot.order()[run] {
+                let (wall, _) = self.walls[n as usize];
+                let facing = facing(wall, panel);
+                if facing > ROUND && wall.image.share >= sliver {
+                    found.push(Candidate {
+                        n: n as usize,
+                        cell: wall.i,
+                        foot: wall.foot,
+                        point: self.points[wall.i as usize],
+                        facing,
+                        area: wall.image.share,
+                    });
+                }
             }
         });
-        best.map(|found| found.n)
+        found
     }
 }
 
-/// A wall that a place may belong to.
+/// Number of the wall that a place on a panel belongs to: as cells are divided, of the cell whose point is nearest; of its walls the one that
+/// faces the panel most, the larger one of several. None where all `near` the panel are farther than `reach`.
+fn owner<const D: usize>(near: &[Candidate<D>], place: &Vector<D>, reach: f64) -> Option<usize> {
+    let mut best: Option<(&Candidate<D>, f64)> = None;
+    for found in near {
+        if (found.foot - place).norm_squared() > reach * reach {
+            continue;
+        }
+        let from_point = (found.point - place).norm_squared();
+        let is_better = best.is_none_or(|(best, least)| {
+            if found.cell == best.cell || from_point == least {
+                found.faces_more_than(best)
+            } else {
+                from_point < least
+            }
+        });
+        if is_better {
+            best = Some((found, from_point));
+        }
+    }
+    best.map(|(found, _)| found.n)
+}
+
+/// A wall that places on a panel may belong to.
 #[derive(Clone, Copy)]
-struct Candidate {
+struct Candidate<const D: usize> {
     /// Its number.
     n: usize,
     /// Its cell.
     cell: u32,
-    /// Square of the distance of that cell's point from the place.
-    from_point: f64,
+    foot: Vector<D>,
+    /// That cell's point.
+    point: Vector<D>,
     /// Cosine between the directions of the wall and of the panel.
     facing: f64,
     /// Area of the wall.
     area: f64,
 }
 
-impl Candidate {
+impl<const D: usize> Candidate<D> {
     /// Of walls that face alike the larger one: slivers, which facets that meet leave in a cell, would ask for pieces as small.
-    fn is_before(&self, other: &Self) -> bool {
-        if self.cell == other.cell || self.from_point == other.from_point {
-            let more = self.facing - other.facing;
-            more > ALIKE || (more > -ALIKE && self.area > other.area)
-        } else {
-            self.from_point < other.from_point
-        }
+    fn faces_more_than(&self, other: &Self) -> bool {
+        let more = self.facing - other.facing;
+        more > ALIKE || (more > -ALIKE && self.area > other.area)
     }
 }
 
