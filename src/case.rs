@@ -6,7 +6,7 @@ use aero_geometry::{Bounds, Vector};
 use aero_packer::Warning;
 
 use crate::sample::{Lattice, Quantity, View};
-use aero_solver::problem::{Body, Problem};
+use aero_solver::problem::{Body, Problem, Side};
 
 /// A scene, checked and packed, in `D` dimensions.
 #[derive(Clone, Debug)]
@@ -51,6 +51,16 @@ impl AnyCase {
 }
 
 impl AnyCase {
+    /// True where bodies at rest, domain and sides are their own mirror image across `axis` of the domain's middle: flows of streams that are
+    /// mirror images of each other are so, too.
+    pub fn has_mirror(&self, axis: usize) -> bool {
+        match self {
+            Self::One(case) => has_mirror(&case.problem, axis),
+            Self::Two(case) => has_mirror(&case.problem, axis),
+            Self::Three(case) => has_mirror(&case.problem, axis),
+        }
+    }
+
     /// Where along z a slice shows most of a scene in space; nothing of any other.
     pub fn slice(&self) -> Option<f64> {
         match self {
@@ -58,6 +68,44 @@ impl AnyCase {
             Self::One(_) | Self::Two(_) => None,
         }
     }
+}
+
+/// Part of the domain's size by which places may be off.
+const ROUND_OFF: f64 = 1e-9;
+
+/// See [`AnyCase::has_mirror`].
+fn has_mirror<const D: usize>(problem: &Problem<D>, axis: usize) -> bool {
+    let Problem {
+        domain,
+        bodies,
+        source,
+        disorder,
+        ..
+    } = problem;
+    if axis >= D {
+        return false;
+    }
+    let [low, high] = [domain.bounds.min[axis], domain.bounds.max[axis]];
+    let near = ROUND_OFF * domain.bounds.size().norm();
+    let is_middle = |(across, plane): (usize, f64)| {
+        across == axis && (plane - f64::midpoint(low, high)).abs() < near
+    };
+    let [below, above] = domain.sides[axis];
+    let are_mirrored = bodies.iter().all(|body| {
+        let planes = body.shape.mirror_planes();
+        !body.motion.is_moving()
+            && !body.wall.slides()
+            && is_middle((axis, body.moment_centre[axis]))
+            && planes.into_iter().any(is_middle)
+    });
+    let is_open = |side: Side| !matches!(side, Side::Wall { .. } | Side::Body | Side::Axis);
+    below == above
+        && !below.is_mirror()
+        && !domain.has(|side| !is_open(side))
+        && domain.openings.is_empty()
+        && source.is_none()
+        && *disorder == 0.0
+        && are_mirrored
 }
 
 /// Beside a plane of symmetry across z; else through the middle of the bodies as far as they are in the domain, or of that.

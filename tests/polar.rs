@@ -122,3 +122,57 @@ fn a_polar_is_that_of_theory_and_of_single_runs_for_a_third_of_their_iterations(
         );
     }
 }
+
+/// Points from below a body that is its own mirror image are those from above; those of one that is not, of a moment about a place off its
+/// middle, or in a box that reaches farther up are run.
+#[test]
+fn a_symmetric_half_of_a_polar_is_not_run() {
+    let place = Workplace::new();
+    let coarse = AEROFOIL
+        .replace("spacing = 0.025", "spacing = 0.05")
+        .replace("refine = 2", "refine = 1");
+    let sweep = |scene: &str, angles: &str, out: &str| {
+        place.write("aerofoil.toml", scene);
+        let list = ["--incidence", angles, "--out", out];
+        let answer = place.aero(&[&["sweep", "aerofoil.toml"][..], &list].concat());
+        answer.succeeds();
+        let rows = place.json(&format!("{out}/sweep.json"));
+        (answer.out, rows.as_array().expect("rows").clone())
+    };
+    let (said, rows) = sweep(&coarse, "-2,0,2,4", "polar");
+    assert!(said.contains("1 points are mirror images"), "{said}");
+    let number = |row: &Value, key: &str| row[key].as_f64().expect("a number");
+    let angles: Vec<f64> = rows.iter().map(|row| number(row, "incidence")).collect();
+    assert_eq!(angles, [-2.0, 0.0, 2.0, 4.0]);
+    assert_eq!(rows[0]["mirror_of"], "incidence-2");
+    assert!(!place.path("polar/incidence--2").exists());
+    let run = ["run", "aerofoil.toml", "--out", "alone", "--set"];
+    let alone = place.aero(&[&run[..], &["free_stream.incidence=-2"]].concat());
+    alone.succeeds();
+    let alone = &place.json("alone/summary.json")["bodies"]["aerofoil"];
+    let largest = number(&rows[3], "cl");
+    for key in ["cd", "cl", "cm"] {
+        let [own, image] = [alone, &rows[0]].map(|row| number(row, key));
+        assert!(
+            (own - image).abs() < ALONE * largest,
+            "{key}: {own} {image}"
+        );
+    }
+    let shape = "{ biconvex = { chord = 1.0, thickness_ratio = 0.1 } }";
+    let crooked = "{ polygon = { points = [[0.0, 0.0], [1.0, 0.0], [0.5, 0.05]] } }";
+    let aside = "moment_centre = [0.5, 0.1]\nreference_area";
+    for (number, (old, new)) in [
+        ("max = [1.25, 0.75]", "max = [1.25, 0.8]"),
+        ("y_max = \"free-stream\"", "y_max = \"outlet\""),
+        ("reference_area", aside),
+        (shape, crooked),
+    ]
+    .into_iter()
+    .enumerate()
+    {
+        assert!(coarse.contains(old), "{old}");
+        let (said, rows) = sweep(&coarse.replace(old, new), "-2,2", &number.to_string());
+        assert!(!said.contains("mirror images"), "{new}: {said}");
+        assert!(rows.iter().all(|row| row["mirror_of"].is_null()), "{new}");
+    }
+}

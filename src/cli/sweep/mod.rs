@@ -1,6 +1,7 @@
 //! `aero sweep`: a polar, a run for each Mach number and angle.
 
 mod flown;
+mod images;
 mod polar;
 mod values;
 
@@ -72,9 +73,17 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
         .map(|point| at(&scene, point))
         .collect::<Result<Vec<_>, CommandError>>()?;
     on_threads(args.scene.threads, || {
+        let images = if images::may_be(&points) && has_mirror(&scenes[0])? {
+            images::of(&points)
+        } else {
+            vec![None; points.len()]
+        };
         let mut done: Vec<(Point, Neighbour)> = Vec::new();
-        let mut rows: Vec<Row> = Vec::new();
+        let mut rows: Vec<(usize, Row)> = Vec::new();
         for (number, (point, scene)) in points.iter().zip(scenes).enumerate() {
+            if images[number].is_some() {
+                continue;
+            }
             let folder = out.join(name(point));
             let summary = if let Some(summary) = earlier(&folder, &scene)? {
                 summary
@@ -89,11 +98,23 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
                 fly(&scene, &folder, start, &interrupt)?
             };
             let known = std::array::from_fn(|k| point[k].or(stated[k]));
-            rows.extend(polar::rows(known, &summary));
-            polar::write(&rows, &out)?;
+            for row in polar::rows(known, &summary) {
+                let other = images.iter().position(|of| *of == Some(number));
+                rows.extend(other.map(|other| (other, row.mirrored(&name(point)))));
+                rows.push((number, row));
+            }
+            rows.sort_by_key(|(number, _)| *number);
+            polar::write(&in_order(&rows), &out)?;
             done.push((*point, Neighbour { scene, folder }));
         }
+        let rows = in_order(&rows);
         say_all!("{}", polar::text(&rows));
+        let mirrored = images.iter().flatten().count();
+        if mirrored > 0 {
+            say!(
+                "{mirrored} points are mirror images of others, as bodies and sides are of themselves, and were not run"
+            );
+        }
         say!("polar in `{}`", out.display());
         let open = rows.iter().filter(|row| !row.settled).count();
         if open > 0 {
@@ -104,6 +125,17 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
         }
         Ok(())
     })
+}
+
+/// The rows without their numbers.
+fn in_order(rows: &[(usize, Row)]) -> Vec<Row> {
+    rows.iter().map(|(_, row)| row.clone()).collect()
+}
+
+/// True of a scene that is its own mirror image across its lift.
+fn has_mirror(scene: &Scene) -> Result<bool, CommandError> {
+    const ACROSS_LIFT: usize = 1;
+    Ok(scene.starts_in_the_free_stream() && checked(scene)?.has_mirror(ACROSS_LIFT))
 }
 
 /// All points; along the last list first, there and back, so that each is next to the one before.

@@ -18,6 +18,9 @@ pub struct Row {
     pub incidence: Option<f64>,
     /// Sideslip, degrees; absent where neither sweep nor scene states it.
     pub sideslip: Option<f64>,
+    /// The point whose mirror image this one is: it is not run.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub mirror_of: Option<String>,
     /// Name of the body.
     pub body: String,
     /// Drag coefficient.
@@ -66,6 +69,7 @@ pub fn rows(point: Point, summary: &Value) -> Vec<Row> {
             mach,
             incidence,
             sideslip,
+            mirror_of: None,
             body: name.clone(),
             cd,
             cl,
@@ -80,6 +84,23 @@ pub fn rows(point: Point, summary: &Value) -> Vec<Row> {
         }
     };
     bodies.map(row).collect()
+}
+
+impl Row {
+    /// The row of a stream that comes from the other side of a flow with a mirror across its lift, where this is that of the point `name`.
+    pub fn mirrored(&self, name: &str) -> Self {
+        let other = |value: Option<f64>| value.map(|value| 0.0 - value);
+        Self {
+            incidence: other(self.incidence),
+            cl: other(self.cl),
+            cm: other(self.cm),
+            lift_to_drag: other(self.lift_to_drag),
+            mirror_of: Some(name.to_owned()),
+            steps: 0,
+            cpu_seconds: 0.0,
+            ..self.clone()
+        }
+    }
 }
 
 /// The table for people.
