@@ -112,7 +112,8 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
         let mirrored = images.iter().flatten().count();
         if mirrored > 0 {
             say!(
-                "{mirrored} points are mirror images of others, as bodies and sides are of themselves, and were not run"
+                "not run, as mirror images of others: {mirrored} of {} points; bodies and sides are their own",
+                images.len()
             );
         }
         say!("polar in `{}`", out.display());
