@@ -89,7 +89,7 @@ mod tests {
         assert!(check_loss(&report(2.1), true).is_ok());
         let error = check_loss(&report(2.1), false).unwrap_err().to_string();
         assert!(
-            error.contains("2.1 %") && error.contains("4.00e-2"),
+            error.contains("2.1 %") && error.contains("at most 0.04,"),
             "{error}"
         );
     }
