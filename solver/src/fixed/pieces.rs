@@ -229,3 +229,56 @@ fn longest_edge<const D: usize>(corners: &[Vector<D>; D]) -> Option<(usize, usiz
     let long = edges.map(|(a, b)| (a, b, (corners[a] - corners[b]).norm()));
     long.max_by(|x, y| x.2.total_cmp(&y.2))
 }
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use aero_geometry::{Placement, Shape, bodies};
+
+    use super::*;
+    use crate::fixed::FixedSimulation;
+    use crate::fixed::tests::flows::stream;
+    use crate::panels::Panels;
+
+    /// Places that a panel is sampled at.
+    const SAMPLES: usize = 2000;
+
+    /// A panel that walls meet in is shared by them as its places are.
+    #[test]
+    fn walls_have_of_a_panel_what_is_theirs_of_its_places() {
+        let block = bodies::rectangle(0.7, 0.4, 0.0).expect("a block");
+        let block: Arc<dyn Shape<2>> = Arc::new(block.placed(&Placement::default().rotated(0.3)));
+        let problem = stream(2.0, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, vec![block]);
+        let flow = FixedSimulation::new(problem).expect("a flow");
+        let walls: Vec<_> = flow.walls().collect();
+        let nearby = Nearby::new(&walls, &flow.points, flow.problem.spacing);
+        let mut shared = 0;
+        for panel in Panels::new(&flow.problem).all() {
+            let pieces = nearby.pieces(panel);
+            let near = nearby.candidates(panel, nearby.look());
+            let [from, to] = panel.corners;
+            let owners: Vec<usize> = (0..SAMPLES)
+                .map(|n| from + (to - from) * ((n as f64 + 0.5) / SAMPLES as f64))
+                .filter_map(|place| owner(&near, &place, nearby.look()))
+                .collect();
+            assert_eq!(owners.len(), SAMPLES);
+            let whole: f64 = pieces.iter().map(|piece| piece.part).sum();
+            assert!((whole - 1.0).abs() < 1e-12, "{whole}");
+            let mut found: Vec<usize> = pieces.iter().map(|piece| piece.wall).collect();
+            found.sort_unstable();
+            found.dedup();
+            shared += usize::from(found.len() > 1);
+            for wall in found {
+                let own = pieces.iter().filter(|piece| piece.wall == wall);
+                let part: f64 = own.map(|piece| piece.part).sum();
+                let sampled = owners.iter().filter(|other| **other == wall).count();
+                let sampled = sampled as f64 / SAMPLES as f64;
+                let fine = FINEST[0] * length(walls[wall].0) / (to - from).norm();
+                let off = (part - sampled).abs();
+                assert!(off < 2.0 * fine + 2.0 / SAMPLES as f64, "{part} {sampled}");
+            }
+        }
+        assert!(shared > 10, "{shared}");
+    }
+}
