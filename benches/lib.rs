@@ -14,6 +14,7 @@ pub fn stirred<const D: usize>(cells: usize) -> Problem<D> {
     Problem {
         spacing: 1.0 / cells as f64,
         gas: Gas::ideal(1.4),
+        second: None,
         method: Method::default(),
         scheme: Scheme::default(),
         domain: Domain {

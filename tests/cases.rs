@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 46] = [
+const SMALL: [(&str, &[&str]); 48] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -51,6 +51,7 @@ const SMALL: [(&str, &[&str]); 46] = [
         "flat-plate-subsonic",
         &["end_time=1e-4", "stop=end-time", "scheme.refine=0"],
     ),
+    ("helium-bubble", &["end_time=1e-5", "spacing=0.005"]),
     (
         "hemisphere-hot",
         &[
@@ -109,6 +110,7 @@ const SMALL: [(&str, &[&str]); 46] = [
     ("step", &["end_time=0.05", "spacing=0.05"]),
     ("store", &["end_time=0.0005", "spacing=0.06"]),
     ("taylor-green", &["end_time=0.02"]),
+    ("two-gases", &["end_time=2e-5"]),
     ("vortices-liquid", &["end_time=0.02"]),
     ("water-hammer", &["end_time=1e-4"]),
     ("wedge", &["end_time=0.1", "spacing=0.125"]),

@@ -35,6 +35,7 @@ mod scene_page;
 mod stress;
 mod support;
 mod telling;
+mod two_gases;
 mod views;
 mod viscous;
 mod wall_treatments;

@@ -160,7 +160,7 @@ pub fn evaluate<const D: usize>(
     let Columns { state, rates, .. } = fluid.columns();
     let rings = Rings::new(problem);
     find_shocks(problem, rings, rates, state);
-    rings.stretch(state, &problem.gas, rates);
+    rings.stretch(state, &problem.gases(), rates);
     fluid.mark_evaluated();
 }
 

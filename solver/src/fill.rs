@@ -2,7 +2,7 @@
 
 use aero_geometry::parallel::prelude::*;
 
-use super::gas::Gas;
+use super::gas::Gases;
 use super::neighbourhood::Neighbourhood;
 use super::particles::{Particle, Particles};
 use super::problem::Problem;
@@ -26,14 +26,14 @@ pub fn fill_gas<const D: usize>(
     around: &mut Neighbourhood<D>,
 ) {
     fill_near(problem, ahead, fluid, buffers, around);
-    let (gas, count) = (&problem.gas, fluid.len());
+    let (gases, count) = (problem.gases(), fluid.len());
     let (near, state) = (&around.records.near, &mut around.records.state);
     state[..count]
         .par_iter_mut()
         .zip(&fluid[..])
-        .for_each(|(state, particle)| *state = state_of(particle, gas));
+        .for_each(|(state, particle)| *state = state_of(particle, &gases));
     for (slot, open) in (count..).zip(buffers.particles()) {
-        let mut open_state = state_of(&open.particle, gas);
+        let mut open_state = state_of(&open.particle, &gases);
         open_state.renormalise(&open.renormalisation, &open.gradient, near[slot].volume);
         state[slot] = open_state;
     }
@@ -59,6 +59,16 @@ pub fn fill_near<const D: usize>(
         *near = near_of(&open.particle, rings.plane_mass(&open.particle));
         near.position += open.particle.velocity * ahead;
     }
+    if problem.second.is_some() {
+        let open = buffers.particles().iter().map(|open| &open.particle);
+        let all = fluid.iter().chain(open);
+        let share = |particle: &Particle<D>| f64::from(u8::from(particle.is_second));
+        let start = &mut around.records.second[..];
+        start
+            .iter_mut()
+            .zip(all)
+            .for_each(|(second, particle)| *second = share(particle));
+    }
     around.copies.gas.refresh_near(&mut around.records);
 }
 
@@ -75,7 +85,8 @@ fn near_of<const D: usize>(particle: &Particle<D>, mass: f64) -> Near<D> {
 }
 
 /// The state of a gas particle.
-fn state_of<const D: usize>(particle: &Particle<D>, gas: &Gas) -> State<D> {
+fn state_of<const D: usize>(particle: &Particle<D>, gases: &Gases) -> State<D> {
+    let gas = gases.of(particle.is_second);
     let pressure = gas.pressure(particle.density, particle.energy);
     let mut state = State::new(pressure, particle.density, particle.energy, gas);
     state.strain = Symmetric::new(&particle.spared.strain);

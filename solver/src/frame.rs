@@ -43,6 +43,8 @@ pub struct Frame {
     pub kind: Vec<u8>,
     /// Number that a particle keeps for life.
     pub id: Vec<u64>,
+    /// One where it is of the second of two gases; empty where there is one.
+    pub second: Vec<u8>,
 }
 
 impl Frame {
@@ -69,6 +71,11 @@ impl Frame {
             },
             kind: pick(&self.kind, &chosen),
             id: pick(&self.id, &chosen),
+            second: if self.second.is_empty() {
+                Vec::new()
+            } else {
+                pick(&self.second, &chosen)
+            },
         }
     }
 }

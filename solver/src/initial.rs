@@ -10,7 +10,13 @@ impl<const D: usize> Problem<D> {
     /// # Errors
     /// Where the state is none of a gas.
     pub fn initial_state(&self, position: &Vector<D>) -> Result<Option<State<D>>, String> {
-        let state = self.state_at_start(position);
+        let mut state = self.state_at_start(position);
+        if let Some(second) = &self.second
+            && let Some(density) = second.density
+            && (second.fills)(position)
+        {
+            state.density = density;
+        }
         let fail = |what: &str, value: f64| {
             let place: Vec<String> = position.iter().map(|x| format!("{x:.6}")).collect();
             let place = place.join(", ");

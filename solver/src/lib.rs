@@ -17,7 +17,7 @@
 //! let mut tube = Simulation::new(Problem {
 //!     domain: Domain { bounds, sides: [[Side::Symmetry; 2]], openings: Vec::new() },
 //!     initial: Initial::Riemann { left, right, position: 0.0, smooth: false },
-//!     gas: Gas::ideal(1.4), free_stream: left, spacing: 0.005, disorder: 0.0, bodies: Vec::new(), source: None,
+//!     gas: Gas::ideal(1.4), second: None, free_stream: left, spacing: 0.005, disorder: 0.0, bodies: Vec::new(), source: None,
 //!     scheme: Scheme::default(), method: Method::default(),
 //! })?;
 //! while tube.time() < 0.1 { tube.step(0.1)?; }

@@ -58,7 +58,7 @@ impl<const D: usize> Simulation<D> {
             Pass::TimeStep => {
                 let columns = fluid.columns();
                 let bound = problem.scheme.step;
-                bound.time_step(&problem.gas, columns.state, columns.rates);
+                bound.time_step(&problem.gases(), columns.state, columns.rates);
             }
         }
     }

@@ -44,6 +44,10 @@ pub struct Records<const D: usize> {
     pub shift: Vec<Vector<D>>,
     /// What flows by viscosity and conduction; empty where the gas has neither.
     pub diffusive: Vec<Diffusive<D>>,
+    /// Share of the second gas in each; empty where there is one.
+    pub second: Vec<f64>,
+    /// There are two gases.
+    pub are_two: bool,
     /// The gas has viscosity and conduction.
     pub is_viscous: bool,
     /// The same in `f32`, where pairs are computed so; empty elsewhere.
@@ -59,6 +63,8 @@ impl<const D: usize> Default for Records<D> {
             state: Vec::new(),
             shift: Vec::new(),
             diffusive: Vec::new(),
+            second: Vec::new(),
+            are_two: false,
             is_viscous: false,
             rounded: Rounded::default(),
             start: [0; 6],
@@ -103,6 +109,9 @@ impl<const D: usize> Records<D> {
             stress: Symmetric::zeros(),
         };
         self.state.resize(end, state);
+        if self.are_two {
+            self.second.resize(end, 0.0);
+        }
         if self.is_viscous {
             self.diffusive.resize(end, Diffusive::zeros());
         }

@@ -11,7 +11,7 @@ use std::f64::consts::TAU;
 use aero_geometry::Vector;
 
 use super::particles::{Particle, Rates};
-use crate::gas::Gas;
+use crate::gas::Gases;
 use crate::problem::Problem;
 
 /// A ring never counts as narrower than this many spacings, the radius of the innermost ring of the lattice: nearer
@@ -90,7 +90,7 @@ impl Rings {
     pub fn stretch<const D: usize>(
         &self,
         particles: &[Particle<D>],
-        gas: &Gas,
+        gases: &Gases,
         rates: &mut [Rates<D>],
     ) {
         if !self.are_real() {
@@ -99,6 +99,7 @@ impl Rings {
         for (particle, rates) in particles.iter().zip(rates) {
             let growth = self.growth(particle);
             rates.density -= particle.density * growth;
+            let gas = gases.of(particle.is_second);
             let heating = gas.pressure_over_density(particle.density, particle.energy) * growth;
             rates.energy -= heating;
             rates.by_pressure.heating -= heating;

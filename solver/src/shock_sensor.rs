@@ -27,7 +27,7 @@ pub fn find_shocks<const D: usize>(
     if !(limits_viscosity || limits_conduction || scheme.transport_velocity.shifting) {
         return;
     }
-    let gas = &problem.gas;
+    let gases = problem.gases();
     particles
         .par_iter_mut()
         .zip(rates)
@@ -36,6 +36,7 @@ pub fn find_shocks<const D: usize>(
             let turn = gradient - gradient.transpose();
             let strain = (gradient + gradient.transpose()) * 0.5;
             let compression = (gradient.trace() + rings.growth(particle)).min(0.0);
+            let gas = gases.of(particle.is_second);
             let sound = gas.sound_speed(particle.density, particle.energy);
             let onset = ONSET * sound / particle.smoothing_length;
             let squared = compression * compression;

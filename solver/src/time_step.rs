@@ -2,7 +2,7 @@
 
 use aero_geometry::parallel::prelude::*;
 
-use super::gas::Gas;
+use super::gas::{Gas, Gases};
 use super::particles::{Particle, Rates};
 use crate::scheme::{StepBound, StepRule};
 
@@ -38,24 +38,25 @@ impl StepBound {
     /// The longest stable step of all `particles`.
     pub fn time_step<const D: usize>(
         self,
-        gas: &Gas,
+        gases: &Gases,
         particles: &[Particle<D>],
         rates: &[Rates<D>],
     ) -> f64 {
         let each = particles.par_iter().zip(rates);
         let bounds = each
-            .map(|(particle, rates)| self.bounds(gas, particle, rates))
+            .map(|(particle, rates)| self.bounds(gases, particle, rates))
             .reduce(Bounds::default, Bounds::tighter);
-        self.step(bounds, gas)
+        self.step(bounds, &gases.first)
     }
 
     /// The bounds of one particle.
     pub fn bounds<const D: usize>(
         self,
-        gas: &Gas,
+        gases: &Gases,
         particle: &Particle<D>,
         rates: &Rates<D>,
     ) -> Bounds {
+        let gas = gases.of(particle.is_second);
         let h = particle.smoothing_length;
         let acceleration = rates.acceleration + rates.wall_acceleration;
         let [first, second, third] = match self.rule {
@@ -68,7 +69,12 @@ impl StepBound {
                 let thins = particle.density / rates.density.abs();
                 let cools = particle.energy / (-rates.energy).max(0.0);
                 [
-                    h * h / gas.sound_measure(particle.density, particle.energy),
+                    h * h
+                        / gases.sound_measure(
+                            particle.is_second,
+                            particle.density,
+                            particle.energy,
+                        ),
                     h * h / acceleration.norm_squared(),
                     thins.min(cools),
                 ]
@@ -111,10 +117,11 @@ fn diffusivity(gas: &Gas, density: f64, energy: f64) -> f64 {
 }
 
 /// The bound from the speed of sound alone, known before any rate.
-pub fn acoustic_step<const D: usize>(cfl: f64, gas: &Gas, particles: &[Particle<D>]) -> f64 {
-    let each = particles
-        .par_iter()
-        .map(|p| p.smoothing_length * p.smoothing_length / gas.sound_measure(p.density, p.energy));
+pub fn acoustic_step<const D: usize>(cfl: f64, gases: &Gases, particles: &[Particle<D>]) -> f64 {
+    let each = particles.par_iter().map(|p| {
+        p.smoothing_length * p.smoothing_length
+            / gases.sound_measure(p.is_second, p.density, p.energy)
+    });
     let squared = each.reduce(|| f64::INFINITY, f64::min);
-    cfl * squared.sqrt() / gas.unit_sound()
+    cfl * squared.sqrt() / gases.first.unit_sound()
 }

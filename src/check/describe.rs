@@ -56,6 +56,7 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
         ),
     ];
     lines.push(gas(problem));
+    lines.extend(second(problem));
     if let Some(per_length) = reynolds_per_length(problem) {
         lines.push(format!(
             "Reynolds number: {per_length:.5e} to a unit of length, {:.3e} to a spacing",
@@ -113,6 +114,19 @@ fn gas<const D: usize>(problem: &Problem<D>) -> String {
             )
         }
     }
+}
+
+/// The second gas, where there is one.
+fn second<const D: usize>(problem: &Problem<D>) -> Option<String> {
+    let second = problem.second.as_ref()?;
+    let gas = second.gas.ideal_gas()?;
+    let density = second.density.map_or_else(String::new, |density| {
+        format!(", density {density:.5e} at the start")
+    });
+    Some(format!(
+        "second gas: ideal, ratio of specific heats {}{density}",
+        gas.gamma
+    ))
 }
 
 /// A part of a side, or what is given beyond it: where it is and, at its middle and at the start, its state.

@@ -38,6 +38,7 @@ mod stability;
 mod step;
 mod stress;
 mod surface;
+mod two_gases;
 mod variant;
 mod view;
 mod viscous;
@@ -55,7 +56,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 28] = [
+static CASES: [Case; 29] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -74,6 +75,7 @@ static CASES: [Case; 28] = [
         &[&weakly_compressible::WeaklyCompressible],
     ),
     ("real-gas", &[&real_gas::RealGas]),
+    ("two-gases", &[&two_gases::TwoGases]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),

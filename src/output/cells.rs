@@ -55,8 +55,8 @@ pub fn write_cells(
     document.open("CellData Scalars=\"pressure\" Vectors=\"velocity\"");
     let velocity = vectors(&frame.velocity);
     document.array("velocity", 3, Numbers::Real(velocity.as_flattened()));
-    let temperature = reference.temperatures(&frame.pressure, &frame.density);
-    let entropy = reference.entropies(&frame.pressure, &frame.density);
+    let temperature = reference.temperatures(frame);
+    let entropy = reference.entropies(frame);
     let arrays = [
         ("density", Some(&frame.density)),
         ("pressure", Some(&frame.pressure)),

@@ -45,6 +45,7 @@ impl Mirrors {
             twice(&mut frame.velocity, |u| direction(*u, axis));
             twice(&mut frame.id, |id| id + count);
             twice(&mut frame.kind, |kind| *kind);
+            twice(&mut frame.second, |second| *second);
             for column in [
                 &mut frame.density,
                 &mut frame.pressure,

@@ -17,9 +17,6 @@ pub fn write_frame(
     reference: Option<&Reference>,
     is_compressed: bool,
 ) -> Result<(), OutputError> {
-    let Frame {
-        density, pressure, ..
-    } = frame;
     let told = reference.map_or_else(
         || Told {
             is_compressed,
@@ -35,17 +32,20 @@ pub fn write_frame(
         .scalars("mach", &frame.mach[..])
         .scalars("smoothing_length", &frame.smoothing_length[..])
         .scalars("volume", &frame.volume[..]);
-    let masses = density.iter().zip(&frame.volume);
+    let masses = frame.density.iter().zip(&frame.volume);
     let masses: Vec<f64> = masses.map(|(density, volume)| density * volume).collect();
     cloud = cloud.scalars("mass", &masses[..]);
     if let Some(reference) = reference {
-        cloud = cloud.scalars("entropy", &reference.entropies(pressure, density)[..]);
-        if let Some(temperatures) = reference.temperatures(pressure, density) {
+        cloud = cloud.scalars("entropy", &reference.entropies(frame)[..]);
+        if let Some(temperatures) = reference.temperatures(frame) {
             cloud = cloud.scalars("temperature", &temperatures[..]);
         }
     }
     if !gradients.is_empty() {
         cloud = cloud.vectors("density_gradient", gradients);
+    }
+    if !frame.second.is_empty() {
+        cloud = cloud.scalars("second_gas", &frame.second[..]);
     }
     if !frame.spacing.is_empty() {
         cloud = cloud.scalars("spacing", &frame.spacing[..]);

@@ -2,7 +2,8 @@
 
 use super::vtk_xml::Told;
 use crate::sample::{Scale, State};
-use aero_solver::gas::Gas;
+use aero_solver::frame::Frame;
+use aero_solver::gas::Gases;
 
 /// The undisturbed stream and the gas.
 #[derive(Clone, Debug, PartialEq)]
@@ -13,8 +14,8 @@ pub struct Reference {
     pub density: f64,
     /// Velocity of the free stream.
     pub velocity: [f64; 3],
-    /// The gas.
-    pub gas: Gas,
+    /// The gas, or both.
+    pub gases: Gases,
     /// Specific gas constant, where the scene states or implies it.
     pub gas_constant: Option<f64>,
     /// Spacing of particles or of the lattice.
@@ -47,7 +48,7 @@ impl Reference {
             ("free_stream_velocity", self.velocity.to_vec()),
             (
                 "gamma",
-                vec![self.gas.ratio_at(self.density, self.pressure)],
+                vec![self.gases.first.ratio_at(self.density, self.pressure)],
             ),
             ("spacing", vec![self.spacing]),
         ];
@@ -76,36 +77,36 @@ impl Reference {
     pub fn scale(&self) -> Scale {
         let speed = self.velocity.iter().map(|u| u * u).sum::<f64>();
         Scale {
-            gas: self.gas,
+            gases: self.gases,
             gas_constant: self.gas_constant,
             stream: [self.pressure, self.density],
             dynamic_pressure: 0.5 * self.density * speed,
         }
     }
 
-    /// Temperatures in K, where there is a gas constant.
-    pub(super) fn temperatures(&self, pressure: &[f64], density: &[f64]) -> Option<Vec<f64>> {
+    /// Temperatures of a frame in K, where there is a gas constant.
+    pub(super) fn temperatures(&self, frame: &Frame) -> Option<Vec<f64>> {
         let scale = self.scale();
         self.gas_constant?;
-        states(pressure, density)
+        states(frame)
             .map(|state| scale.temperature(&state))
             .collect()
     }
 
-    /// Entropies over that of the free stream.
-    pub(super) fn entropies(&self, pressure: &[f64], density: &[f64]) -> Vec<f64> {
+    /// Entropies of a frame over that of the free stream.
+    pub(super) fn entropies(&self, frame: &Frame) -> Vec<f64> {
         let scale = self.scale();
-        let states = states(pressure, density);
-        states.map(|state| scale.entropy(&state)).collect()
+        states(frame).map(|state| scale.entropy(&state)).collect()
     }
 }
 
-/// Gas of which no more is known.
-fn states(pressure: &[f64], density: &[f64]) -> impl Iterator<Item = State> {
-    let pairs = pressure.iter().zip(density);
-    pairs.map(|(&pressure, &density)| State {
+/// The gas of a frame, of which no more is known than what it is and how dense and hot.
+fn states(frame: &Frame) -> impl Iterator<Item = State> {
+    let pairs = frame.pressure.iter().zip(&frame.density).enumerate();
+    pairs.map(|(n, (&pressure, &density))| State {
         density,
         pressure,
+        second: frame.second.get(n).map_or(0.0, |&second| f64::from(second)),
         ..State::default()
     })
 }

@@ -167,7 +167,7 @@ fn flows<const D: usize>(
         let share = flat * around;
         let flux = share * state.density * state.velocity[axis];
         let square = state.velocity.iter().map(|u| u * u).sum::<f64>();
-        let heat = scale.gas.enthalpy(state.density, state.pressure);
+        let heat = scale.gas(state).enthalpy(state.density, state.pressure);
         area += share;
         mass += flux;
         enthalpy += flux * (heat + 0.5 * square);

@@ -330,7 +330,7 @@ fn reference<const D: usize>(case: &Case<D>) -> Reference {
         pressure: stream.pressure,
         density: stream.density,
         velocity: std::array::from_fn(|k| stream.velocity.get(k).copied().unwrap_or(0.0)),
-        gas: problem.gas,
+        gases: problem.gases(),
         gas_constant: case.plan.gas_constant,
         spacing: problem.spacing,
         bodies: problem

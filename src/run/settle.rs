@@ -157,6 +157,7 @@ mod tests {
         let flow = Flow::new(Problem {
             spacing: 0.1,
             gas: Gas::ideal(1.4),
+            second: None,
             method: Method::Fixed(FixedPoints::default()),
             scheme: Scheme::default(),
             domain: Domain {

@@ -9,8 +9,8 @@ use super::cloud::{Cloud, Point, reach};
 use super::fit::Found;
 use super::solids::Solids;
 
-/// Density, pressure, velocity.
-const VALUES: usize = 5;
+/// Density, pressure, velocity, share of the second gas.
+const VALUES: usize = 6;
 
 /// The gas of one frame.
 #[derive(Debug)]
@@ -32,6 +32,8 @@ pub struct State {
     pub velocity: [f64; 3],
     /// How the density changes along each axis.
     pub density_gradient: [f64; 3],
+    /// Share of the second gas, where there are two.
+    pub second: f64,
 }
 
 impl<'a, const D: usize> Gas<'a, D> {
@@ -42,10 +44,11 @@ impl<'a, const D: usize> Gas<'a, D> {
         let point = |n: usize| {
             let [u, v, w] = frame.velocity[n];
             let spacing = frame.spacing.get(n);
+            let second = frame.second.get(n).map_or(0.0, |&second| f64::from(second));
             Point {
                 position: Vector::from_fn(|k, _| frame.position[n][k]),
                 spacing: spacing.map_or(frame.smoothing_length[n] / SMOOTHING_RATIO, |s| *s),
-                values: [frame.density[n], frame.pressure[n], u, v, w],
+                values: [frame.density[n], frame.pressure[n], u, v, w, second],
             }
         };
         let mut points: Vec<_> = rows.map(point).collect();
@@ -64,6 +67,7 @@ impl<'a, const D: usize> Gas<'a, D> {
                     problem.free_stream.velocity.get(k).copied().unwrap_or(0.0)
                 }),
                 density_gradient: [0.0; 3],
+                second: 0.0,
             },
         }
     }
@@ -106,7 +110,7 @@ impl<'a, const D: usize> Gas<'a, D> {
 }
 
 fn state_of<const D: usize>(found: &Found<D, VALUES>) -> State {
-    let [density, pressure, u, v, w] = found.values;
+    let [density, pressure, u, v, w, second] = found.values;
     // What is carried on beyond all points may end below zero.
     let positive = |value: f64, n: usize| if value > 0.0 { value } else { found.means[n] };
     let slope = &found.slopes[0];
@@ -115,6 +119,7 @@ fn state_of<const D: usize>(found: &Found<D, VALUES>) -> State {
         pressure: positive(pressure, 1),
         velocity: [u, v, w],
         density_gradient: std::array::from_fn(|k| if k < D { slope[k] } else { 0.0 }),
+        second: second.clamp(0.0, 1.0),
     }
 }
 

@@ -1,13 +1,13 @@
 //! What can be shown of the gas at a place.
 
 use super::gas::State;
-use aero_solver::gas::Gas;
+use aero_solver::gas::{Gas, Gases};
 
 /// What it is measured by.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
-    /// The gas.
-    pub gas: Gas,
+    /// The gas, or both.
+    pub gases: Gases,
     /// Specific gas constant, where it is known.
     pub gas_constant: Option<f64>,
     /// Pressure and density of the free stream.
@@ -38,24 +38,33 @@ pub enum Quantity {
 }
 
 impl Scale {
+    /// The gas in a state: where there are two, what both of them make there.
+    pub fn gas(&self, state: &State) -> Gas {
+        self.gases.mixed(state.second)
+    }
+
     /// Temperature, K, where the gas constant is known: of an ideal gas `p / (rho R)`.
     pub fn temperature(&self, state: &State) -> Option<f64> {
         self.gas_constant?;
         Some(finite(
-            self.gas.temperature_at(state.density, state.pressure),
+            self.gas(state)
+                .temperature_at(state.density, state.pressure),
         ))
     }
 
     /// Mach number.
     pub fn mach(&self, state: &State) -> f64 {
-        finite(size(&state.velocity) / self.gas.sound_speed_at(state.density, state.pressure))
+        let sound = self
+            .gas(state)
+            .sound_speed_at(state.density, state.pressure);
+        finite(size(&state.velocity) / sound)
     }
 
     /// Entropy over that of the free stream, in heat capacities at constant volume: of an ideal gas `ln((p / p_inf) (rho_inf / rho)^gamma)`.
     pub fn entropy(&self, state: &State) -> f64 {
         let [pressure, density] = self.stream;
         let here = [state.density, state.pressure];
-        finite(self.gas.entropy_rise(here, [density, pressure]))
+        finite(self.gas(state).entropy_rise(here, [density, pressure]))
     }
 
     /// The number that `quantity` is at a place; none of a temperature that is not known.

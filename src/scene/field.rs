@@ -115,7 +115,8 @@ pub(super) fn reference<const D: usize>(
     })
 }
 
-fn place<const D: usize>(position: &Vector<D>, spacing: f64) -> Place {
+/// Where formulas are evaluated.
+pub(super) fn place<const D: usize>(position: &Vector<D>, spacing: f64) -> Place {
     Place {
         position: std::array::from_fn(|k| if k < D { position[k] } else { 0.0 }),
         time: 0.0,

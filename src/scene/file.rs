@@ -14,6 +14,7 @@ use super::picture::PictureEntry;
 use super::probe::ProbeEntry;
 use super::refine::RefineEntry;
 use super::region::RegionEntry;
+use super::second::SecondGasEntry;
 use super::shapes::{PlaceEntry, ShapeEntry};
 use super::side::SideEntry;
 use super::spin::{Inertia, Spin};
@@ -68,7 +69,7 @@ pub struct SceneFile {
 }
 
 /// `[gas]`
-#[derive(Clone, Copy, Debug, Default, Deserialize)]
+#[derive(Clone, Debug, Default, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct GasEntry {
     /// How pressure and temperature follow from density and energy; `ideal` unless given.
@@ -81,6 +82,8 @@ pub struct GasEntry {
     pub viscosity: Option<ViscosityEntry>,
     /// Prandtl number, `viscosity * heat capacity / conductivity`; 0.72 (air) unless given.
     pub prandtl: Option<Positive>,
+    /// A second gas beside it, of particles; none unless given.
+    pub second: Option<SecondGasEntry>,
 }
 
 /// `[scheme]`

@@ -66,6 +66,7 @@ mod reference;
 mod refine;
 mod region;
 mod schemes;
+mod second;
 pub mod shapes;
 pub mod side;
 pub mod spin;
@@ -261,6 +262,7 @@ impl Scene {
         let problem = Problem {
             spacing,
             gas,
+            second: second::second(file, &domain)?,
             method,
             scheme: schemes::scheme(file.scheme, &gas),
             domain,
@@ -273,6 +275,7 @@ impl Scene {
         surface::check(&problem, gas_constant.is_some())?;
         surface::refuse_viscous_rings(&problem)?;
         schemes::check(&problem)?;
+        second::check(&problem)?;
         let has_none = problem.scheme.viscosity == Viscosity::None && !problem.gas.is_viscous();
         if has_none && !problem.scheme.is_of_liquids() {
             return Err(SceneError::value(

@@ -107,12 +107,20 @@ pub(super) fn check_sides<const D: usize>(gas: &Gas, domain: &Domain<D>) -> Resu
     if gas.liquid().is_some() {
         liquid::check_sides(domain)?;
     }
-    let refused = domain
+    check_waves(
+        domain,
+        "rests on the waves of an ideal gas, which gas.equation_of_state does not name",
+    )
+}
+
+/// Refuses sides that follow the waves of one ideal gas, and says `why`.
+pub(super) fn check_waves<const D: usize>(domain: &Domain<D>, why: &str) -> Result<(), SceneError> {
+    let sides = domain
         .each_side()
         .map(|(axis, end, side, _)| (axis, end, side));
     let openings = domain.openings.iter();
     let openings = openings.map(|opening| (opening.axis, opening.end, opening.side));
-    for (axis, end, side) in refused.chain(openings) {
+    for (axis, end, side) in sides.chain(openings) {
         let mend = match side {
             Side::SoftInlet => "inlet",
             Side::Reservoir { .. } => "inlet` or `free-stream",
@@ -122,9 +130,7 @@ pub(super) fn check_sides<const D: usize>(gas: &Gas, domain: &Domain<D>) -> Resu
         let place = format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end]);
         return Err(SceneError::value(
             place,
-            format!(
-                "rests on the waves of an ideal gas, which gas.equation_of_state does not name; use `{mend}`, or `ideal`"
-            ),
+            format!("{why}; use `{mend}`, or one ideal gas"),
         ));
     }
     Ok(())

@@ -5,10 +5,12 @@
 
 mod air;
 mod liquid;
+mod pair;
 mod transport;
 
 pub use air::Air;
 pub use liquid::Liquid;
+pub use pair::Gases;
 pub use transport::{Transport, TransportCoefficients, Viscosity};
 
 /// A gas.

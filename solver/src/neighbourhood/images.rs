@@ -143,6 +143,11 @@ impl<const D: usize> Images<D> {
             .for_each(|(image, near_image)| {
                 *near_image = image.near(&near[sources + image.source as usize]);
             });
+        if records.are_two {
+            for (n, image) in self.copies.iter().enumerate() {
+                records.second[first + n] = records.second[sources + image.source as usize];
+            }
+        }
     }
 
     /// Copies what flows by viscosity and conduction through the sources.

@@ -58,6 +58,7 @@ impl<const D: usize> Neighbourhood<D> {
         Ok(Self {
             arch,
             records: Records {
+                are_two: problem.second.is_some(),
                 is_viscous: problem.gas.is_viscous(),
                 rounded: Rounded::new(problem),
                 ..Records::default()

@@ -5,6 +5,7 @@ use aero_geometry::Vector;
 use super::law::Basis;
 use super::pair::{LaneVector, Pair, Target, dot};
 use super::renormalisation::{Renormalisation, even_renormalisation};
+use super::unlike::{share, unlike};
 use crate::lanes::Lane;
 use crate::particles::Rates;
 use crate::records::{GHOSTS, Matrix, Near, Read, Records, State};
@@ -54,6 +55,8 @@ pub struct Own<V: Vectors, const D: usize> {
     velocity: LaneVector<V, D>,
     half_sound: Lane<V>,
     energy: Lane<V>,
+    /// Share of the second gas.
+    second: Lane<V>,
 }
 
 /// A pair that meets.
@@ -75,7 +78,7 @@ pub struct Encounter<V: Vectors, const D: usize> {
     pub approach: Lane<V>,
     /// `c_ij`, the mean speed of sound.
     pub sound: Lane<V>,
-    /// `e_j - e_i`.
+    /// `e_j - e_i`; none of it between two gases.
     pub energy: Lane<V>,
     /// Minus the speed at which the pair closes: left by the viscosity.
     pub closing: Lane<V>,
@@ -130,6 +133,7 @@ impl<const D: usize> Basis<D> for Encounters<'_, D> {
             velocity: std::array::from_fn(|k| Lane::gather(vectors, |l| near(l).velocity[k])),
             half_sound: Lane::gather(vectors, |l| state(l).half_sound),
             energy: Lane::gather(vectors, |l| state(l).energy),
+            second: share(vectors, &self.records.second, &slot),
         }
     }
 
@@ -146,6 +150,10 @@ impl<const D: usize> Basis<D> for Encounters<'_, D> {
         let volume = Lane::broadcast(vectors, near.volume);
         let jump: LaneVector<V, D> =
             std::array::from_fn(|k| Lane::broadcast(vectors, near.velocity[k]) - i.velocity[k]);
+        let mut energy = Lane::broadcast(vectors, state.energy) - i.energy;
+        if let Some(&second) = self.records.second.get(j) {
+            energy = energy - energy * unlike(vectors, i.second, second);
+        }
         Encounter {
             volume,
             gradient_volume: volume * pair.gradient_factor,
@@ -154,7 +162,7 @@ impl<const D: usize> Basis<D> for Encounters<'_, D> {
             approach: -dot(&jump, &pair.separation),
             jump,
             sound: i.half_sound + Lane::broadcast(vectors, state.half_sound),
-            energy: Lane::broadcast(vectors, state.energy) - i.energy,
+            energy,
             closing: Lane::splat(vectors, 0.0),
             pair,
         }

@@ -29,5 +29,6 @@ pub mod renormalisation;
 
 pub mod extrapolation;
 pub mod summation;
+mod unlike;
 
 pub mod shield;

@@ -2,6 +2,7 @@
 
 use super::law::{Basis, Law, Neighbour};
 use super::pair::{Separation, Target};
+use super::unlike::{share, unlike};
 use crate::backend::Backend;
 use crate::lanes::Lane;
 use crate::neighbours::Lists;
@@ -21,7 +22,13 @@ pub fn densities<const D: usize>(
     lattice: f64,
     densities: &mut [f64],
 ) {
-    let (kernels, law) = (Kernels { records }, Summation { lattice });
+    let (kernels, law) = (
+        Kernels { records },
+        Summation {
+            lattice,
+            second: &records.second,
+        },
+    );
     backend.sweep(lists, records, &kernels, &law, densities);
 }
 
@@ -30,9 +37,13 @@ struct Kernels<'a, const D: usize> {
     records: &'a Records<D>,
 }
 
-/// `rho_i = sum_gas m_j W_ij / (1 - phi_i)`, where `phi_i = sum_ghosts V_g W_ig` is the walls' share of the kernel.
-struct Summation {
+/// `rho_i = sum_gas m_j W_ij / (1 - phi_i)`, where `phi_i = sum_ghosts V_g W_ig` is the walls' share of the kernel. A particle of another gas
+/// counts by the room that it takes, as one of its own: `m_i` in place of `m_j` [Hu & Adams 2006, eq. 6], so that no gas is spread into
+/// the other.
+struct Summation<'a> {
     lattice: f64,
+    /// Share of the second gas in each; empty where there is one.
+    second: &'a [f64],
 }
 
 impl<const D: usize> Basis<D> for Kernels<'_, D> {
@@ -76,8 +87,9 @@ impl<const D: usize> Basis<D> for Kernels<'_, D> {
     fn close(&self, (): (), _: &mut f64) {}
 }
 
-impl<const D: usize> Law<Kernels<'_, D>, D> for Summation {
-    type Own<V: Vectors> = ();
+impl<const D: usize> Law<Kernels<'_, D>, D> for Summation<'_> {
+    /// Share of the second gas, and mass.
+    type Own<V: Vectors> = (Lane<V>, Lane<V>);
     /// Mass of the gas and share of the walls.
     type Sums<V: Vectors> = (Lane<V>, Lane<V>);
     type Number = (f64, f64);
@@ -85,27 +97,36 @@ impl<const D: usize> Law<Kernels<'_, D>, D> for Summation {
     #[inline(always)]
     fn load<V: Vectors>(
         &self,
-        _: V,
-        _: Read<'_, D, V::Number>,
-        _: impl Fn(usize) -> usize + Copy,
+        vectors: V,
+        read: Read<'_, D, V::Number>,
+        slot: impl Fn(usize) -> usize + Copy,
     ) -> Self::Own<V> {
+        (
+            share(vectors, self.second, slot),
+            Lane::gather(vectors, |l| read.near[slot(l)].mass),
+        )
     }
 
     #[inline(always)]
     fn add<V: Vectors>(
         &self,
-        _: (&Target<V, D>, &()),
+        (_, (own_share, own)): (&Target<V, D>, &Self::Own<V>),
         kernel: &mut Lane<V>,
         j: Neighbour<'_, V, D>,
         (mass, _): &mut Self::Sums<V>,
     ) {
-        *mass = kernel.mul_add(Lane::broadcast(j.vectors, j.read.near[j.slot].mass), *mass);
+        let near = &j.read.near[j.slot];
+        let mut theirs = Lane::broadcast(j.vectors, near.mass);
+        if let Some(&second) = self.second.get(j.slot) {
+            theirs += unlike(j.vectors, *own_share, second) * (*own - theirs);
+        }
+        *mass = kernel.mul_add(theirs, *mass);
     }
 
     #[inline(always)]
     fn add_ghost<V: Vectors>(
         &self,
-        _: (&Target<V, D>, &()),
+        _: (&Target<V, D>, &Self::Own<V>),
         kernel: &mut Lane<V>,
         j: Neighbour<'_, V, D>,
         (_, share): &mut Self::Sums<V>,

@@ -266,13 +266,14 @@ fn shares<const D: usize>(
 /// All gas within reach of which panels may be, buffers too.
 fn pressers<const D: usize>(flow: &Simulation<D>) -> Vec<Presser<D>> {
     let rings = Rings::new(&flow.problem);
-    let gas = &flow.problem.gas;
+    let gases = flow.problem.gases();
     let rates = flow.fluid.rates().iter().map(Some);
     let open = flow.buffers.particles().iter();
     let all = flow.fluid.iter().zip(rates);
     let all = all.chain(open.map(|open| (&open.particle, None)));
     all.map(|(particle, rates)| {
         let mass = rings.plane_mass(particle);
+        let gas = gases.of(particle.is_second);
         let pressure = gas.pressure(particle.density, particle.energy);
         let sound = gas.sound_speed_at(particle.density, pressure);
         // No wall near is no force; one that has just come in has none yet.

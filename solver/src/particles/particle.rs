@@ -26,6 +26,8 @@ pub struct Particle<const D: usize> {
     pub by_pressure: ByPressure<D>,
     /// What dissipation leaves alone, by the last evaluation.
     pub spared: Spared<D>,
+    /// Made of the second gas of the flow.
+    pub is_second: bool,
     /// Moves with the undisturbed free stream ([`crate::neighbourhood::calm`]); without meaning where none is looked for.
     pub is_calm: bool,
     /// Number that the particle keeps for life.

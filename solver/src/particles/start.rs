@@ -43,8 +43,19 @@ impl<const D: usize> Problem<D> {
             })
     }
 
-    /// A particle of the starting lattice in `state`.
+    /// A particle of the starting lattice in `state`, of the gas of the free stream.
     pub fn particle(&self, position: Vector<D>, state: &State<D>, id: u64) -> Particle<D> {
+        self.particle_of(false, position, state, id)
+    }
+
+    /// The same of the second gas, if it `is_second`.
+    fn particle_of(
+        &self,
+        is_second: bool,
+        position: Vector<D>,
+        state: &State<D>,
+        id: u64,
+    ) -> Particle<D> {
         let spacing = self.spacing_at(&position);
         let density = match self.scheme.operators.volume {
             Volume::OfDensity => state.density,
@@ -55,12 +66,13 @@ impl<const D: usize> Problem<D> {
             position,
             velocity: state.velocity,
             density: state.density,
-            energy: self.gas.energy(state.density, state.pressure),
+            energy: (self.gases().of(is_second)).energy(state.density, state.pressure),
             smoothing_length: SMOOTHING_RATIO * spacing,
             mass: plane_mass * Rings::new(self).circumference(&position),
             first_plane_mass: plane_mass,
             by_pressure: ByPressure::default(),
             spared: Spared::unknown(),
+            is_second,
             is_calm: false,
             id,
         }
@@ -76,6 +88,7 @@ impl<const D: usize> Problem<D> {
     fn starts_calm(&self) -> bool {
         self.skips_undisturbed()
             && self.source.is_none()
+            && self.second.is_none()
             && matches!(self.initial, Initial::FreeStream)
             && self.disorder == 0.0
             && !self.domain.is_axisymmetric()
@@ -155,7 +168,9 @@ fn born<const D: usize>(
     // A field takes the state that its lattice place had along; next to a solution that is known, that would be an error of first order.
     let known = problem.source.as_ref().map_or(position, |_| displaced);
     let state = problem.initial_state(&known)?;
-    Ok(state.map(|state| problem.particle(displaced, &state, id)))
+    let second = problem.second.as_ref();
+    let is_second = second.is_some_and(|second| (second.fills)(&known));
+    Ok(state.map(|state| problem.particle_of(is_second, displaced, &state, id)))
 }
 
 /// Puts a particle where it belongs.

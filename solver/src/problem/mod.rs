@@ -7,6 +7,7 @@ use aero_geometry::Vector;
 mod body;
 mod domain;
 mod opening;
+mod second;
 mod side;
 mod source;
 mod wall;
@@ -14,11 +15,12 @@ mod wall;
 pub use body::{Body, Freedom, Motion, PackedFluid, Turning};
 pub use domain::Domain;
 pub use opening::{Given, Opening};
+pub use second::SecondGas;
 pub use side::Side;
 pub use source::{Added, BodyForce, Source};
 pub use wall::{NoSlip, Slide, WallHeat, WallKind};
 
-use crate::gas::Gas;
+use crate::gas::{Gas, Gases};
 use crate::method::Method;
 pub use crate::scheme::Scheme;
 
@@ -29,6 +31,8 @@ pub struct Problem<const D: usize> {
     pub spacing: f64,
     /// Equation of state.
     pub gas: Gas,
+    /// A second gas, and where it is at the start.
+    pub second: Option<SecondGas<D>>,
     /// What carries the gas.
     pub method: Method,
     /// Equations and boundary treatment of particles.
@@ -49,6 +53,14 @@ pub struct Problem<const D: usize> {
 }
 
 impl<const D: usize> Problem<D> {
+    /// The gases, for whatever knows which of them it looks at.
+    pub fn gases(&self) -> Gases {
+        Gases {
+            first: self.gas,
+            second: self.second.as_ref().map(|second| second.gas),
+        }
+    }
+
     /// Mach number of the free stream.
     pub fn stream_mach(&self) -> f64 {
         let stream = &self.free_stream;

@@ -50,10 +50,13 @@ impl<const D: usize> Simulation<D> {
             time: self.clock.time,
             ..Frame::default()
         };
-        let gas = self.problem.gas;
+        let gases = self.problem.gases();
         let mut push = |particle: &Particle<D>, kind| {
             if is_shown(&particle.position) {
-                push(&mut frame, particle, &gas, kind);
+                push(&mut frame, particle, gases.of(particle.is_second), kind);
+                if gases.are_two() {
+                    frame.second.push(u8::from(particle.is_second));
+                }
             }
         };
         for particle in &self.fluid {
@@ -81,6 +84,7 @@ impl<const D: usize> Simulation<D> {
                     strain: ghost.shown.strain,
                     ..Spared::unknown()
                 },
+                is_second: ghost.shown.second > 0.5,
                 is_calm: false,
                 id: number as u64,
             };

@@ -45,7 +45,7 @@ impl Clock {
         walls: &Walls<D>,
     ) -> f64 {
         const GROWTH_OF_STEP: f64 = 1.1;
-        let acoustic = acoustic_step(problem.scheme.step.cfl, &problem.gas, fluid);
+        let acoustic = acoustic_step(problem.scheme.step.cfl, &problem.gases(), fluid);
         let mut step = acoustic.min(GROWTH_OF_STEP * self.last_step);
         if self.last_step.is_infinite() {
             step = step.min(crossing_time(problem, fluid, walls));

@@ -93,7 +93,8 @@ impl<const D: usize> Simulation<D> {
                 "it was {distance:.1} spacings from {kind}, with {ghosts} ghosts in reach; try `scheme.extrapolation = \"wm\"`, a smaller `scheme.cfl` or a finer `spacing`"
             );
         }
-        let gas = &self.problem.gas;
+        let gases = self.problem.gases();
+        let gas = gases.of(particle.is_second);
         let sound = gas.sound_speed(particle.density, particle.energy);
         let mach = particle.velocity.norm() / sound;
         if mach > COLD {

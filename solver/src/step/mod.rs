@@ -125,7 +125,7 @@ impl<const D: usize> Simulation<D> {
         stages::remember_rates(fluid);
         clock.stable_step = {
             let bound = problem.scheme.step;
-            bound.time_step(&problem.gas, fluid, fluid.rates())
+            bound.time_step(&problem.gases(), fluid, fluid.rates())
         };
     }
 

@@ -32,7 +32,7 @@ pub fn predict<const D: usize>(
     books: &mut Books,
 ) -> Result<(), Senseless<D>> {
     fluid.save();
-    let Problem { gas, scheme, .. } = problem;
+    let (gases, scheme) = (problem.gases(), &problem.scheme);
     let Scheme {
         integrator,
         density,
@@ -48,6 +48,7 @@ pub fn predict<const D: usize>(
                 particle.energy += saved.by_pressure.heating * ahead;
                 if density == Density::Continuity {
                     // Compression heats by p / rho^2 per density.
+                    let gas = gases.of(saved.is_second);
                     let heat = gas.pressure_over_density(saved.density, saved.energy);
                     particle.density += saved.by_pressure.heating * saved.density / heat * ahead;
                 }
@@ -72,7 +73,7 @@ pub fn correct<const D: usize>(
     fluid: &mut Particles<D>,
     books: &mut Books,
 ) -> Result<Option<f64>, Senseless<D>> {
-    let Problem { gas, scheme, .. } = problem;
+    let (gases, scheme) = (problem.gases(), &problem.scheme);
     let Scheme {
         integrator,
         step: bound,
@@ -100,14 +101,14 @@ pub fn correct<const D: usize>(
         let mut bounds = Bounds::default();
         if integrator == Integrator::Leapfrog {
             particle.by_pressure = rates.by_pressure;
-            bounds = bound.bounds(gas, particle, rates);
+            bounds = bound.bounds(&gases, particle, rates);
         }
         if let Some(calm) = calm {
             particle.is_calm = calm.holds(particle, rates);
         }
         bounds
     })?;
-    Ok((integrator == Integrator::Leapfrog).then(|| bound.step(bounds, gas)))
+    Ok((integrator == Integrator::Leapfrog).then(|| bound.step(bounds, &gases.first)))
 }
 
 /// Moves each particle of the fluid by its state at the start of the step and its rates; returns the tightest of

@@ -5,7 +5,7 @@ use super::seam::{DEFAULT, PUBLISHED, Setup};
 use super::*;
 use crate::problem::{NoSlip, Slide, WallHeat};
 
-const SWITCHES: [Setup; 10] = [
+const SWITCHES: [Setup; 12] = [
     DEFAULT,
     Setup {
         mirrors: true,
@@ -42,6 +42,16 @@ const SWITCHES: [Setup; 10] = [
         shield: true,
         mirrors: true,
         ..PUBLISHED
+    },
+    Setup {
+        two_gases: true,
+        ..DEFAULT
+    },
+    Setup {
+        two_gases: true,
+        mirrors: true,
+        limits_conduction: false,
+        ..DEFAULT
     },
 ];
 

@@ -25,6 +25,7 @@ mod sources;
 mod steps;
 mod surfaces;
 mod thin;
+mod two_gases;
 mod viscous;
 mod walls;
 
@@ -50,6 +51,7 @@ pub(crate) fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
     Problem {
         spacing,
         gas: Gas::ideal(1.4),
+        second: None,
         method: crate::method::Method::default(),
         scheme: Scheme::default(),
         domain: Domain {

@@ -80,6 +80,8 @@ pub struct Shown<const D: usize> {
     pub density: f64,
     /// Smoothing length.
     pub smoothing_length: f64,
+    /// Share of the second gas.
+    pub second: f64,
 }
 
 impl<const D: usize> WallAbove<D> {

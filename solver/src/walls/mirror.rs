@@ -7,7 +7,7 @@ use super::super::backend::Backend;
 use super::super::neighbours::GROWTH;
 use super::super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
 use super::super::records::{Matrix, Records};
-use super::{Ghost, WallLists, Walls, mirror_seeker, seeker, sticking};
+use super::{Ghost, WallLists, Walls, mirror_seeker, seeker, shares, sticking};
 use crate::gas::Gas;
 use crate::problem::WallKind;
 use crate::scheme::Extrapolation;
@@ -44,7 +44,10 @@ impl<const D: usize> Walls<D> {
                 &mut self.mirrored,
             );
         }
-        let (bodies, treatment, law) = (&self.bodies, self.treatment, self.gas);
+        if self.gases.are_two() {
+            shares::read(&lists.near, records, &mut self.ghosts);
+        }
+        let (bodies, treatment, gases) = (&self.bodies, self.treatment, self.gases);
         self.ghosts
             .par_iter_mut()
             .zip(&self.found)
@@ -60,6 +63,7 @@ impl<const D: usize> Walls<D> {
                 };
                 let kind = bodies[ghost.body as usize].kind;
                 let added = added.map_or(Vector::zeros(), |added| added(&ghost.foot()));
+                let law = gases.mixed(ghost.shown.second);
                 show(
                     ghost,
                     &gas,

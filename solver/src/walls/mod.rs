@@ -16,6 +16,7 @@ mod rebound;
 mod ridges;
 pub mod rigid;
 mod setup;
+mod shares;
 pub mod solids;
 mod sticking;
 mod turning;
@@ -39,7 +40,7 @@ use super::pairs::renormalisation::even_renormalisation;
 use super::records::{GHOSTS, Near, Records, State, Symmetric};
 use super::vectors::Arch;
 use crate::frame::Load;
-use crate::gas::Gas;
+use crate::gas::Gases;
 use crate::problem::{Body, Motion, Problem, WallKind};
 use crate::scheme::{Extrapolation, WallTreatment};
 
@@ -57,7 +58,7 @@ pub struct Walls<const D: usize> {
     /// Bodies in scene order, then wall sides.
     bodies: Vec<Mover<D>>,
     treatment: WallTreatment,
-    gas: Gas,
+    gases: Gases,
     grid: Grid<D>,
     faces: Option<Faces<D>>,
     found: Vec<Option<Interpolated<D>>>,
@@ -100,7 +101,7 @@ impl<const D: usize> Walls<D> {
             mirror_fallbacks: 0,
             bodies,
             treatment: problem.scheme.wall,
-            gas: problem.gas,
+            gases: problem.gases(),
             grid: *grid,
             faces,
             found: Vec::new(),
@@ -281,11 +282,16 @@ impl<const D: usize> Walls<D> {
                     ghost.shown.pressure,
                     ghost.shown.density,
                     ghost.shown.energy,
-                    &self.gas,
+                    &self.gases.mixed(ghost.shown.second),
                 );
                 state.strain = Symmetric::new(&ghost.shown.strain);
                 state.renormalise(&even, &Vector::zeros(), ghost.volume);
             });
+        if records.are_two {
+            let second = &mut records.second[slots];
+            let shares = second.iter_mut().zip(&self.ghosts);
+            shares.for_each(|(second, ghost)| *second = ghost.shown.second);
+        }
     }
 }
 

@@ -130,6 +130,7 @@ fn blank<const D: usize>(
             energy: problem.gas.energy(gas.density, gas.pressure),
             density: gas.density,
             smoothing_length: SMOOTHING_RATIO * spacing,
+            second: 0.0,
         },
     }
 }

@@ -24,6 +24,7 @@ pub mod nozzle;
 pub mod oblique;
 pub mod piston;
 pub mod prandtl_meyer;
+pub mod refraction;
 pub mod riemann;
 mod root;
 pub mod sedov;

@@ -1,4 +1,4 @@
-//! The exact Riemann problem for a perfect gas, vacuum included.
+//! The exact Riemann problem for a perfect gas, or one on either side, vacuum included.
 //!
 //! Source: Toro, "Riemann Solvers and Numerical Methods for Fluid Dynamics", 3rd ed. (2009),
 //! chapter 4 (doi:10.1007/b79761).
@@ -37,7 +37,8 @@ pub enum Wave {
 pub struct Riemann {
     left: State,
     right: State,
-    gamma: f64,
+    /// Ratios of specific heats left and right of the contact.
+    gammas: [f64; 2],
     star: Option<Star>,
 }
 
@@ -45,7 +46,14 @@ impl Riemann {
     /// Solves the problem of `left` and `right` brought together. Densities and pressures may be
     /// zero together (a vacuum on one side), not negative.
     pub fn new(left: State, right: State, gamma: f64) -> Result<Self, ExactError> {
-        require_gamma(gamma)?;
+        Self::of_two_gases(left, right, [gamma; 2])
+    }
+
+    /// The same of a gas on either side, whose ratios of specific heats are `gammas`.
+    pub fn of_two_gases(left: State, right: State, gammas: [f64; 2]) -> Result<Self, ExactError> {
+        for gamma in gammas {
+            require_gamma(gamma)?;
+        }
         for state in [left, right] {
             let gas = state.density > 0.0 && state.pressure > 0.0;
             let vacuum = state.density == 0.0 && state.pressure == 0.0;
@@ -62,11 +70,11 @@ impl Riemann {
                 "finite values",
             )?;
         }
-        let star = solve_star(&left, &right, gamma);
+        let star = solve_star(&left, &right, gammas);
         Ok(Self {
             left,
             right,
-            gamma,
+            gammas,
             star,
         })
     }
@@ -81,20 +89,20 @@ impl Riemann {
         mirror_wave(wave(
             &mirror(&self.left),
             self.star.map(mirror_star),
-            self.gamma,
+            self.gammas[0],
         ))
     }
 
     /// The wave running into the right state.
     pub fn right_wave(&self) -> Wave {
-        wave(&self.right, self.star, self.gamma)
+        wave(&self.right, self.star, self.gammas[1])
     }
 
     /// The gas at `x / t = speed`, measured from where the states met.
     pub fn sample(&self, speed: f64) -> State {
         match self.star {
             Some(star) if speed > star.velocity => {
-                sample_right(&self.right, Some(star), speed, self.gamma)
+                sample_right(&self.right, Some(star), speed, self.gammas[1])
             }
             Some(star) => {
                 let mirrored = Some(mirror_star(star));
@@ -102,7 +110,7 @@ impl Riemann {
                     &mirror(&self.left),
                     mirrored,
                     -speed,
-                    self.gamma,
+                    self.gammas[0],
                 ))
             }
             None => self.sample_vacuum(speed),
@@ -111,11 +119,14 @@ impl Riemann {
 
     /// Two fans, or one, that end in a vacuum [Toro, section 4.6].
     fn sample_vacuum(&self, speed: f64) -> State {
-        let escape = |s: &State| 2.0 * s.sound_speed(self.gamma) / (self.gamma - 1.0);
-        if self.left.density > 0.0 && speed < self.left.velocity + escape(&self.left) {
-            mirror(&sample_right(&mirror(&self.left), None, -speed, self.gamma))
-        } else if self.right.density > 0.0 && speed > self.right.velocity - escape(&self.right) {
-            sample_right(&self.right, None, speed, self.gamma)
+        let [left, right] = self.gammas;
+        let escape = |s: &State, gamma| 2.0 * s.sound_speed(gamma) / (gamma - 1.0);
+        if self.left.density > 0.0 && speed < self.left.velocity + escape(&self.left, left) {
+            mirror(&sample_right(&mirror(&self.left), None, -speed, left))
+        } else if self.right.density > 0.0
+            && speed > self.right.velocity - escape(&self.right, right)
+        {
+            sample_right(&self.right, None, speed, right)
         } else {
             State::new(0.0, speed, 0.0)
         }
@@ -165,26 +176,22 @@ fn velocity_change(p: f64, state: &State, gamma: f64) -> (f64, f64) {
 }
 
 /// Pressure and velocity between the waves, or none where a vacuum forms.
-fn solve_star(left: &State, right: &State, gamma: f64) -> Option<Star> {
+fn solve_star(left: &State, right: &State, [behind, ahead]: [f64; 2]) -> Option<Star> {
     let apart = right.velocity - left.velocity;
-    let escape = 2.0 / (gamma - 1.0) * (left.sound_speed(gamma) + right.sound_speed(gamma));
-    if left.density == 0.0 || right.density == 0.0 || escape <= apart {
+    let escape = |state: &State, gamma: f64| 2.0 / (gamma - 1.0) * state.sound_speed(gamma);
+    let is_vacuum = left.density == 0.0 || right.density == 0.0;
+    if is_vacuum || escape(left, behind) + escape(right, ahead) <= apart {
         return None;
     }
     let excess = |p: f64| {
-        let (l, dl) = velocity_change(p, left, gamma);
-        let (r, dr) = velocity_change(p, right, gamma);
+        let (l, dl) = velocity_change(p, left, behind);
+        let (r, dr) = velocity_change(p, right, ahead);
         (l + r + apart, dl + dr)
     };
     let lower = left.pressure.min(right.pressure);
     let mut p = lower;
     if excess(lower).0 >= 0.0 {
-        // Two rarefactions: the closed form [Toro, eq. 4.46] is exact.
-        let z = 0.5 * (gamma - 1.0) / gamma;
-        let over = left.sound_speed(gamma) + right.sound_speed(gamma) - 0.5 * (gamma - 1.0) * apart;
-        let under = left.sound_speed(gamma) / left.pressure.powf(z)
-            + right.sound_speed(gamma) / right.pressure.powf(z);
-        p = (over / under).powf(1.0 / z);
+        p = between_fans(left, right, [behind, ahead], apart, &excess);
     } else {
         // The excess is increasing and concave, so Newton's method started where it is negative
         // climbs to the root without ever passing it.
@@ -197,14 +204,47 @@ fn solve_star(left: &State, right: &State, gamma: f64) -> Option<Star> {
             p = next;
         }
     }
-    let (l, _) = velocity_change(p, left, gamma);
-    let (r, _) = velocity_change(p, right, gamma);
+    let (l, _) = velocity_change(p, left, behind);
+    let (r, _) = velocity_change(p, right, ahead);
     Some(Star {
         pressure: p,
         velocity: 0.5 * (left.velocity + right.velocity) + 0.5 * (r - l),
-        density_left: star_density(p, left, gamma),
-        density_right: star_density(p, right, gamma),
+        density_left: star_density(p, left, behind),
+        density_right: star_density(p, right, ahead),
     })
+}
+
+/// Pressure between two rarefactions: of one gas the closed form [Toro, eq. 4.46] is exact; of two, halvings of its logarithm.
+fn between_fans(
+    left: &State,
+    right: &State,
+    [behind, ahead]: [f64; 2],
+    apart: f64,
+    excess: &impl Fn(f64) -> (f64, f64),
+) -> f64 {
+    let mut high = left.pressure.min(right.pressure);
+    if behind == ahead {
+        let gamma = behind;
+        let z = 0.5 * (gamma - 1.0) / gamma;
+        let over = left.sound_speed(gamma) + right.sound_speed(gamma) - 0.5 * (gamma - 1.0) * apart;
+        let under = left.sound_speed(gamma) / left.pressure.powf(z)
+            + right.sound_speed(gamma) / right.pressure.powf(z);
+        return (over / under).powf(1.0 / z);
+    }
+    let mut low = high;
+    while excess(low).0 > 0.0 && low > f64::MIN_POSITIVE {
+        high = low;
+        low *= 0.5;
+    }
+    for _ in 0..100 {
+        let middle = (low * high).sqrt();
+        if excess(middle).0 < 0.0 {
+            low = middle;
+        } else {
+            high = middle;
+        }
+    }
+    high
 }
 
 /// Density of `state` taken to pressure `p` by a shock or a rarefaction [Toro, eqs. 4.50, 4.53].

@@ -129,6 +129,36 @@ proptest! {
         }
     }
 
+    /// The same of a gas on either side.
+    #[test]
+    fn two_gases_conserve_mass_momentum_and_energy(
+        rho_l in 0.1_f64..10.0, u_l in -2.0_f64..2.0, p_l in 0.1_f64..20.0,
+        rho_r in 0.1_f64..10.0, u_r in -2.0_f64..2.0, p_r in 0.1_f64..20.0,
+        left_gamma in 1.1_f64..1.67, right_gamma in 1.1_f64..1.67,
+    ) {
+        let (left, right) = (State::new(rho_l, u_l, p_l), State::new(rho_r, u_r, p_r));
+        let problem = Riemann::of_two_gases(left, right, [left_gamma, right_gamma]).unwrap();
+        prop_assume!(problem.star().is_some());
+        let contact = problem.star().unwrap().velocity;
+        let (cells, reach) = (120_000, 60.0);
+        let width = 2.0 * reach / f64::from(cells);
+        let mut total = [0.0; 3];
+        for k in 0..cells {
+            let speed = -reach + (f64::from(k) + 0.5) * width;
+            let gamma = if speed < contact { left_gamma } else { right_gamma };
+            for (sum, value) in total.iter_mut().zip(conserved(&problem.sample(speed), gamma)) {
+                *sum += value * width;
+            }
+        }
+        let (ql, qr) = (conserved(&left, left_gamma), conserved(&right, right_gamma));
+        let (fl, fr) = (flux(&left, left_gamma), flux(&right, right_gamma));
+        let size = ql[2] + qr[2] + fl[2].abs() + fr[2].abs();
+        for k in 0..3 {
+            let expected = reach * (ql[k] + qr[k]) + fl[k] - fr[k];
+            prop_assert!((total[k] - expected).abs() < 2e-3 * size, "{} {} {}", k, total[k], expected);
+        }
+    }
+
     #[test]
     fn mirrored_problems_have_mirrored_solutions(
         rho in 0.1_f64..10.0, u in -2.0_f64..2.0, p in 0.1_f64..20.0, speed in -3.0_f64..3.0,

@@ -23,6 +23,7 @@ pub fn problem<const D: usize>(
     Problem {
         spacing,
         gas: crate::gas::Gas::ideal(1.4),
+        second: None,
         method: Method::Fixed(FixedPoints::default()),
         scheme: Scheme::default(),
         domain: Domain {

@@ -4,7 +4,7 @@
 use aero_geometry::Vector;
 
 use super::laws::{Pair, closing_speed, conduction, crowding, diffusion, sound, viscous_pressure};
-use super::{GAMMA, Laws, Matrix, Point, Rate, Transport, kernel};
+use super::{Laws, Matrix, Point, Rate, Transport, kernel};
 
 /// Density that is read off the particles: `sum m_j W_ij / (1 - sum V_g W_ig)`, where the ghosts' share is at most 0.7, over
 /// the same sum on a lattice.
@@ -14,7 +14,9 @@ pub fn density<const D: usize>(i: &Point<D>, gas: &[Point<D>], ghosts: &[Point<D
         let apart = (i.position - j.position).norm();
         kernel::value::<D>(apart, f64::midpoint(i.h, j.h)) / lattice
     };
-    let mass: f64 = gas.iter().map(|j| j.mass * weight(j)).sum();
+    // What is of another gas counts as of its own.
+    let mass = |j: &Point<D>| j.mass + i.unlike(j) * (i.mass - j.mass);
+    let mass: f64 = gas.iter().map(|j| mass(j) * weight(j)).sum();
     let share: f64 = ghosts.iter().map(|j| j.volume * weight(j)).sum();
     mass / (1.0 - share.min(0.7))
 }
@@ -128,7 +130,7 @@ pub fn rate<const D: usize>(
         viscosity += viscous;
         heat -= viscous.dot(&pair.u) / 2.0;
         velocity_gradient -= pair.u * corrected.transpose() * j.volume;
-        energy_gradient += corrected * (j.volume * (j.energy - i.energy));
+        energy_gradient += corrected * (j.volume * (j.energy - i.energy) * (1.0 - i.unlike(j)));
         if is_ghost {
             by_walls += push + viscous;
             continue;
@@ -179,7 +181,7 @@ pub fn smoothness<const D: usize>(i: &Point<D>, rate: &Rate<D>, growth: f64) -> 
             curl += (gradient[(a, b)] - gradient[(b, a)]).powi(2);
         }
     }
-    let onset = 0.05 * (GAMMA * (GAMMA - 1.0) * i.energy).sqrt() / i.h;
+    let onset = 0.05 * (i.gamma() * (i.gamma() - 1.0) * i.energy).sqrt() / i.h;
     1.0 - compression / (compression + curl + onset * onset)
 }
 
@@ -192,11 +194,11 @@ pub fn stable_step<const D: usize>(
     gas: &[Point<D>],
     rates: &[Rate<D>],
 ) -> f64 {
-    let sound = |energy: f64| (GAMMA * (GAMMA - 1.0) * energy).sqrt();
+    let sound = |i: &Point<D>| (i.gamma() * (i.gamma() - 1.0) * i.energy).sqrt();
     let both = || gas.iter().zip(rates);
     if laws.published {
         let h = gas.iter().map(|i| i.h).fold(f64::INFINITY, f64::min);
-        let fastest = gas.iter().map(|i| sound(i.energy)).fold(0.0, f64::max);
+        let fastest = gas.iter().map(|i| sound(i)).fold(0.0, f64::max);
         let strongest = rates.iter().map(|r| r.acceleration.norm());
         let strongest = strongest.fold(0.0, f64::max);
         let tame = cfl * (h / fastest).min(0.5 * (h / strongest).sqrt());
@@ -205,7 +207,7 @@ pub fn stable_step<const D: usize>(
             .map_or(tame, |viscous| tame.min(viscous.stable_step(gas)));
     }
     let each = both().map(|(i, rate)| {
-        let acoustic = i.h / sound(i.energy);
+        let acoustic = i.h / sound(i);
         let force = 0.5 * (i.h / rate.acceleration.norm()).sqrt();
         let thins = i.density / rate.density.abs();
         let cools = if rate.energy < 0.0 {

@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::{GAMMA, Laws, Point};
+use super::{Laws, Point};
 
 /// What all laws need of a pair.
 pub struct Pair<const D: usize> {
@@ -40,7 +40,7 @@ impl<const D: usize> Pair<D> {
 }
 
 pub fn sound<const D: usize>(point: &Point<D>) -> f64 {
-    (GAMMA * point.pressure / point.density).sqrt()
+    (point.gamma() * point.pressure / point.density).sqrt()
 }
 
 /// `mu`, negative where the pair closes [Villodi & Ramachandran 2024, eq. 13; Monaghan 1992, eq. 4.2; Frontiere, Raskin
@@ -84,7 +84,7 @@ pub fn conduction<const D: usize>(
     j: &Point<D>,
     closing: f64,
 ) -> f64 {
-    let difference = j.energy - i.energy;
+    let difference = (j.energy - i.energy) * (1.0 - i.unlike(j));
     let spread = 2.0 * pair.h * pair.diffusivity();
     if laws.published {
         return 0.1 * pair.sound * spread * difference * j.mass / j.density;

@@ -18,6 +18,9 @@ pub use images::{Map, images};
 /// Ratio of specific heats in all comparisons.
 pub const GAMMA: f64 = 1.4;
 
+/// That of the second gas, where there are two.
+pub const SECOND: f64 = 5.0 / 3.0;
+
 pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
 
 /// A particle of gas, or what a ghost shows.
@@ -41,6 +44,20 @@ pub struct Point<const D: usize> {
     pub density_gradient: Vector<D>,
     /// Transport velocity minus velocity.
     pub shift: Vector<D>,
+    /// Share of the second gas.
+    pub second: f64,
+}
+
+impl<const D: usize> Point<D> {
+    /// Ratio of specific heats of what it is made of.
+    pub fn gamma(&self) -> f64 {
+        1.0 + 1.0 / (self.second / (SECOND - 1.0) + (1.0 - self.second) / (GAMMA - 1.0))
+    }
+
+    /// One of two particles of different gases, zero of others.
+    pub fn unlike(&self, other: &Self) -> f64 {
+        (self.second - other.second).powi(2)
+    }
 }
 
 /// A ghost.

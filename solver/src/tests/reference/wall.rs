@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::laws::{Pair, closing_speed, viscous_pressure};
-use super::{GAMMA, Heat, Laws, Matrix, Point, Wall, kernel};
+use super::{Heat, Laws, Matrix, Point, Wall, kernel};
 
 /// Gas as it is seen from a point: `centroid` is where the interpolation looked, relative to the point.
 pub struct Seen<const D: usize> {
@@ -145,7 +145,20 @@ pub fn show<const D: usize>(
     let coriolis = wall.spin.cross(&full(&slide)) * 2.0;
     let normal_acceleration = wall.surface_acceleration.dot(&n) + coriolis.dot(&full(&n))
         - slide.dot(&(wall.curvature * slide));
-    let density = seen.pressure / ((GAMMA - 1.0) * seen.energy);
+    let weights: Vec<f64> = gas
+        .iter()
+        .map(|j| j.volume * weight(&place, h, j))
+        .collect();
+    let total: f64 = weights.iter().sum();
+    let second = gas
+        .iter()
+        .zip(&weights)
+        .map(|(j, weight)| j.second * weight);
+    if total > 0.0 {
+        shown.second = second.sum::<f64>() / total;
+    }
+    let gamma = shown.gamma();
+    let density = seen.pressure / ((gamma - 1.0) * seen.energy);
     let continued = |height: f64| {
         let rise = density * normal_acceleration * height;
         if rise >= 0.0 {
@@ -169,9 +182,9 @@ pub fn show<const D: usize>(
         _ => seen.energy,
     };
     if keeps_entropy {
-        shown.energy *= (shown.pressure / seen.pressure).powf((GAMMA - 1.0) / GAMMA);
+        shown.energy *= (shown.pressure / seen.pressure).powf((gamma - 1.0) / gamma);
     }
-    shown.density = shown.pressure / ((GAMMA - 1.0) * shown.energy);
+    shown.density = shown.pressure / ((gamma - 1.0) * shown.energy);
     shown.mass = shown.density * shown.volume;
     Wall {
         point: shown,

@@ -6,7 +6,7 @@ pub mod problems;
 use aero_geometry::Vector;
 use nalgebra::Vector3;
 
-use super::reference::{GAMMA, Heat, Point, Rate, Wall};
+use super::reference::{GAMMA, Heat, Point, Rate, SECOND, Wall};
 use crate::Simulation;
 use crate::evaluation::{Moment, evaluate, read_densities};
 use crate::pairs::renormalisation::{Renormalisation, even_renormalisation};
@@ -82,6 +82,7 @@ impl<const D: usize> Solver<D> {
                     renormalisation: even_renormalisation(),
                     density_gradient: Vector::zeros(),
                     shift: Vector::zeros(),
+                    second: ghost.shown.second,
                 },
                 normal: ghost.normal,
                 depth: ghost.depth,
@@ -224,7 +225,7 @@ impl<const D: usize> Solver<D> {
     pub fn stable_step(&self) -> f64 {
         let Simulation { problem, fluid, .. } = &self.0;
         let bound = problem.scheme.step;
-        bound.time_step(&problem.gas, fluid, fluid.rates())
+        bound.time_step(&problem.gases(), fluid, fluid.rates())
     }
 
     /// Takes one step; returns its length.
@@ -254,12 +255,17 @@ fn heat_of(kind: WallKind) -> Heat {
 
 fn point_of<const D: usize>(simulation: &Simulation<D>, particle: &Particle<D>) -> Point<D> {
     let mass = Rings::new(&simulation.problem).plane_mass(particle);
+    let (gamma, second) = if particle.is_second {
+        (SECOND, 1.0)
+    } else {
+        (GAMMA, 0.0)
+    };
     Point {
         position: particle.position,
         velocity: particle.velocity,
         density: particle.density,
         energy: particle.energy,
-        pressure: (GAMMA - 1.0) * particle.density * particle.energy,
+        pressure: (gamma - 1.0) * particle.density * particle.energy,
         h: particle.smoothing_length,
         mass,
         volume: mass / particle.density,
@@ -269,5 +275,6 @@ fn point_of<const D: usize>(simulation: &Simulation<D>, particle: &Particle<D>) 
         renormalisation: nalgebra::SMatrix::identity(),
         density_gradient: Vector::zeros(),
         shift: Vector::zeros(),
+        second,
     }
 }

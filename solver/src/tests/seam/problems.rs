@@ -6,10 +6,10 @@ use aero_geometry::{Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 use nalgebra::Vector3;
 
-use super::super::reference::{Laws, Map, Transport, Viscous};
+use super::super::reference::{Laws, Map, SECOND, Transport, Viscous};
 use crate::gas::{self, Gas};
 use crate::lattice;
-use crate::problem::{Body, Motion, Problem, Side, Turning, WallKind};
+use crate::problem::{Body, Motion, Problem, SecondGas, Side, Turning, WallKind};
 use crate::scheme::{Extrapolation, Scheme};
 
 /// What a scheme is made of, as far as the tests choose it.
@@ -23,6 +23,7 @@ pub struct Setup {
     pub limits_viscosity: bool,
     pub limits_conduction: bool,
     pub viscous: bool,
+    pub two_gases: bool,
 }
 
 /// Viscosity and conduction of viscous gas.
@@ -41,6 +42,7 @@ pub const DEFAULT: Setup = Setup {
     limits_viscosity: true,
     limits_conduction: true,
     viscous: false,
+    two_gases: false,
 };
 
 /// The published scheme.
@@ -68,6 +70,13 @@ impl Setup {
         scheme.limit_viscosity(self.limits_viscosity);
         scheme.limit_conduction(self.limits_conduction);
         scheme.skip_undisturbed = false;
+        if self.two_gases {
+            problem.second = Some(SecondGas {
+                gas: Gas::ideal(SECOND),
+                fills: Arc::new(|position| (9.0 * position.sum()).sin() > 0.0),
+                density: None,
+            });
+        }
         if self.viscous {
             let Gas::Ideal(gas) = &mut problem.gas else {
                 unreachable!("these problems are of an ideal gas")
