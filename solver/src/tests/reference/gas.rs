@@ -198,7 +198,7 @@ pub fn stable_step<const D: usize>(
     let both = || gas.iter().zip(rates);
     if laws.published {
         let h = gas.iter().map(|i| i.h).fold(f64::INFINITY, f64::min);
-        let fastest = gas.iter().map(|i| sound(i)).fold(0.0, f64::max);
+        let fastest = gas.iter().map(sound).fold(0.0, f64::max);
         let strongest = rates.iter().map(|r| r.acceleration.norm());
         let strongest = strongest.fold(0.0, f64::max);
         let tame = cfl * (h / fastest).min(0.5 * (h / strongest).sqrt());
