@@ -1,6 +1,6 @@
 //! Gas at rest shows its own pressure in corners between walls, whatever the angle and however it is laid there.
 
-use crate::support::{Workplace, read_surface};
+use crate::support::{PRESSURE_RATIO, Workplace, read_surface};
 
 /// Largest error of the pressure on the panels whose middles `is_judged`, with how many there are.
 fn error(scene: &str, is_judged: impl Fn([f64; 3]) -> bool) -> (f64, usize) {
@@ -102,4 +102,45 @@ fn gas_at_rest_shows_its_pressure_up_to_the_rim_of_a_thin_plate_in_space() {
     println!("{largest} on {count}");
     assert!(count > 100, "{count} panels");
     assert!(largest < 0.05, "{largest}");
+}
+
+/// Where a shock stands in a corner, the mean of the gas before it is of both sides of the shock: the first panels behind the corner showed half of
+/// what gas presses with there, and the surface 2 % less than the load.
+#[test]
+fn a_corner_with_a_shock_in_it_shows_what_gas_presses_with() {
+    const SPACING: f64 = 0.125;
+    let scene = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("cases/wedge.toml");
+    let scene = std::fs::read_to_string(scene).expect("the scene");
+    let place = Workplace::new();
+    let settings = [
+        &format!("spacing={SPACING}"),
+        "end_time=6.0",
+        "output.frames=1",
+        "output.compress=false",
+    ];
+    let settings = settings.map(|setting| ["--set", setting]).concat();
+    place.run(&scene, &settings).succeeds();
+    let surface = read_surface(&place.path("results/surface-000001.vtp"));
+    let (pressure, area) = (&surface.arrays["pressure"], &surface.arrays["area"]);
+    let normal = &surface.arrays["normal"];
+    let (mut shown, mut first) = ([0.0; 2], Vec::new());
+    let stream = 1.0 / 1.4;
+    for (n, corners) in surface.cells.iter().enumerate() {
+        let push = (pressure[n] - stream) * area[n];
+        for (k, sum) in shown.iter_mut().enumerate() {
+            *sum -= push * normal[3 * n + k];
+        }
+        let along = 0.5 * (corners[0][0] + corners[1][0]) / SPACING;
+        if (0.0..3.0).contains(&along) {
+            first.push(pressure[n] / (stream * PRESSURE_RATIO) - 1.0);
+        }
+    }
+    assert!(first.len() > 2);
+    assert!(first.iter().all(|off| off.abs() < 0.12), "{first:?}");
+    let summary = place.json("results/summary.json");
+    let load = &summary["bodies"]["ramp"]["force_gauge"];
+    for (k, shown) in shown.iter().enumerate() {
+        let off = shown / load[k].as_f64().expect("a force") - 1.0;
+        assert!(off.abs() < 0.015, "{k}: {off}");
+    }
 }

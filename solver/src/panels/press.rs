@@ -12,7 +12,8 @@
 //! Nothing presses what another solid covers, the wall below a post and the post's foot: had they shares, those above would lack them.
 //! Where another wall stands in front of a panel, as in a corner, less gas is there than in front of a plane wall. Nothing presses in
 //! place of what is missing, and how much is missing is told by few particles and ghosts: in a corner panels show the mean pressure of
-//! the gas in front, which is its own where it is at rest, whatever the angle and however well the gas fills it.
+//! the gas in front where that is even, which is its own where it is at rest, whatever the angle and however well the gas fills it. Where a
+//! shock stands in the corner the mean would be of both its sides, and what gas presses with tells more.
 
 use aero_geometry::kernel::SUPPORT;
 use aero_geometry::parallel::prelude::*;
@@ -32,6 +33,9 @@ const FLAT: f64 = 0.02;
 /// A panel is in a corner where other walls fill this part of its front, of a kernel's half, as a spacing from the foot of a ramp of 15
 /// degrees; below, it is the less so the less they fill.
 const IN_A_CORNER: f64 = 0.02;
+
+/// Spread of the pressure of the gas in front, over its mean, up to which it is even, and from which on it is not.
+const EVEN: [f64; 2] = [0.02, 0.1];
 
 /// What a panel is pressed with.
 #[derive(Clone, Copy, Debug)]
@@ -116,6 +120,7 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         force: 0.0,
         gas: 0.0,
         gas_pressure: 0.0,
+        gas_square: 0.0,
         gas_reach: 0.0,
         weight: 0.0,
         mach: 0.0,
@@ -128,7 +133,9 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
             let sum = &mut sums[share.number as usize];
             sum.force += share.force;
             sum.gas += share.weight * presser.volume;
-            sum.gas_pressure += share.weight * presser.volume * presser.pressure;
+            let pressure = share.weight * presser.volume * presser.pressure;
+            sum.gas_pressure += pressure;
+            sum.gas_square += pressure * presser.pressure;
             sum.gas_reach += share.weight * presser.volume * presser.reach;
             sum.weight += share.weight;
             sum.mach += share.weight * presser.mach;
@@ -156,6 +163,8 @@ struct Sum<const D: usize> {
     gas: f64,
     /// The same of its pressure.
     gas_pressure: f64,
+    /// The same of its square.
+    gas_square: f64,
     /// The same of how far it reaches.
     gas_reach: f64,
     weight: f64,
@@ -167,7 +176,7 @@ struct Sum<const D: usize> {
 }
 
 impl<const D: usize> Sum<D> {
-    /// Force per area on a free wall, mean pressure of the gas in front in a corner.
+    /// Force per area on a free wall, mean pressure of even gas in front in a corner.
     fn pressure(&self, size: f64) -> f64 {
         let free = self.force / size;
         let filled = 2.0 * self.solid;
@@ -177,7 +186,8 @@ impl<const D: usize> Sum<D> {
         let mean = self.mean_pressure();
         // Gas would press where the other walls are.
         let free = free + filled.min(1.0) * mean;
-        free + (filled / IN_A_CORNER).min(1.0) * (mean - free)
+        let even = 1.0 - rise(self.spread(), EVEN[0], EVEN[1]);
+        free + even * (filled / IN_A_CORNER).min(1.0) * (mean - free)
     }
 
     /// How far the gas in front reaches on the mean.
@@ -189,6 +199,17 @@ impl<const D: usize> Sum<D> {
     fn mean_pressure(&self) -> f64 {
         if self.gas > 0.0 {
             self.gas_pressure / self.gas
+        } else {
+            0.0
+        }
+    }
+
+    /// How far the pressure of the gas in front is spread about its mean, over the root of its mean square.
+    fn spread(&self) -> f64 {
+        let (mean, square) = (self.mean_pressure(), self.gas_square / self.gas);
+        let spread = (square - mean * mean).max(0.0).sqrt();
+        if spread > 0.0 {
+            spread / square.sqrt()
         } else {
             0.0
         }
@@ -214,6 +235,11 @@ impl<const D: usize> Sum<D> {
             },
         }
     }
+}
+
+/// From zero at `low` to one at `high`.
+fn rise(value: f64, low: f64, high: f64) -> f64 {
+    ((value - low) / (high - low)).clamp(0.0, 1.0)
 }
 
 /// What a particle presses a panel with.

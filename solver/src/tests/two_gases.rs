@@ -1,5 +1,8 @@
 //! Two gases beside each other.
 
+use aero_geometry::{Placed, Placement, bodies};
+
+use super::seam::body_on_the_lattice;
 use super::*;
 use crate::gas::IdealGas;
 use crate::problem::SecondGas;
@@ -82,6 +85,27 @@ fn a_bubble_rests_in_the_corner_of_a_box() {
             .clone()
             .all(|shown| shown.density > LIGHT && shown.density < 1.4)
     );
+}
+
+/// Panels of a body in a bubble show the pressure of the gas that they lie in.
+#[test]
+fn a_body_in_a_bubble_shows_its_pressure() {
+    let mut problem = cube::<2>(24, WALL);
+    let square = bodies::rectangle(0.6, 0.6, 0.0).expect("a square");
+    let place = Placement::default().moved(Vector::repeat(1.2));
+    let body = body_on_the_lattice(&problem, Arc::new(Placed::new(square, place)));
+    problem.bodies.push(body);
+    let round = |p: &Vector<2>| (p - Vector::repeat(1.2)).norm() < 1.1;
+    let shown = start(with_helium(problem, round)).panels();
+    let own = shown
+        .pressure
+        .iter()
+        .zip(&shown.body)
+        .filter(|(_, body)| **body == 0);
+    assert!(own.clone().count() >= 24);
+    for (pressure, _) in own {
+        assert!((pressure - 1.0).abs() < 0.01, "{pressure}");
+    }
 }
 
 /// Gas that is all of the second is that gas alone, number by number: nothing of the first is left in the laws.
