@@ -78,6 +78,10 @@ fn a_bubble_rests_in_the_corner_of_a_box() {
         assert!((shown.density / LIGHT - 1.0).abs() < 1e-10, "{shown:?}");
     }
     assert!(shown.clone().filter(|shown| shown.second == 0.0).count() > 20);
+    // In the corner panels show the mean of the gas before them, of whatever it is made.
+    for pressure in simulation.panels().pressure {
+        assert!((pressure - 1.0).abs() < 0.01, "{pressure}");
+    }
     // Where they meet the densities of both are shown together.
     let between = shown.filter(|shown| (0.3..0.7).contains(&shown.second));
     assert!(
