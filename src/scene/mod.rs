@@ -74,6 +74,7 @@ mod state;
 mod stream;
 mod surface;
 mod transport;
+mod two_gases;
 mod vector;
 mod views;
 pub mod viscosity;
@@ -262,7 +263,7 @@ impl Scene {
         let problem = Problem {
             spacing,
             gas,
-            second: second::second(file, &domain)?,
+            second: two_gases::second(file, &domain)?,
             method,
             scheme: schemes::scheme(file.scheme, &gas),
             domain,
@@ -275,7 +276,7 @@ impl Scene {
         surface::check(&problem, gas_constant.is_some())?;
         surface::refuse_viscous_rings(&problem)?;
         schemes::check(&problem)?;
-        second::check(&problem)?;
+        two_gases::check(&problem)?;
         let has_none = problem.scheme.viscosity == Viscosity::None && !problem.gas.is_viscous();
         if has_none && !problem.scheme.is_of_liquids() {
             return Err(SceneError::value(
