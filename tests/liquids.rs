@@ -25,9 +25,7 @@ x_max = "wall"
 "#;
 
 fn refused(from: &str, to: &str, words: &[&str]) {
-    let scene = SCENE.replace(from, to);
-    assert_ne!(scene, SCENE, "{from}");
-    Workplace::new().run(&scene, &[]).refuses(words);
+    Workplace::new().refuses_changed(SCENE, [from, to], words);
 }
 
 #[test]

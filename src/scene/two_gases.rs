@@ -130,13 +130,16 @@ pub(super) fn check<const D: usize>(problem: &Problem<D>) -> Result<(), SceneErr
             "is above zero nowhere in the domain; say where the second gas is at the start",
         ));
     }
-    for (axis, end, side, face) in problem.domain.each_side() {
-        let is_near = |place: &Vector<D>| (place[axis] - face).abs() < problem.spacing;
-        if side.lets_in() && all().any(|place| is_near(&place) && (second.fills)(&place)) {
+    for (axis, end, _, face) in problem.domain.each_side() {
+        let comes_in = |place: &Vector<D>| {
+            (place[axis] - face).abs() < problem.spacing
+                && problem.domain.side_at(axis, end, place).lets_in()
+        };
+        if all().any(|place| comes_in(&place) && (second.fills)(&place)) {
             return Err(SceneError::value(
                 "gas.second.inside",
                 format!(
-                    "is above zero at side {}_{}, where the free stream comes in; keep the second gas off that side, or close it",
+                    "is above zero at side {}_{}, where gas comes in; keep the second gas off that side, or close it",
                     AXES[axis],
                     ["min", "max"][end]
                 ),

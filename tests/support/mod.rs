@@ -60,6 +60,14 @@ impl Workplace {
         self.aero(&arguments)
     }
 
+    /// Runs `scene` with `from` changed to `to`, which is to be refused in one error that holds all `words`.
+    #[track_caller]
+    pub fn refuses_changed(&self, scene: &str, [from, to]: [&str; 2], words: &[&str]) {
+        let changed = scene.replace(from, to);
+        assert_ne!(changed, scene, "{from}");
+        self.run(&changed, &[]).refuses(words);
+    }
+
     pub fn json(&self, name: &str) -> serde_json::Value {
         let text = std::fs::read_to_string(self.path(name)).expect("a JSON file");
         serde_json::from_str(&text).expect("JSON")

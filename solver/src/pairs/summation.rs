@@ -101,10 +101,11 @@ impl<const D: usize> Law<Kernels<'_, D>, D> for Summation<'_> {
         read: Read<'_, D, V::Number>,
         slot: impl Fn(usize) -> usize + Copy,
     ) -> Self::Own<V> {
-        (
-            share(vectors, self.second, slot),
-            Lane::gather(vectors, |l| read.near[slot(l)].mass),
-        )
+        if self.second.is_empty() {
+            return (Lane::splat(vectors, 0.0), Lane::splat(vectors, 0.0));
+        }
+        let mass = Lane::gather(vectors, |l| read.near[slot(l)].mass);
+        (share(vectors, self.second, slot), mass)
     }
 
     #[inline(always)]

@@ -63,6 +63,22 @@ fn a_bubble_at_the_pressure_of_its_stream_drifts_with_it() {
     }
 }
 
+/// As rings about an axis too, and where pairs are computed in fewer digits.
+#[test]
+fn a_ball_and_a_rounded_bubble_stay_at_rest() {
+    let near = |p: &Vector<2>| p.norm() < 0.85;
+    let mut ball = cube::<2>(20, WALL);
+    ball.domain.sides[1][0] = Side::Axis;
+    let mut rounded = cube::<2>(20, WALL);
+    rounded.scheme.precision = crate::scheme::Precision::Mixed;
+    for (problem, allowed) in [(ball, 1e-11), (rounded, 1e-5)] {
+        let mut simulation = start(with_helium(problem, near));
+        advance(&mut simulation, 40);
+        let unrest = unrest(&simulation, &Vector::zeros());
+        assert!(unrest < allowed, "{unrest:e}");
+    }
+}
+
 /// Ghosts show the gas that is there: a bubble that leans on walls is at rest, and presses on them as the rest does.
 #[test]
 fn a_bubble_rests_in_the_corner_of_a_box() {
