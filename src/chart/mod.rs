@@ -118,7 +118,7 @@ pub struct Wishes<'a> {
     /// Folder for charts and tables.
     pub out: &'a Path,
     /// Told of every run before it starts, and of those that give no point.
-    pub announce: &'a dyn Fn(&str),
+    pub announce: &'a (dyn Fn(&str) + Sync),
 }
 
 impl std::fmt::Debug for Wishes<'_> {

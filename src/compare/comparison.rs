@@ -62,6 +62,11 @@ pub trait Compare: Sync {
     /// A scene of the project that is wrong; files that cannot be written. A run that stops, or that does
     /// not show what is to be measured, is a row that fails.
     fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError>;
+
+    /// True of what another comparison at the same time would change.
+    fn wants_all_threads(&self) -> bool {
+        false
+    }
 }
 
 impl<P> Compare for Comparison<P> {

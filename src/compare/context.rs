@@ -23,8 +23,8 @@ pub struct Context<'a> {
     pub settings: &'a [String],
     /// Folder for pictures.
     pub out: &'a Path,
-    /// Told of every run before it starts.
-    pub announce: &'a dyn Fn(&str),
+    /// Told of every run before it starts, by whichever thread starts it.
+    pub announce: &'a (dyn Fn(&str) + Sync),
 }
 
 impl std::fmt::Debug for Context<'_> {

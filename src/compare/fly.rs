@@ -66,6 +66,11 @@ impl Compare for Flights {
         checks.extend(together(&flown, known.len()));
         Ok(checks)
     }
+
+    /// Flights take threads of their own, and go by the clock.
+    fn wants_all_threads(&self) -> bool {
+        true
+    }
 }
 
 /// Of all bodies, with distance from the truth over half the width, and half the width in per cent.

@@ -45,6 +45,10 @@ mod viscous;
 mod weakly_compressible;
 pub mod wedge;
 
+use std::sync::{Mutex, PoisonError};
+
+use rayon::prelude::*;
+
 use crate::nearest::nearest;
 use aero_validation::table::Check;
 
@@ -115,7 +119,8 @@ static ON_REQUEST: [Case; 8] = [
 ];
 
 /// Runs the named cases, all but those on request where none is named, and returns their rows; the page
-/// [`report::NAME`] about them grows with every case. A run that stops is a row that fails.
+/// [`report::NAME`] about them grows with every comparison. Short ones run side by side, as many as there are threads: each is too small for
+/// all of them. A run that stops is a row that fails.
 ///
 /// # Errors
 /// A name that is not a case, before anything runs; a scene of the project that is wrong; files that
@@ -130,20 +135,33 @@ pub fn compare(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, Co
             known: known.join(", "),
         });
     }
-    let mut checks = Vec::new();
-    for (number, (name, comparisons)) in all().enumerate() {
-        let is_usual = names.is_empty() && number < CASES.len();
-        if is_usual || names.iter().any(|asked| asked == name) {
-            for comparison in *comparisons {
-                checks.extend(comparison.compare(context)?);
+    let chosen: Vec<&dyn Compare> = all()
+        .enumerate()
+        .filter(|(number, (name, _))| {
+            let is_usual = names.is_empty() && *number < CASES.len();
+            is_usual || names.iter().any(|asked| asked == name)
+        })
+        .flat_map(|(_, (_, comparisons))| comparisons.iter().copied())
+        .collect();
+    let rows = Mutex::new(vec![Vec::new(); chosen.len()]);
+    let run = |number: usize| {
+        let checks = chosen[number].compare(context)?;
+        let mut rows = rows.lock().unwrap_or_else(PoisonError::into_inner);
+        rows[number] = checks;
+        report::write(&rows.concat(), context.level, context.out).map_err(|source| {
+            CompareError::Report {
+                path: context.out.join(report::NAME),
+                source,
             }
-            report::write(&checks, context.level, context.out).map_err(|source| {
-                CompareError::Report {
-                    path: context.out.join(report::NAME),
-                    source,
-                }
-            })?;
-        }
-    }
-    Ok(checks)
+        })
+    };
+    let (beside, after): (Vec<usize>, Vec<usize>) = (0..chosen.len())
+        .partition(|&k| context.level == Level::Quick && !chosen[k].wants_all_threads());
+    let side_by_side = beside.into_par_iter().with_max_len(1);
+    side_by_side.try_for_each(run)?;
+    after.into_iter().try_for_each(run)?;
+    Ok(rows
+        .into_inner()
+        .unwrap_or_else(PoisonError::into_inner)
+        .concat())
 }

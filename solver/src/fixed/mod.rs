@@ -74,6 +74,7 @@ mod slow;
 mod snapshot;
 pub mod solids;
 mod sources;
+mod staged;
 mod stages;
 mod state;
 mod stick;

@@ -1,11 +1,8 @@
 //! One implicit step towards the steady state without matrices: lower-upper symmetric Gauss-Seidel.
 //!
-//! The left-hand side knows the first-order scheme alone. Over second-order slopes one stage is not stable at high Courant numbers: sound
-//! aslant to the sweeps, some seventeen cells long, grows by 1.0044 in each at Mach 0.5 and a Courant number of 20 (von Neumann's analysis, on
-//! a square lattice), and where sides throw it back, as those of a duct do, nothing else takes it away. Two stages, of which the first goes
-//! [`FIRST_STAGE`] of the way and the second starts where the first did, leave 1.0004, and 1.0000 where the first-order system is swept twice.
+//! The left-hand side knows the first-order scheme alone; what that asks of the steps is in [`super::staged`].
 //!
-//! [Yoon & Jameson 1988, AIAA J. 26, 1025-1026; the fluxes of changes linearised, as there; stages around such sweeps Rossow 2007, J. Comput. Phys. 220, 879-899]
+//! [Yoon & Jameson 1988, AIAA J. 26, 1025-1026; the fluxes of changes linearised, as there]
 
 use std::ops::Range;
 
@@ -13,13 +10,13 @@ use aero_geometry::parallel::prelude::*;
 
 use super::columns::Columns;
 use super::gas::Gas;
+use super::net::BLOCK;
 use super::order::Link;
 use super::state::{Conserved, Primitive, dot, scaled};
 use super::sweeps::Sweeps;
 use super::viscous::add_reaches;
 use super::{FixedSimulation, Fluid};
 use crate::Failure;
-use crate::problem::Side;
 
 /// A cell changes its density in one step by this part at most.
 const MOST: f64 = 0.3;
@@ -32,9 +29,6 @@ const HALVINGS: u32 = 20;
 
 /// Cells of a level that one thread takes at a time.
 const CHUNK: usize = 64;
-
-/// Part of its way that a step of two stages goes in the first.
-const FIRST_STAGE: f64 = 0.4;
 
 /// The linear system of a step: `D_i = L_i (1/2 + 1/(2 c))`, `L_i` the sum of wave speed times area, and neighbours.
 struct System<'a> {
@@ -59,29 +53,17 @@ enum Sweep {
 }
 
 impl<const D: usize> FixedSimulation<D> {
-    /// One implicit step with the Courant number `courant`, in stages where the pace asks for them; returns the square mean of the relative
-    /// rates of density, times the time in which a wave crosses a cell.
+    /// Goes the part of the way that `parts` says block by block, and that the rates of the flow as it is ask for, from `start` or from where
+    /// the flow is; returns the square mean of the relative rates of density, times the time in which a wave crosses a cell.
     ///
     /// # Errors
     /// A [`Failure`] where a cell's state makes no sense any more.
-    pub(super) fn implicit_step(&mut self, courant: f64) -> Result<f64, Failure> {
-        if !self.settling.pace.is_staged() && !self.throws_sound_back() {
-            return self.implicit_stage(courant, 1.0, None);
-        }
-        let start = self.columns.held.clone();
-        let residual = self.implicit_stage(courant, FIRST_STAGE, None)?;
-        self.implicit_stage(courant, 1.0, Some(start))?;
-        Ok(residual)
-    }
-
-    /// Goes this `part` of the way that the rates of the flow as it is ask for, from `start` or from where the flow is.
-    fn implicit_stage(
+    pub(super) fn implicit_stage(
         &mut self,
         courant: f64,
-        part: f64,
-        start: Option<Vec<Conserved<D>>>,
+        parts: impl Fn(usize) -> f64,
+        start: Option<&[Conserved<D>]>,
     ) -> Result<f64, Failure> {
-        self.wake();
         self.find_slopes();
         self.exchange(|_, part, gains| part.before.copy_from_slice(&gains.cells));
         self.add_steady_source();
@@ -104,13 +86,14 @@ impl<const D: usize> FixedSimulation<D> {
             sounds: &sounds,
             share: 0.5 + 0.5 / courant,
         });
-        if let Some(start) = start {
-            self.columns.held = start;
-        }
         for (change, &i) in changes.iter().zip(sweeps.cells()) {
             let i = i as usize;
             if self.is_awake(i) {
-                self.columns.held[i] = self.changed(i, &Conserved::ZERO.plus(part, change));
+                if let Some(start) = start {
+                    self.columns.held[i] = start[i];
+                }
+                let change = Conserved::ZERO.plus(parts(i / BLOCK), change);
+                self.columns.held[i] = self.changed(i, &change);
             }
         }
         self.settling.sweeps = Some(sweeps);
@@ -118,19 +101,6 @@ impl<const D: usize> FixedSimulation<D> {
             Ok(()) => Ok(residual),
             Err(bad) => Err(self.failure(bad[0])),
         }
-    }
-
-    /// True of a stream slower than sound between sides that hold a pressure.
-    fn throws_sound_back(&self) -> bool {
-        let holds = |side: &Side| matches!(side, Side::Reservoir { .. } | Side::HeldOutlet { .. });
-        let domain = &self.problem.domain;
-        let parts = domain.openings.iter().map(|opening| &opening.side);
-        self.is_slow() && domain.sides.iter().flatten().chain(parts).any(holds)
-    }
-
-    /// True of a stream slower than sound.
-    fn is_slow(&self) -> bool {
-        self.problem.stream_mach() < 1.0
     }
 
     /// The changes that a system asks for, place by place. A stream slower than sound carries nothing out of the domain at once, and what the
@@ -197,7 +167,7 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     fn is_awake(&self, i: usize) -> bool {
-        self.quiet.blocks[i / super::net::BLOCK].is_awake
+        self.quiet.blocks[i / BLOCK].is_awake
     }
 
     /// Speed of sound of each cell that is awake.

@@ -21,6 +21,7 @@ mod jumps;
 pub(crate) mod lattice;
 mod parted;
 mod plane;
+mod pockets;
 mod ridges;
 mod sheared;
 mod sides;
