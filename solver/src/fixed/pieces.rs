@@ -1,5 +1,7 @@
 //! Panels in pieces, each of which belongs to one wall.
 
+use std::rc::Rc;
+
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Pencils, Vector};
 
@@ -27,6 +29,12 @@ const LEAST: [f64; 2] = [1e-5, 1.0 / 1024.0];
 /// Walls that are smaller than this part of a square as wide as is looked about own nothing: slivers, which an edge that runs along the
 /// edges of cells leaves in them, would ask for pieces as small.
 const SLIVER: f64 = 1e-7;
+
+/// So few walls are not looked through for those that may own a part of a panel.
+const FEW: usize = 12;
+
+/// What distances are off by at most.
+const ROUNDED: f64 = 1.0 + 1e-9;
 
 /// Cosines that differ by less are of walls that face alike.
 const ALIKE: f64 = 1e-9;
@@ -97,15 +105,18 @@ impl<'a, const D: usize> Nearby<'a, D> {
     /// The same of walls that are no farther than `reach`; none where a piece has none.
     fn pieces_within(&self, panel: &Panel<D>, reach: f64) -> Option<Vec<Piece<D>>> {
         let mut found = Vec::new();
-        let near = self.candidates(panel, reach);
-        let owner = |place: &Vector<D>| owner(&near, place, reach);
+        let near = within(
+            &Rc::new(self.candidates(panel, reach)),
+            &panel.corners,
+            reach,
+        );
         // Whom a corner belongs to is found out once, not for each of the pieces that meet there.
-        let owners = panel.corners.each_ref().map(owner);
-        let mut left = vec![(panel.corners, owners, 1.0)];
+        let owners = panel.corners.each_ref().map(|at| owner(&near, at, reach));
+        let mut left = vec![(panel.corners, owners, 1.0, near)];
         let least = LEAST[usize::from(D == 3)];
-        while let Some((corners, owners, part)) = left.pop() {
+        while let Some((corners, owners, part, near)) = left.pop() {
             let place = corners.iter().sum::<Vector<D>>() / D as f64;
-            let wall = owner(&place)?;
+            let wall = owner(&near, &place, reach)?;
             let fine = if owners.iter().all(|corner| *corner == Some(wall)) {
                 FINE
             } else {
@@ -115,11 +126,12 @@ impl<'a, const D: usize> Nearby<'a, D> {
             match longest_edge(&corners) {
                 Some((a, b, long)) if long > longest && part > least => {
                     let middle = (corners[a] + corners[b]) * 0.5;
-                    let beside = owner(&middle);
+                    let beside = owner(&near, &middle, reach);
                     for end in [a, b] {
                         let (mut half, mut halves) = (corners, owners);
                         (half[end], halves[end]) = (middle, beside);
-                        left.push((half, halves, 0.5 * part));
+                        let near = within(&near, &half, reach);
+                        left.push((half, halves, 0.5 * part, near));
                     }
                 }
                 _ => found.push(Piece { place, part, wall }),
@@ -156,6 +168,28 @@ impl<'a, const D: usize> Nearby<'a, D> {
         });
         found
     }
+}
+
+/// Those of the walls `near` a panel that places on a part of it with these `corners` may belong to: a cell whose point is farther from all of
+/// it than another's owns none of its places. Fine cells may be thousands to the spacing that is looked about.
+fn within<const D: usize>(
+    near: &Rc<Vec<Candidate<D>>>,
+    corners: &[Vector<D>; D],
+    reach: f64,
+) -> Rc<Vec<Candidate<D>>> {
+    if near.len() <= FEW {
+        return Rc::clone(near);
+    }
+    let centre = corners.iter().sum::<Vector<D>>() / D as f64;
+    let to_corners = corners.iter().map(|corner| (corner - centre).norm());
+    let radius = to_corners.fold(0.0, f64::max);
+    let in_reach = near
+        .iter()
+        .filter(|found| (found.foot - centre).norm() + radius < reach);
+    let nearest = in_reach.map(|found| (found.point - centre).norm());
+    let farthest = ROUNDED * (nearest.fold(f64::INFINITY, f64::min) + 2.0 * radius);
+    let may_own = |found: &&Candidate<D>| (found.point - centre).norm() <= farthest;
+    Rc::new(near.iter().filter(may_own).copied().collect())
 }
 
 /// Number of the wall that a place on a panel belongs to: as cells are divided, of the cell whose point is nearest; of its walls the one that
