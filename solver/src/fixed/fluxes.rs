@@ -282,8 +282,8 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             energy: match energy {
                 EnergyFlux::Waves => by_waves,
                 EnergyFlux::Enthalpy(enthalpy) => {
-                    let (with_mass, share) = carried(gas, mass, &self.states, enthalpy);
-                    by_waves + smooth * share * (with_mass - by_waves)
+                    let (with_mass, share) = carried(gas, mass, &self.states, enthalpy, smooth);
+                    by_waves + share * (with_mass - by_waves)
                 }
             },
         }

@@ -6,6 +6,9 @@ use super::slopes::Slopes;
 use super::state::{Primitive, dot};
 use super::viscous::{Viscous, add_reaches};
 
+/// Ratio of the densities of neighbours below which the thinner one is the edge of a vacuum: no shock compresses gas so much.
+const THIN: f64 = 0.03;
+
 /// What a block's sweep over its faces gives for each cell.
 struct Sums<const D: usize> {
     slopes: Slopes<D>,
@@ -44,7 +47,7 @@ pub fn slopes<G: Gas, const D: usize>(
         let (first, second) = (&states[i], &states[j]);
         let rise = second.plus(-1.0, first);
         let weight = shape.apart.map(|d| d * shape.weight);
-        let ratio = first.pressure.min(second.pressure) / first.pressure.max(second.pressure);
+        let ratio = calmness(first, second);
         for (number, state) in [(i, first), (j, second)] {
             if let Some(sums) = sums.get_mut(number.wrapping_sub(start)) {
                 sums.add(&rise, &weight);
@@ -89,6 +92,19 @@ pub fn slopes<G: Gas, const D: usize>(
         };
     }
     least
+}
+
+/// Ratio of the pressures of neighbours, the lower one over the higher; [`Slopes::CAREFUL`] at the edge of a vacuum, which slopes would draw more gas
+/// out of than there is.
+#[inline(always)]
+fn calmness<const D: usize>(first: &Primitive<D>, second: &Primitive<D>) -> f64 {
+    let ratio = first.pressure.min(second.pressure) / first.pressure.max(second.pressure);
+    let is_edge = || first.density.min(second.density) < THIN * first.density.max(second.density);
+    if ratio < THIN && is_edge() {
+        Slopes::<D>::CAREFUL
+    } else {
+        ratio
+    }
 }
 
 impl<const D: usize> Sums<D> {

@@ -7,10 +7,36 @@ pub struct Link {
     pub cell: u32,
     /// Its place in the order.
     pub place: u32,
-    /// Number of its face's shape.
-    pub shape: u32,
-    /// The area points out of the cell, or into it.
-    pub sign: f64,
+    /// Twice the number of its face's shape, and one more where the area points into the cell: sweeps read little else.
+    face: u32,
+}
+
+impl Link {
+    /// To a neighbour behind a face of this shape, whose area points out of the cell or into it.
+    pub fn new(cell: u32, shape: u32, is_inward: bool) -> Self {
+        Self {
+            cell,
+            place: 0,
+            face: 2 * shape + u32::from(is_inward),
+        }
+    }
+
+    /// The same to a cell at this place in the order.
+    pub fn at(self, place: u32) -> Self {
+        Self { place, ..self }
+    }
+
+    /// Number of the face's shape.
+    #[inline(always)]
+    pub fn shape(&self) -> usize {
+        (self.face >> 1) as usize
+    }
+
+    /// What the area is taken by to point out of the cell.
+    #[inline(always)]
+    pub fn sign(&self) -> f64 {
+        1.0 - 2.0 * f64::from(self.face & 1)
+    }
 }
 
 /// The level of each cell: above those of its neighbours with a smaller key, and none that a neighbour with the same key has.

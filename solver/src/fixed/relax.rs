@@ -217,7 +217,7 @@ impl<const D: usize> FixedSimulation<D> {
             let sound = sounds[i];
             let mut sum = ends[i];
             for link in sweeps.links(place) {
-                let shape = &self.net.face_shapes[link.shape as usize];
+                let shape = &self.net.face_shapes[link.shape()];
                 sum += dot(&state.velocity, &shape.area).abs() + sound * shape.size;
             }
             sum
@@ -260,8 +260,8 @@ impl<const D: usize> FixedSimulation<D> {
         let mut sum = Conserved::ZERO;
         for (link, change) in known {
             let j = link.cell as usize;
-            let shape = &self.net.face_shapes[link.shape as usize];
-            let area = scaled(&shape.area, link.sign);
+            let shape = &self.net.face_shapes[link.shape()];
+            let area = scaled(&shape.area, link.sign());
             let state = &self.columns.states[j];
             let speed = dot(&state.velocity, &area);
             let moved = state.flux_change(gas, self.columns.held[j].energy, &area, change);

@@ -41,23 +41,13 @@ impl Sweeps {
         for i in 0..count {
             starts[i + 1] += starts[i];
         }
-        let nothing = Link {
-            cell: 0,
-            place: 0,
-            shape: 0,
-            sign: 0.0,
-        };
+        let nothing = Link::new(0, 0, false);
         let mut links = vec![nothing; starts[count] as usize];
         let mut next = starts.clone();
         for face in each() {
-            for (i, cell, sign) in [(face.i, face.j, 1.0), (face.j, face.i, -1.0)] {
+            for (i, cell, is_inward) in [(face.i, face.j, false), (face.j, face.i, true)] {
                 let place = &mut next[i as usize];
-                links[*place as usize] = Link {
-                    cell,
-                    place: 0,
-                    shape: face.shape,
-                    sign,
-                };
+                links[*place as usize] = Link::new(cell, face.shape, is_inward);
                 *place += 1;
             }
         }
@@ -86,10 +76,8 @@ impl Sweeps {
                 sweeps.levels.push(place);
             }
             let range = starts[i as usize] as usize..starts[i as usize + 1] as usize;
-            sweeps.links.extend(links[range].iter().map(|link| Link {
-                place: places[link.cell as usize],
-                ..*link
-            }));
+            let at_place = |link: &Link| link.at(places[link.cell as usize]);
+            sweeps.links.extend(links[range].iter().map(at_place));
             sweeps.starts.push(sweeps.links.len() as u32);
         }
         sweeps.levels.push(order.len());

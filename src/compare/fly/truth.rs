@@ -192,9 +192,9 @@ pub const TWELVE: [Known; 12] = [
     },
 ];
 
-/// Drag of the forebody, on the frontal area, from rings at a sphere's diameter / 333 and / 397 with two halvings more, and an ogive's / 333.
+/// Drag of the forebody, on the frontal area, from rings at a sphere's diameter / 333 and / 561 with two halvings more, and an ogive's / 333.
 const SPHERE2: f64 = 0.8396;
-const SPHERE3: f64 = 0.8715;
+const SPHERE3: f64 = 0.8708;
 const OGIVE: f64 = 0.0986;
 
 /// Five degrees, radians.
