@@ -59,16 +59,19 @@ pub fn carried<G: Gas, const D: usize, R: Real>(
     smooth: R,
 ) -> (R, R) {
     let [left, right] = [total_enthalpy(gas, left), total_enthalpy(gas, right)];
-    let (zero, one) = (mass.like(0.0), mass.like(1.0));
+    let one = mass.like(1.0);
     let off =
         (left.max(right) * (1.0 / enthalpy) - one).max(one - left.min(right) * (1.0 / enthalpy));
-    let part = |from: f64, to: f64| {
-        ((off - one * from) * (1.0 / (to - from)))
-            .max(zero)
-            .min(one)
-    };
-    let share = (smooth * part(ALIKE, ANOTHER)).max(part(NO_SHOCK, ANYWHERE));
+    let share = smooth * past(off, ALIKE, ANOTHER);
+    let share = share.max(past(off, NO_SHOCK, ANYWHERE));
     (mass * mass.select(left, right), share)
+}
+
+/// From zero where something is `off` by the part `from` to one where it is by the part `to`.
+#[inline(always)]
+fn past<R: Real>(off: R, from: f64, to: f64) -> R {
+    let share = (off - off.like(from)) * (1.0 / (to - from));
+    share.max(off.like(0.0)).min(off.like(1.0))
 }
 
 /// `e + p / rho + u^2 / 2`.
