@@ -38,7 +38,7 @@ pub fn steepness<R: Real>(calmness: R) -> R {
 
 /// From zero at `low` to one at `high`.
 #[inline(always)]
-fn share<R: Real>(calmness: R, low: f64, high: f64) -> R {
+pub fn share<R: Real>(calmness: R, low: f64, high: f64) -> R {
     let share = (calmness - low) * (1.0 / (high - low));
     share.max(calmness.like(0.0)).min(calmness.like(1.0))
 }

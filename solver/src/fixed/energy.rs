@@ -1,5 +1,6 @@
 //! How energy goes through faces.
 
+use super::calmness::share;
 use super::gas::Gas;
 use super::real::Real;
 use super::state::{Primitive, dot};
@@ -62,16 +63,9 @@ pub fn carried<G: Gas, const D: usize, R: Real>(
     let one = mass.like(1.0);
     let off =
         (left.max(right) * (1.0 / enthalpy) - one).max(one - left.min(right) * (1.0 / enthalpy));
-    let share = smooth * past(off, ALIKE, ANOTHER);
-    let share = share.max(past(off, NO_SHOCK, ANYWHERE));
-    (mass * mass.select(left, right), share)
-}
-
-/// From zero where something is `off` by the part `from` to one where it is by the part `to`.
-#[inline(always)]
-fn past<R: Real>(off: R, from: f64, to: f64) -> R {
-    let share = (off - off.like(from)) * (1.0 / (to - from));
-    share.max(off.like(0.0)).min(off.like(1.0))
+    let part = smooth * share(off, ALIKE, ANOTHER);
+    let part = part.max(share(off, NO_SHOCK, ANYWHERE));
+    (mass * mass.select(left, right), part)
 }
 
 /// `e + p / rho + u^2 / 2`.
