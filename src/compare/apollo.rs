@@ -44,13 +44,13 @@ pub enum Part {
     Halved,
 }
 
-/// In space. The published resolution has ten cells to a metre, the quick level four.
+/// In space. The published resolution has ten cells to a metre, the quick level three.
 pub const QUARTER: Comparison<Part> = Comparison {
     scene: scene!("apollo"),
     variants: || {
         let published = Variant::new(10, Part::Front);
         vec![
-            published.wm().cells(4).quick(),
+            published.wm().cells(3).quick(),
             published.wm(),
             published,
             published.cells(5).wm(),
@@ -80,7 +80,7 @@ pub const RINGS: Comparison<Part> = Comparison {
             published.settled().both(),
             published.settled().with(Part::Halved).both(),
             published.cells(20).settled(),
-            published.wm().quick(),
+            published.wm().cells(7).quick(),
             published.wm(),
             published.cells(20).wm(),
             published.cells(20),

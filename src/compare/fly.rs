@@ -18,7 +18,7 @@ const NAME: &str = "fly";
 /// Minutes that each of the twelve may take.
 const MINUTES: &str = "2";
 /// The finest spacing of the quick flights, of a cone one long and a sphere one wide.
-const SPACING: &str = "0.005";
+const SPACING: &str = "0.008";
 /// Of the twelve, those that are flown quickly: one with a flat base, one that is round behind.
 const QUICK: [usize; 2] = [0, 2];
 /// Bodies whose truth may lie outside, of twelve.

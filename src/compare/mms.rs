@@ -212,7 +212,7 @@ fn studies(scheme: Scheme, level: Level) -> Vec<Study> {
 fn viscous(scheme: Scheme, level: Level) -> impl Iterator<Item = (Source, Arrangement, [u32; 3])> {
     let (plane, space): (_, &[_]) = match level {
         Level::Quick if scheme.is_of_points() => ([8, 16, 32], &[]),
-        Level::Quick => ([16, 32, 64], &[]),
+        Level::Quick => ([12, 24, 48], &[]),
         Level::Full => ([32, 64, 128], &[[12, 18, 27]]),
     };
     let in_plane: &[_] = match level {

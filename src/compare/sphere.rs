@@ -35,7 +35,7 @@ pub const SPHERE: Comparison<Allowed> = Comparison {
     variants: || {
         let coarse = Variant::new(10, Some(10.0));
         vec![
-            coarse.with(Some(6.0)).cells(8).quick(),
+            coarse.with(Some(10.0)).cells(6).quick(),
             coarse,
             coarse.wm().with(None),
             coarse.cells(15),

@@ -35,11 +35,9 @@ pub const BACK_PRESSURE: Comparison<f64> = Comparison {
         let mut variants = Vec::new();
         for part in [0.896, 0.808, 0.725, 0.649] {
             let variant = Variant::new(30, part);
-            let variant = if part == 0.808 {
-                variant.both()
-            } else {
-                variant
-            };
+            if part == 0.808 {
+                variants.extend([variant.cells(24).quick(), variant.marched().quick()]);
+            }
             variants.extend([variant, variant.marched()]);
         }
         variants

@@ -326,7 +326,7 @@ fn lift_does_not_depend_on_how_far_away_the_sides_are() {
         let (sine, cosine) = 0.035_f64.sin_cos();
         flight.free_stream.velocity = Vector::<2>::new(cosine, sine) * 0.5;
         let mut flow =
-            FixedSimulation::new(refined(flight, Time::Settle, Refine::Levels(3))).unwrap();
+            FixedSimulation::new(refined(flight, Time::Settle, Refine::Levels(2))).unwrap();
         flow.settle(1500).unwrap();
         let force = flow.loads()[0].force;
         force[1] * cosine - force[0] * sine

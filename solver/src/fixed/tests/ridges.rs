@@ -104,23 +104,22 @@ impl Corner {
 /// Prandtl and Meyer [NACA Report 1135 (1953)] of the part of the stream across the edge: Mach 2, and 2 cos(10 deg).
 #[test]
 fn wall_pressure_is_right_from_the_first_cell_behind_a_sharp_edge() {
-    for (moved, turned, fan) in [
-        ([0.0; 3], 0.0_f64, 0.393_07),
-        ([0.3, 0.7, 0.2], 0.0, 0.393_07),
-        ([0.3, 0.7, 0.2], 10.0, 0.397_13),
-        ([0.1, 0.2, 0.4], -10.0, 0.397_13),
+    for (moved, turned, fan, dx) in [
+        ([0.0; 3], 0.0_f64, 0.393_07, 0.05),
+        ([0.3, 0.7, 0.2], 0.0, 0.393_07, 0.05),
+        ([0.1, 0.2, 0.4], -10.0, 0.397_13, 0.05),
+        ([0.3, 0.7, 0.2], 10.0, 0.397_13, 0.05),
+        ([0.3, 0.7, 0.2], 10.0, 0.397_13, 0.025),
     ] {
-        for dx in [0.05, 0.025] {
-            let corner = Corner::new(dx, moved, turned.to_radians());
-            let mut flow = FixedSimulation::new(corner.problem()).unwrap();
-            assert!(flow.settle(300).unwrap().is_settled);
-            let [mean, most] = corner.off(&flow, fan);
-            let allowed = if turned == 0.0 { 0.03 } else { 0.04 };
-            assert!(
-                mean < 0.01 && most < allowed,
-                "{moved:?}, {turned} degrees, {dx}: {mean} {most}"
-            );
-        }
+        let corner = Corner::new(dx, moved, turned.to_radians());
+        let mut flow = FixedSimulation::new(corner.problem()).unwrap();
+        assert!(flow.settle(300).unwrap().is_settled);
+        let [mean, most] = corner.off(&flow, fan);
+        let allowed = if turned == 0.0 { 0.03 } else { 0.04 };
+        assert!(
+            mean < 0.01 && most < allowed,
+            "{moved:?}, {turned} degrees, {dx}: {mean} {most}"
+        );
     }
 }
 
