@@ -148,6 +148,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// Goes on with other cells, which hold this much per volume.
     fn replace_cells(&mut self, cells: Cells<D>, held: Vec<Conserved<D>>) -> Result<(), String> {
         let net = Self::net(&cells, &self.problem)?;
+        let waves = self.placed_waves();
         self.quiet = Quiet::of(&net, &self.problem);
         self.outside = Outside::of(&self.problem, &cells, &net);
         let states = held
@@ -158,6 +159,7 @@ impl<const D: usize> FixedSimulation<D> {
         self.columns = Columns::new(held, states, &net, pressure, self.fluid.viscous.is_some());
         self.points = cells.points;
         self.net = net;
+        self.take_over_waves(&waves);
         self.settling.sweeps = None;
         self.shown.outlines = OnceLock::new();
         self.start();

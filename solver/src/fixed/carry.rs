@@ -59,27 +59,6 @@ pub fn shares<const D: usize>(
         .collect()
 }
 
-/// The nearest of all points, looked for from `radius` on.
-fn nearest_of<const D: usize>(
-    nearby: &Nearby<'_, D>,
-    place: &Vector<D>,
-    mut radius: f64,
-) -> Option<u32> {
-    const TRIES: usize = 40;
-    let mut near = Vec::new();
-    for _ in 0..TRIES {
-        nearby.within(place, radius, &mut near);
-        let best = near
-            .iter()
-            .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
-        if let Some(&(_, other)) = best {
-            return Some(other);
-        }
-        radius *= 2.0;
-    }
-    None
-}
-
 struct Overlay<'a, const D: usize> {
     plot: &'a Plot<'a, D>,
     old: &'a Cloud<D>,
@@ -124,7 +103,7 @@ impl<const D: usize> Overlay<'_, D> {
         let (cell, _) = self.voronoi[1].cell(number);
         let reach = cell.reach_squared().sqrt();
         // The new point lies in the old cell of the nearest old point, and cells beside that are at most twice as wide.
-        let home = nearest_of(&self.nearby, &place.position, place.spacing);
+        let home = self.nearby.nearest(&place.position, place.spacing);
         let old = home.map_or(place.spacing, |home| self.old.places[home as usize].spacing);
         let radius = reach + 2.0 * (D as f64).sqrt() * old.max(place.spacing);
         let mut near = Vec::new();

@@ -12,6 +12,7 @@ use super::settle::Settling;
 use super::state::Conserved;
 use super::tally::Tally;
 use crate::problem::Problem;
+use crate::sides::Incoming;
 
 /// A flow between two steps; borrowed from it where it is only to be written.
 #[derive(Clone, Debug, Serialize, Deserialize)]
@@ -25,6 +26,8 @@ pub struct FixedMemory<'a, const D: usize> {
     held: Vec<f64>,
     received: Vec<f64>,
     pressures: Cow<'a, [Vec<f64>]>,
+    /// What comes in through outlets that relax, in the order of their faces.
+    waves: Vec<Option<Incoming>>,
     settling: Cow<'a, Settling>,
     updates: u64,
     min_density: f64,
@@ -42,6 +45,7 @@ impl<const D: usize> FixedSimulation<D> {
             held: self.columns.held.iter().flat_map(numbers).collect(),
             received: numbers(&self.tally.received).collect(),
             pressures: Cow::Borrowed(&self.columns.pressures),
+            waves: self.waves(),
             settling: Cow::Borrowed(&self.settling),
             updates: self.tally.updates,
             min_density: self.tally.min_density,
@@ -89,6 +93,7 @@ impl<const D: usize> FixedSimulation<D> {
         let mut simulation = Self::from_states(cells, problem, states)?;
         simulation.columns.held = held;
         simulation.columns.pressures = memory.pressures.into_owned();
+        simulation.set_waves(&memory.waves);
         simulation.settling = memory.settling.into_owned();
         simulation.tally = Tally {
             time: memory.time,

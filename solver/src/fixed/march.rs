@@ -72,6 +72,7 @@ impl<const D: usize> FixedSimulation<D> {
         } else {
             self.tally.time + step
         };
+        self.ride(step);
         self.tally.steps += 1;
         self.tally.updates += self.awake_cells();
         Ok(step)

@@ -52,6 +52,23 @@ impl<'a, const D: usize> Nearby<'a, D> {
         }
     }
 
+    /// The nearest of all points, looked for from `radius` on; none where none is anywhere near.
+    pub fn nearest(&self, place: &Vector<D>, mut radius: f64) -> Option<u32> {
+        const TRIES: usize = 40;
+        let mut near = Vec::new();
+        for _ in 0..TRIES {
+            self.within(place, radius, &mut near);
+            let best = near
+                .iter()
+                .min_by(|a, b| a.0.total_cmp(&b.0).then(a.1.cmp(&b.1)));
+            if let Some(&(_, other)) = best {
+                return Some(other);
+            }
+            radius *= 2.0;
+        }
+        None
+    }
+
     fn descend(
         &self,
         level: usize,

@@ -197,7 +197,7 @@ impl<const D: usize> Net<D> {
                 self.blocks[i / BLOCK].sides.push(Side {
                     i: i as u32,
                     image: Image::behind_axis(length, distance),
-                    bend: 0.0,
+                    aside: [0.0; D],
                     beyond: Beyond::Mirror,
                 });
             }

@@ -248,7 +248,7 @@ mod tests {
         let side = Side {
             i: 0,
             image: image(),
-            bend: 0.0,
+            aside: [0.0; 2],
             beyond: Beyond::Mirror,
         };
         let flux = side.flux(&AIR, &cell, &slopes, None);

@@ -21,6 +21,7 @@ mod waves;
 mod zone;
 
 pub use buffers::{Buffers, Contents};
+pub use held::{Held, Incoming};
 pub use model::Place;
 pub use particle::OpenParticle;
 pub use parting::parted;
@@ -30,7 +31,6 @@ pub use zone::Zone;
 
 use crate::method::Time;
 use crate::problem::{Given, Problem, Side, State};
-use held::Held;
 use held_outlet::HeldOutlet;
 use inlet::{Inlet, SoftInlet};
 use model::OpenModel;
@@ -94,12 +94,12 @@ impl Answering {
         }
     }
 
-    /// The state beyond a face whose cell is in state `gas` and has its mean at this `distance` before it, where flow along the
-    /// side takes `aside` per time off the wave that comes in; both speeds are out of the domain.
-    pub fn beyond(&self, gas: &Along, distance: f64, aside: f64) -> Along {
+    /// The state beyond a face whose cell is in state `gas` and has its mean at this `distance` before it; both speeds are out of the
+    /// domain.
+    pub fn beyond(&self, gas: &Along, distance: f64) -> Along {
         match self {
             Self::Reservoir(reservoir) => reservoir.beyond(&gas.turned(), distance).turned(),
-            Self::Held(held) => held.beyond(gas, distance, aside),
+            Self::Held(held) => held.beyond(gas),
         }
     }
 

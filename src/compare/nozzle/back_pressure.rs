@@ -36,7 +36,8 @@ pub const BACK_PRESSURE: Comparison<f64> = Comparison {
         for part in [0.896, 0.808, 0.725, 0.649] {
             let variant = Variant::new(30, part);
             if part == 0.808 {
-                variants.extend([variant.cells(24).quick(), variant.marched().quick()]);
+                variants
+                    .extend([variant.cells(24), variant.cells(20).marched()].map(Variant::quick));
             }
             variants.extend([variant, variant.marched()]);
         }

@@ -19,6 +19,7 @@ mod brinks;
 pub(super) mod flows;
 mod jumps;
 pub(crate) mod lattice;
+mod outlets;
 mod parted;
 mod plane;
 mod pockets;

@@ -1,8 +1,6 @@
 use aero_geometry::bodies;
 
-use super::lattice::problem;
 use super::*;
-use crate::fixed::FixedSimulation;
 use crate::problem::WallKind;
 
 #[test]
@@ -95,25 +93,5 @@ fn about_an_axis_the_radial_areas_add_up_to_the_plane_cell() {
         assert!((drag - radius * radius).abs() < 0.5 * dx * dx, "{drag}");
         // The first walls' areas cannot be negative: nothing lies beyond the axis.
         assert!(made.cells.volumes.iter().all(|&volume| volume > 0.0));
-    }
-}
-
-/// Gas through a side about an axis knows how far out it is, and that of a plane flow does not ask.
-#[test]
-fn rings_at_sides_know_how_far_out_they_are() {
-    for (lower, is_axis) in [(Side::Axis, true), (Side::Symmetry, false)] {
-        let ends = [[Side::Inlet, Side::Outlet], [lower, Side::FreeStream]];
-        let flow = FixedSimulation::new(problem::<2>([4, 5], 0.1, ends)).unwrap();
-        let sides = flow.net.blocks.iter().flat_map(|block| &block.sides);
-        let ends: Vec<_> = sides
-            .filter(|side| side.image.normal[0].abs() > 0.5)
-            .collect();
-        assert_eq!(ends.len(), 10);
-        for side in ends {
-            let turns = side.bend * flow.points[side.i as usize][1];
-            // Where the area of a ring is, is at most a third of it further out than its middle.
-            let expected = if is_axis { 0.74..1.01 } else { 0.0..1e-12 };
-            assert!(expected.contains(&turns), "{turns}");
-        }
     }
 }
