@@ -164,7 +164,8 @@ impl<const D: usize> Buffers<D> {
         range: Range<usize>,
         times: [f64; 2],
     ) {
-        let particles = &mut self.contents.particles[range];
+        let (older, particles) = self.contents.particles.split_at_mut(range.start);
+        let particles = &mut particles[..range.end - range.start];
         for (number, side) in self.sides.iter().enumerate() {
             if !side.model.goes_on() {
                 continue;
@@ -176,7 +177,8 @@ impl<const D: usize> Buffers<D> {
             if gone.is_empty() {
                 continue;
             }
-            side.model.go_on(problem, fluid, &mut gone, times);
+            let older: Vec<_> = older.iter().filter(|open| is_own(open)).copied().collect();
+            side.model.go_on(problem, fluid, &mut gone, &older, times);
             let places = particles.iter_mut().filter(|open| is_own(open));
             for (place, open) in places.zip(gone) {
                 *place = open;

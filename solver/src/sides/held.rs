@@ -4,9 +4,9 @@
 //! pressure is held and sound comes back whole; here it relaxes to the pressure at the side,
 //! `dR-/dt = sigma (1 - M^2) (p - p_held) / (rho L)` with `L` the length of the domain [Poinsot & Lele 1992, J. Comput. Phys. 101,
 //! 104-129, eq. 40], so that waves shorter than the domain leave, and the mean pressure is held: where nothing else comes,
-//! `p - p_held` falls as `exp(-sigma (1 - M^2) c t / 2 L)`. Where points stay the wave of each face has a life of its own; where the gas
-//! moves, what the flow along the side does to it is taken off the flow inside [Yoo & Im 2007, Combust. Theory Model. 11, 259-286]:
-//! where a duct widens it would be off the pressure for good without.
+//! `p - p_held` falls as `exp(-sigma (1 - M^2) c t / 2 L)`. The wave has a life of its own, a face's where points stay, handed down from
+//! what left before where the gas moves: told from the gas inside, from what flows along the side there, it would be off the pressure for
+//! good where a duct widens, or swing about it.
 //! Faster than sound nothing comes in but, where points stay, the shock of a pressure that the gas cannot pass; particles that left
 //! faster than sound take none back.
 
@@ -65,19 +65,6 @@ impl Held {
         let above = (gas.pressure - self.pressure) / gas.density;
         let strength = self.strength.unwrap_or_default();
         (mach < 1.0).then(|| strength * (1.0 - mach * mach).max(0.0) * above)
-    }
-
-    /// The wave that comes in after a `time` in which it rode along with such gas, at a place before which it rises by `slope` out
-    /// of the domain. As seen from the side it has come against the gas, and changes by `u` times its slope more: by `M` that which
-    /// it would have if it changed there as it should, `(rate + aside) / (c - u)`, and by `1 - M` the one that it has, which tells
-    /// what else there is. All of that near the speed of sound would send back what it hears.
-    pub(super) fn ridden(&self, gas: &Along, time: f64, slope: f64, aside: f64) -> Option<f64> {
-        let sound = gas.sound(self.gamma);
-        let mach = (gas.speed / sound).max(0.0);
-        let rate = self.rate(gas)?;
-        let meant = (rate + aside) / (sound - gas.speed);
-        let change = rate + gas.speed.max(0.0) * (mach * meant + (1.0 - mach) * slope);
-        Some(gas.waves(self.gamma).back + time * change)
     }
 
     /// What is behind the shock that runs into gas in this state, faster than sound and out of the domain, from the pressure
@@ -295,19 +282,6 @@ mod tests {
         for (a, b) in through(&inside).into_iter().zip(through(&beyond)) {
             assert_relative_eq!(a, b, epsilon = 1e-12);
         }
-    }
-
-    /// A steady stream that widens: the wave that comes in rises by `aside / (c - u)` out of the domain, and the gas goes through that.
-    #[test]
-    fn gas_that_parts_at_the_pressure_is_left_alone() {
-        let inside = gas(0.5);
-        let (aside, step) = (-0.3, 0.01);
-        let slope = aside / (inside.sound(GAMMA) - inside.speed);
-        let back = outlet(inside.pressure)
-            .ridden(&inside, step, slope, aside)
-            .unwrap();
-        let change = (back - inside.waves(GAMMA).back) / step;
-        assert_relative_eq!(change, inside.speed * slope, epsilon = 1e-12);
     }
 
     #[test]

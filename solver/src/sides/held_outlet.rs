@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::held::Held;
+use super::held::{Held, Incoming};
 use super::model::OpenModel;
 use super::particle::OpenParticle;
 use super::upstream::Upstream;
@@ -47,13 +47,15 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
         true
     }
 
-    /// The wave on its way out goes through the particles, `dR+/dt = -c dR+/dn`; entropy and the velocity along the side ride
-    /// with them.
+    /// The wave on its way out goes through the particles, `dR+/dt = -c (dR+/dn + div_t v)`, with what the flow along the side takes off it [after
+    /// Yoo & Im 2007, Combust. Theory Model. 11, 259-286]; entropy and the velocity along the side ride with them. The wave that comes in is
+    /// the same all along their way, and who leaves takes on that of those who left there before.
     fn go_on(
         &self,
         problem: &Problem<D>,
         fluid: &[Particle<D>],
         gone: &mut [OpenParticle<D>],
+        older: &[OpenParticle<D>],
         [before, now]: [f64; 2],
     ) {
         let Held { place, gamma, .. } = self.held;
@@ -63,10 +65,6 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             speed: outward * particle.velocity[axis],
             pressure: problem.gas.pressure(particle.density, particle.energy),
         };
-        let waves = |particle: &Particle<D>| {
-            let Waves { ahead, back, .. } = along(particle).waves(gamma);
-            [ahead, back]
-        };
         let rings = Rings::new(problem);
         let mut upstream = Upstream::new(place, problem.spacing);
         let reach = upstream.reach();
@@ -75,30 +73,41 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             .filter(|particle| -place.depth(&particle.position) < reach);
         let all = near.chain(gone.iter().map(|open| &open.particle));
         for particle in all {
-            upstream.add(particle.position, waves(particle));
+            upstream.add(particle.position, [along(particle).waves(gamma).ahead]);
         }
         upstream.sort();
+        let mut known = Upstream::new(place, problem.spacing);
+        for open in older {
+            let Incoming { back, entropy } = self.held.own(&along(&open.particle));
+            known.add(open.particle.position, [back, entropy]);
+        }
+        known.sort();
         for open in gone {
             let particle = &mut open.particle;
             let gas = along(particle);
             let held = self.at(&particle.position, now);
             let waves = gas.waves(gamma);
-            let slopes = upstream.slopes(&particle.position, [waves.ahead, waves.back]);
+            let [slope] = upstream.slopes(&particle.position, [waves.ahead]);
             // Rings grow, whichever way they leave.
             let parting = parting(axis, &open.gradients) + rings.growth(particle);
             let parting = gas.sound(gamma) * parting;
-            let next = held
-                .ridden(&gas, step, slopes[1], -parting)
-                .and_then(|back| {
-                    let ahead = waves.ahead - step * (gas.sound(gamma) * slopes[0] + parting);
-                    let next = Waves {
-                        ahead,
-                        back,
-                        ..waves
-                    };
-                    next.state(gamma)
-                });
-            let Some(next) = next else {
+            if gas.speed >= gas.sound(gamma) {
+                continue;
+            }
+            let ahead = waves.ahead - step * (gas.sound(gamma) * slope + parting);
+            let Some(gas) = (Waves { ahead, ..waves }).state(gamma) else {
+                continue;
+            };
+            let handed_down = known
+                .mean(&particle.position)
+                .map_or(held.own(&gas), |[back, entropy]| Incoming { back, entropy });
+            let back = held.later(&handed_down, &gas, step).back;
+            let Some(next) = (Waves {
+                ahead,
+                back,
+                ..waves
+            })
+            .state(gamma) else {
                 continue;
             };
             let wider = (particle.density / next.density).powf(1.0 / D as f64);
@@ -157,9 +166,52 @@ mod tests {
             part: None,
         };
         let held = Held::new(&problem, place, 1.0, Some(0.25));
-        HeldOutlet::new(held, None).go_on(&problem, &[], &mut gone, [0.0, 0.01]);
+        HeldOutlet::new(held, None).go_on(&problem, &[], &mut gone, &[], [0.0, 0.01]);
         let after = gas(&gone[0].particle).waves(GAMMA).ahead;
         let change = (after - before.waves(GAMMA).ahead) / 0.01;
         assert_relative_eq!(change, -0.3 * before.sound(GAMMA), epsilon = 1e-12);
+    }
+
+    /// Who leaves brings another speed at the pressure that is held; what comes in is what came in there before, and goes on from that.
+    #[test]
+    fn who_leaves_takes_on_the_wave_of_those_who_left_before() {
+        let problem = cube::<2>(8, Side::Outlet);
+        let mut particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
+        let pressure = (GAMMA - 1.0) * particle.density * particle.energy;
+        let place = Place {
+            axis: 0,
+            end: 1,
+            face: 1.0,
+            part: None,
+        };
+        let outlet = HeldOutlet::new(Held::new(&problem, place, pressure, Some(0.25)), None);
+        let back = |particle: &Particle<2>| {
+            let gas = Along {
+                density: particle.density,
+                speed: particle.velocity[0],
+                pressure: (GAMMA - 1.0) * particle.density * particle.energy,
+            };
+            outlet.held.own(&gas).back
+        };
+        particle.position = [1.02, 0.4].into();
+        particle.velocity = [0.5, 0.0].into();
+        let older = [0.35, 0.45].map(|y| {
+            let mut other = particle;
+            other.position = [1.08, y].into();
+            OpenParticle::of_lattice(other, 1, None)
+        });
+        let expected = back(&particle);
+        particle.velocity[0] = 0.6;
+        let leave = |older: &[OpenParticle<2>], step: f64| {
+            let mut gone = [OpenParticle::of_lattice(particle, 1, None)];
+            outlet.go_on(&problem, &[], &mut gone, older, [0.0, step]);
+            gone[0].particle
+        };
+        let left = leave(&older, 1e-9);
+        assert_relative_eq!(back(&left), expected, epsilon = 1e-8);
+        assert!(left.velocity[0] < 0.56 && left.velocity[0] > 0.54);
+        assert_relative_eq!(back(&leave(&[], 1e-9)), expected + 0.1, epsilon = 1e-8);
+        // Its pressure is above the one held by then, and what comes in draws it out.
+        assert!(back(&leave(&older, 0.1)) > expected + 1e-4);
     }
 }

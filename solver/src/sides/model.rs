@@ -120,12 +120,14 @@ pub trait OpenModel<const D: usize>: Debug + Send + Sync {
     }
 
     /// What becomes, in a step from one time to another, of the particles of the buffer that have left the domain here, `gone`, in the order in which
-    /// the buffer keeps them; they have drifted on already. `fluid` is the flow inside.
+    /// the buffer keeps them; they have drifted on already. `fluid` is the flow inside; where they have left in this very step, `older` are those that
+    /// left before.
     fn go_on(
         &self,
         _problem: &Problem<D>,
         _fluid: &[Particle<D>],
         _gone: &mut [OpenParticle<D>],
+        _older: &[OpenParticle<D>],
         _times: [f64; 2],
     ) {
     }

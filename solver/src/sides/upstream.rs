@@ -1,4 +1,4 @@
-//! How steeply values rise out of the domain, read off the particles that gas comes from.
+//! Values on particles about an open side: how steeply they rise out of the domain, read off those that gas comes from, and what they are at a place.
 
 use aero_geometry::Vector;
 use nalgebra::SMatrix;
@@ -11,16 +11,16 @@ const REACH: f64 = 2.5;
 /// Condition number of the moments of neighbours that all but lie in a row.
 const FLAT: f64 = 1e3;
 
-/// Pairs of values on particles about an open side, by cells as wide as the reach.
+/// So many values on each of the particles about an open side, by cells as wide as the reach.
 #[derive(Debug)]
-pub struct Upstream<const D: usize> {
+pub struct Upstream<const D: usize, const N: usize> {
     place: Place,
     reach: f64,
     /// Cell, position and values.
-    values: Vec<([i64; D], Vector<D>, [f64; 2])>,
+    values: Vec<([i64; D], Vector<D>, [f64; N])>,
 }
 
-impl<const D: usize> Upstream<D> {
+impl<const D: usize, const N: usize> Upstream<D, N> {
     /// None yet, about `place` on gas of this spacing.
     pub fn new(place: Place, spacing: f64) -> Self {
         Self {
@@ -36,7 +36,7 @@ impl<const D: usize> Upstream<D> {
     }
 
     /// Adds values.
-    pub fn add(&mut self, position: Vector<D>, values: [f64; 2]) {
+    pub fn add(&mut self, position: Vector<D>, values: [f64; N]) {
         self.values.push((self.cell(&position), position, values));
     }
 
@@ -50,14 +50,11 @@ impl<const D: usize> Upstream<D> {
         std::array::from_fn(|k| (position[k] / self.reach).floor() as i64)
     }
 
-    /// Slopes out of the domain at `position`, where the values are `own`: of the planes that fit them and the values before them
-    /// best. None where there are too few of them.
-    pub fn slopes(&self, position: &Vector<D>, own: [f64; 2]) -> [f64; 2] {
-        let axis = self.place.axis;
-        let mut moment = SMatrix::<f64, D, D>::zeros();
-        let mut rises = [Vector::zeros(); 2];
-        let home = self.cell(position);
-        for offset in 0..3_i64.pow(D as u32) {
+    /// Those about `position`: away from it, the square of the distance as a part of the reach, and values.
+    fn about(&self, position: &Vector<D>) -> impl Iterator<Item = (Vector<D>, f64, &[f64; N])> {
+        let position = *position;
+        let home = self.cell(&position);
+        (0..3_i64.pow(D as u32)).flat_map(move |offset| {
             let mut rest = offset;
             let cell = home.map(|k| {
                 let k = k + rest % 3 - 1;
@@ -65,25 +62,48 @@ impl<const D: usize> Upstream<D> {
                 k
             });
             let first = self.values.partition_point(|(other, ..)| *other < cell);
-            for (other, place, values) in &self.values[first..] {
-                if *other != cell {
-                    break;
-                }
+            let there = self.values[first..].iter();
+            let there = there.take_while(move |(other, ..)| *other == cell);
+            there.filter_map(move |(_, place, values)| {
                 let apart = place - position;
-                let share = 1.0 - apart.norm_squared() / (self.reach * self.reach);
-                if share > 0.0 && self.place.inward() * apart[axis] > 0.0 {
-                    let weight = share * share;
-                    moment += apart * apart.transpose() * weight;
-                    for n in 0..2 {
-                        rises[n] += apart * ((values[n] - own[n]) * weight);
-                    }
+                let part = apart.norm_squared() / (self.reach * self.reach);
+                (part < 1.0).then_some((apart, part, values))
+            })
+        })
+    }
+
+    /// Mean of the values about `position`, the nearer the more; none where none is near.
+    pub fn mean(&self, position: &Vector<D>) -> Option<[f64; N]> {
+        let (mut sums, mut total) = ([0.0; N], 0.0);
+        for (_, part, values) in self.about(position) {
+            let weight = (1.0 - part).powi(4);
+            total += weight;
+            for (sum, value) in sums.iter_mut().zip(values) {
+                *sum += weight * value;
+            }
+        }
+        (total > 0.0).then(|| sums.map(|sum| sum / total))
+    }
+
+    /// Slopes out of the domain at `position`, where the values are `own`: of the planes that fit them and the values before them
+    /// best. None where there are too few of them.
+    pub fn slopes(&self, position: &Vector<D>, own: [f64; N]) -> [f64; N] {
+        let axis = self.place.axis;
+        let mut moment = SMatrix::<f64, D, D>::zeros();
+        let mut rises = [Vector::zeros(); N];
+        for (apart, part, values) in self.about(position) {
+            if self.place.inward() * apart[axis] > 0.0 {
+                let weight = (1.0 - part) * (1.0 - part);
+                moment += apart * apart.transpose() * weight;
+                for n in 0..N {
+                    rises[n] += apart * ((values[n] - own[n]) * weight);
                 }
             }
         }
         let outward = -self.place.inward();
         let square = moment[(axis, axis)];
         if square <= 0.0 {
-            return [0.0; 2];
+            return [0.0; N];
         }
         // A plane where neighbours fix one, a line across the side where they do not.
         let plane = moment
@@ -133,7 +153,7 @@ mod tests {
             face: 0.0,
             part: None,
         };
-        let mut upstream = Upstream::<2>::new(place, 0.1);
+        let mut upstream = Upstream::<2, 2>::new(place, 0.1);
         let here = Vector::<2>::zeros();
         assert_eq!(upstream.slopes(&here, [1.0; 2]), [0.0; 2]);
         upstream.add(Vector::<2>::new(0.0, 0.1), [2.0, 1.0]);
@@ -141,5 +161,25 @@ mod tests {
         let [first, second] = upstream.slopes(&here, [1.0; 2]);
         assert_relative_eq!(first, -10.0, epsilon = 1e-12);
         assert_eq!(second, 0.0);
+    }
+
+    #[test]
+    fn a_mean_is_that_of_those_near_and_of_equals_their_own() {
+        let place = Place {
+            axis: 0,
+            end: 1,
+            face: 0.0,
+            part: None,
+        };
+        let mut upstream = Upstream::<2, 2>::new(place, 0.1);
+        for n in -5..6 {
+            let y = 0.1 * f64::from(n);
+            upstream.add(Vector::<2>::new(0.05, y), [3.0, y]);
+        }
+        upstream.sort();
+        let mean = upstream.mean(&Vector::<2>::new(0.0, 0.1)).unwrap();
+        assert_relative_eq!(mean[0], 3.0, epsilon = 1e-14);
+        assert_relative_eq!(mean[1], 0.1, epsilon = 1e-12);
+        assert_eq!(upstream.mean(&Vector::<2>::new(1.0, 0.1)), None);
     }
 }
