@@ -40,9 +40,10 @@ impl Riding {
     }
 
     /// Lets a `step` pass, at the end of which gas reaches the face in this state.
-    pub fn go_on(&mut self, gas: &Along, step: f64) {
-        let wave = self.wave.unwrap_or(self.held.own(gas));
-        self.wave = Some(self.held.later(&wave, gas, step));
+    pub fn go_on(&mut self, gas: &Along, parting: f64, step: f64) {
+        let own = self.held.own(gas).parting(parting);
+        let wave = self.wave.unwrap_or(own);
+        self.wave = Some(self.held.later(&wave, gas, parting, step));
     }
 }
 
@@ -74,7 +75,9 @@ impl<const D: usize> FixedSimulation<D> {
         for side in net.blocks.iter_mut().flat_map(|block| &mut block.sides) {
             if let Beyond::Rides(mut riding) = side.beyond {
                 let i = side.i as usize;
-                riding.go_on(&side.reaching(&columns.states[i], &columns.slopes[i]), step);
+                let slopes = &columns.slopes[i];
+                let gas = side.reaching(&columns.states[i], slopes);
+                riding.go_on(&gas, side.parting(slopes), step);
                 side.beyond = Beyond::Rides(riding);
             }
         }

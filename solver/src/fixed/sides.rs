@@ -136,7 +136,7 @@ impl<const D: usize> Side<D> {
         let normal = self.image.normal;
         let drawn = match (&self.beyond, rubbed) {
             (Beyond::Same | Beyond::OneWay, Some(_)) => self.leaving(cell, slopes),
-            (Beyond::Answers(_) | Beyond::Rides(_), _) => self.drawn_out(cell, slopes, &self.way()),
+            (Beyond::Answers(_) | Beyond::Rides(_), _) => drawn_out(cell, slopes, &self.way()),
             _ => *cell,
         };
         let other = match &self.beyond {
@@ -160,7 +160,7 @@ impl<const D: usize> Side<D> {
                 return pushed(pressure, &normal);
             }
             Beyond::Answers(answering) => {
-                let cell = &self.drawn_out(cell, slopes, &self.aside);
+                let cell = &drawn_out(cell, slopes, &self.aside);
                 let inside = along(cell, &normal);
                 let outside = answering.beyond(&inside, self.image.distance);
                 let stays = if answering.is_straight() {
@@ -183,26 +183,39 @@ impl<const D: usize> Side<D> {
         std::array::from_fn(|k| self.aside[k] + self.image.distance * self.image.normal[k])
     }
 
+    /// How fast gas parts along the side, per time: the divergence of what moves along it.
+    pub fn parting(&self, slopes: &Slopes<D>) -> f64 {
+        let normal = &self.image.normal;
+        let across = |k: usize| normal[k] * dot(&slopes.along[k].velocity, normal);
+        (0..D)
+            .map(|k| slopes.along[k].velocity[k] - across(k))
+            .sum()
+    }
+
     /// Gas of `cell` that reaches the middle of the face, its speed out of the domain.
     pub fn reaching(&self, cell: &Primitive<D>, slopes: &Slopes<D>) -> Along {
-        let drawn = self.drawn_out(cell, slopes, &self.way());
+        let drawn = drawn_out(cell, slopes, &self.way());
         along(&drawn, &self.image.normal)
     }
 
     /// The state of `cell` at the side itself, where gas leaves as it is; the cell's own where it would not. A layer along a wall changes all the
     /// way up to the side: were it to leave as it is half a cell before, that half would be missing in all that balances there.
     fn leaving(&self, cell: &Primitive<D>, slopes: &Slopes<D>) -> Primitive<D> {
-        let drawn = self.drawn_out(cell, slopes, &self.way());
+        let drawn = drawn_out(cell, slopes, &self.way());
         let leaves = dot(&drawn.velocity, &self.image.normal) > 0.0;
         if leaves { drawn } else { *cell }
     }
+}
 
-    /// The state of `cell` at the end of this `way`; the cell's own where that is none, or in shocks.
-    fn drawn_out(&self, cell: &Primitive<D>, slopes: &Slopes<D>, way: &[f64; D]) -> Primitive<D> {
-        let share = smoothness(slopes.calmness);
-        let drawn = cell.plus(1.0, &rise(&slopes.along, &way.map(|d| share * d)));
-        if drawn.makes_sense() { drawn } else { *cell }
-    }
+/// The state of `cell` at the end of this `way`; the cell's own where that is none, or in shocks.
+fn drawn_out<const D: usize>(
+    cell: &Primitive<D>,
+    slopes: &Slopes<D>,
+    way: &[f64; D],
+) -> Primitive<D> {
+    let share = smoothness(slopes.calmness);
+    let drawn = cell.plus(1.0, &rise(&slopes.along, &way.map(|d| share * d)));
+    if drawn.makes_sense() { drawn } else { *cell }
 }
 
 /// Flux through a face that nothing passes.

@@ -2,7 +2,8 @@
 
 use aero_geometry::Vector;
 
-use super::held::{Held, Incoming};
+use super::held::Held;
+use super::incoming::Incoming;
 use super::model::OpenModel;
 use super::particle::OpenParticle;
 use super::upstream::Upstream;
@@ -78,7 +79,7 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
         upstream.sort();
         let mut known = Upstream::new(place, problem.spacing);
         for open in older {
-            let Incoming { back, entropy } = self.held.own(&along(&open.particle));
+            let Incoming { back, entropy, .. } = self.held.own(&along(&open.particle));
             known.add(open.particle.position, [back, entropy]);
         }
         known.sort();
@@ -98,10 +99,15 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             let Some(gas) = (Waves { ahead, ..waves }).state(gamma) else {
                 continue;
             };
-            let handed_down = known
-                .mean(&particle.position)
-                .map_or(held.own(&gas), |[back, entropy]| Incoming { back, entropy });
-            let back = held.later(&handed_down, &gas, step).back;
+            let handed_down =
+                known
+                    .mean(&particle.position)
+                    .map_or(held.own(&gas), |[back, entropy]| Incoming {
+                        back,
+                        entropy,
+                        parting: 0.0,
+                    });
+            let back = held.later(&handed_down, &gas, 0.0, step).back;
             let Some(next) = (Waves {
                 ahead,
                 back,

@@ -8,6 +8,7 @@ mod buffers;
 pub mod closed;
 mod held;
 mod held_outlet;
+mod incoming;
 mod inlet;
 mod model;
 mod outlet;
@@ -21,7 +22,8 @@ mod waves;
 mod zone;
 
 pub use buffers::{Buffers, Contents};
-pub use held::{Held, Incoming};
+pub use held::Held;
+pub use incoming::Incoming;
 pub use model::Place;
 pub use particle::OpenParticle;
 pub use parting::parted;
