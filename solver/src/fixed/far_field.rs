@@ -7,10 +7,10 @@
 use aero_geometry::{Bounds, Vector};
 
 use super::FixedSimulation;
+use super::beyond::Beyond;
 use super::cells::Cells;
 use super::given::standing;
 use super::net::Net;
-use super::sides::Beyond;
 use super::state::Primitive;
 use crate::method::Time;
 use crate::problem::{Problem, Side, State};

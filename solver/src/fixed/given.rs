@@ -3,9 +3,9 @@
 use aero_geometry::Vector;
 
 use super::FixedSimulation;
+use super::beyond::Beyond;
 use super::cells::{Cells, SideFace};
 use super::net::BLOCK;
-use super::sides::Beyond;
 use crate::problem::{Given, Problem};
 use crate::sides::Place;
 

@@ -11,9 +11,10 @@ use aero_geometry::Vector;
 use foldhash::fast::FixedState;
 
 use super::bend::{Kink, Surroundings};
+use super::beyond::Beyond;
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
 use super::image::Image;
-use super::sides::{Beyond, Side};
+use super::sides::Side;
 use super::walls::Wall;
 
 /// Cells of a block.

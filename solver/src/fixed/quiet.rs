@@ -4,9 +4,9 @@
 //! blocks within two faces sleeps: whatever flows into its cells flows out again, below the tolerance.
 
 use super::FixedSimulation;
+use super::beyond::Beyond;
 use super::cells::Matrix;
 use super::net::{Block, Net};
-use super::sides::Beyond;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive};
 use super::walls::Wall;

@@ -197,8 +197,9 @@ pub fn push<const D: usize>(image: &Image<D>, pressure: f64) -> Conserved<D> {
 
 #[cfg(test)]
 mod tests {
+    use super::super::beyond::Beyond;
     use super::super::gas::IdealGas;
-    use super::super::sides::{Beyond, Side};
+    use super::super::sides::Side;
     use super::*;
     use crate::fixed::slopes::Slopes;
 

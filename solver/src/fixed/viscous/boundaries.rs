@@ -1,8 +1,9 @@
 //! What viscosity and heat conduction take through walls and sides.
 
+use super::super::beyond::Beyond;
 use super::super::image::Image;
 use super::super::net::Net;
-use super::super::sides::{Beyond, Side};
+use super::super::sides::Side;
 use super::super::state::{Conserved, Primitive, dot};
 use super::super::stick::{Heat, Stick};
 use super::super::walls::Wall;

@@ -1,0 +1,71 @@
+//! What is beyond the sides of the domain.
+
+use super::riding::Riding;
+use super::state::Primitive;
+use crate::method::Time;
+use crate::problem::{Problem, Side as SideKind, State};
+use crate::sides::{Answering, Place};
+
+/// What is beyond a side.
+#[derive(Clone, Copy, Debug)]
+pub enum Beyond<const D: usize> {
+    /// Gas in this state: inlets and free streams.
+    Stream(Primitive<D>),
+    /// More of the same gas.
+    Same,
+    /// More of the same gas, as long as it leaves. Gas that came back would bring what the flow itself holds, and more of it the more
+    /// it holds: a flow that settles could blow itself up.
+    OneWay,
+    /// The mirror image.
+    Mirror,
+    /// Gas that answers to the cell.
+    Answers(Answering),
+    /// Gas that a wave comes from which changes in time.
+    Rides(Riding),
+}
+
+impl<const D: usize> Beyond<D> {
+    /// What is beyond the `side` of `problem`, or the part of one, at `place`.
+    ///
+    /// # Errors
+    /// Of a side that has no open faces.
+    pub fn of(problem: &Problem<D>, side: SideKind, place: Place) -> Result<Self, String> {
+        let stream = Primitive::of(&problem.free_stream);
+        let Place { axis, end, .. } = place;
+        match side {
+            // The Riemann problem with the free stream lets sound out.
+            SideKind::Inlet | SideKind::SoftInlet | SideKind::FreeStream => {
+                Ok(Self::Stream(stream))
+            }
+            SideKind::Outlet => Ok(match problem.method.fixed().map(|points| points.time) {
+                Some(Time::Settle) => Self::OneWay,
+                _ => Self::Same,
+            }),
+            SideKind::Symmetry | SideKind::Axis => Ok(Self::Mirror),
+            side => Answering::of(problem, side, place)
+                .map(|answering| match answering {
+                    Answering::Held(held) if held.relaxes() => Self::Rides(Riding::new(held)),
+                    answering => Self::Answers(answering),
+                })
+                .ok_or_else(|| {
+                    format!("side {end} of axis {axis} is {side:?} and should have no open faces")
+                }),
+        }
+    }
+
+    /// The same beside gas whose state, of an outlet the pressure, is now this.
+    #[must_use]
+    pub fn at(self, given: &State<D>) -> Self {
+        match self {
+            Self::Stream(_) => Self::Stream(Primitive::of(given)),
+            Self::Answers(answering) => Self::Answers(answering.at(given)),
+            Self::Rides(riding) => Self::Rides(riding.at(given.pressure)),
+            Self::Same | Self::OneWay | Self::Mirror => self,
+        }
+    }
+
+    /// True where the state beyond counts in the gradients.
+    pub fn is_known(&self) -> bool {
+        matches!(self, Self::Stream(_) | Self::Mirror)
+    }
+}
