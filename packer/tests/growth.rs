@@ -13,6 +13,9 @@ use cpu_time::ProcessTime;
 /// Sixteen would be quadratic.
 const MOST: f64 = 8.0;
 
+/// So often it is measured again where it took more.
+const TRIES: u32 = 3;
+
 /// A lattice of `count` cubes that do not touch, all inside out.
 fn cubes(count: usize) -> Vec<Facet> {
     let across = (count as f64).cbrt().ceil() as usize;
@@ -96,35 +99,37 @@ fn four_times_the_triangles_take_about_four_times_the_work() {
         start.elapsed().as_secs_f64()
     };
     let seconds = |facets, closed| packed(facets, closed, 12.0);
-    let grows = |name: &str, few: f64, many: f64| {
-        println!("{name}: {few:.3} s, {many:.3} s");
-        assert!(
-            many < MOST * few,
-            "{name}: {few} s, but {many} s for four times the triangles"
-        );
+    // Other work on the processor only ever adds to a time: the least of a few counts.
+    let grows = |name: &str, few: &dyn Fn() -> f64, many: &dyn Fn() -> f64| {
+        let (mut less, mut more) = (f64::INFINITY, f64::INFINITY);
+        for _ in 0..TRIES {
+            less = less.min(few());
+            more = more.min(many());
+            println!("{name}: {less:.3} s, {more:.3} s");
+            if more < MOST * less {
+                return;
+            }
+        }
+        panic!("{name}: {less} s, but {more} s for four times the triangles");
     };
     let ball = |around| sphere(1.0).unwrap().tessellate(around);
     assert!(ball(560).len() > 300_000);
-    grows("sphere", seconds(ball(280), true), seconds(ball(560), true));
+    grows("sphere", &|| seconds(ball(280), true), &|| {
+        seconds(ball(560), true)
+    });
     grows(
         "cubes",
         // Packed finer, the fewer of them take the longer.
-        packed(cubes(2_000), true, 1.0),
-        packed(cubes(8_000), true, 1.0),
+        &|| packed(cubes(2_000), true, 1.0),
+        &|| packed(cubes(8_000), true, 1.0),
     );
-    grows(
-        "needles",
-        seconds(needles(120), true),
-        seconds(needles(240), true),
-    );
-    grows(
-        "band",
-        seconds(band(40_000), false),
-        seconds(band(160_000), false),
-    );
-    grows(
-        "soup",
-        seconds(soup(20_000), false),
-        seconds(soup(80_000), false),
-    );
+    grows("needles", &|| seconds(needles(120), true), &|| {
+        seconds(needles(240), true)
+    });
+    grows("band", &|| seconds(band(40_000), false), &|| {
+        seconds(band(160_000), false)
+    });
+    grows("soup", &|| seconds(soup(20_000), false), &|| {
+        seconds(soup(80_000), false)
+    });
 }
