@@ -23,9 +23,9 @@ impl<const D: usize> FixedSimulation<D> {
         let sides = self.net.blocks.iter_mut();
         let sides = sides.flat_map(|block| &mut block.sides);
         sides.filter_map(|side| {
-            let middle = points[side.i as usize] + Vector::from(side.way());
+            let way = Vector::from(side.way());
             match &mut side.beyond {
-                Beyond::Rides(riding) => Some((middle, riding)),
+                Beyond::Rides(riding) => Some((points[side.i as usize] + way, riding)),
                 _ => None,
             }
         })

@@ -96,11 +96,12 @@ impl Answering {
         }
     }
 
-    /// The state beyond a face whose cell is in state `gas` and has its mean at this `distance` before it; both speeds are out of the
-    /// domain.
-    pub fn beyond(&self, gas: &Along, distance: f64) -> Along {
+    /// The state beyond a face that `gas` reaches from a cell whose `mean` is at this `distance` before it; all speeds are out of the domain.
+    pub fn beyond(&self, gas: &Along, mean: &Along, distance: f64) -> Along {
         match self {
-            Self::Reservoir(reservoir) => reservoir.beyond(&gas.turned(), distance).turned(),
+            Self::Reservoir(reservoir) => reservoir
+                .beyond(&gas.turned(), &mean.turned(), distance)
+                .turned(),
             Self::Held(held) => held.beyond(gas),
         }
     }

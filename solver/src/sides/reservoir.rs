@@ -51,12 +51,12 @@ impl Reservoir {
         relaxed.filter(|gas| gas.speed >= 0.0).unwrap_or(held)
     }
 
-    /// The state beyond a face whose cell is in state `gas`, its speed into the domain, and has its mean at this `distance`
-    /// behind it: the wave that comes in crosses that at `u + c`.
-    pub fn beyond(&self, gas: &Along, distance: f64) -> Along {
+    /// The state beyond a face that `gas` reaches, its speed into the domain, from a cell whose `mean` is at this `distance` behind it: the
+    /// wave that comes in crosses that at `u + c`. It goes on from the mean; drawn out to the face it would feed on itself.
+    pub fn beyond(&self, gas: &Along, mean: &Along, distance: f64) -> Along {
         let gamma = self.plenum.gamma();
-        let time = distance / (gas.speed.max(0.0) + gas.sound(gamma));
-        self.entering(gas.waves(gamma).back, gas, time)
+        let time = distance / (mean.speed.max(0.0) + mean.sound(gamma));
+        self.entering(gas.waves(gamma).back, mean, time)
     }
 }
 

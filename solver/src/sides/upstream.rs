@@ -120,14 +120,19 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    #[test]
-    fn the_slope_of_a_plane_is_found_from_one_side_of_it() {
-        let place = Place {
-            axis: 0,
-            end: 1,
+    /// The plane across `axis` at the origin, with the gas before its `end`.
+    fn side(axis: usize, end: usize) -> Place {
+        Place {
+            axis,
+            end,
             face: 0.0,
             part: None,
-        };
+        }
+    }
+
+    #[test]
+    fn the_slope_of_a_plane_is_found_from_one_side_of_it() {
+        let place = side(0, 1);
         let value = |x: &Vector<2>| [2.0 - 3.0 * x[0] + 0.7 * x[1], 1.0 + x[0] + 4.0 * x[1]];
         let mut upstream = Upstream::new(place, 0.1);
         let points = (-4..4).flat_map(|i| (-4..4).map(move |j| (i, j)));
@@ -147,12 +152,7 @@ mod tests {
 
     #[test]
     fn a_row_alone_has_a_slope_along_itself_and_nothing_has_none() {
-        let place = Place {
-            axis: 1,
-            end: 0,
-            face: 0.0,
-            part: None,
-        };
+        let place = side(1, 0);
         let mut upstream = Upstream::<2, 2>::new(place, 0.1);
         let here = Vector::<2>::zeros();
         assert_eq!(upstream.slopes(&here, [1.0; 2]), [0.0; 2]);
@@ -165,12 +165,7 @@ mod tests {
 
     #[test]
     fn a_mean_is_that_of_those_near_and_of_equals_their_own() {
-        let place = Place {
-            axis: 0,
-            end: 1,
-            face: 0.0,
-            part: None,
-        };
+        let place = side(0, 1);
         let mut upstream = Upstream::<2, 2>::new(place, 0.1);
         for n in -5..6 {
             let y = 0.1 * f64::from(n);
