@@ -8,7 +8,7 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAc
 use super::formula::TimedFormula;
 use super::number::{Finite, Positive};
 use super::wall::{WallVelocity, WallWord, kind};
-use aero_solver::problem::{Side, WallKind};
+use aero_solver::problem::Side;
 
 /// What bounds the domain on one side: a word, a table of one word, or a list of a wall and the parts of it that are something else.
 #[derive(Clone, Debug, PartialEq)]
@@ -55,19 +55,6 @@ pub struct GivenEntry {
     pub velocity: Option<Vec<TimedFormula>>,
 }
 
-/// Words that name a side without further values.
-const WORDS: [&str; 9] = [
-    "inlet",
-    "outlet",
-    "free-stream",
-    "reservoir",
-    "symmetry",
-    "axis",
-    "periodic",
-    "wall",
-    "body",
-];
-
 /// The tables that a side may be.
 const TABLES: &str = "`{ wall = { .. } }`, `{ inlet = { reflecting = false } }`, `{ outlet = { pressure = .. } }`, \
     `{ reservoir = { relaxation = .. } }`, `{ free-stream = { .. } }`";
@@ -75,12 +62,6 @@ const TABLES: &str = "`{ wall = { .. } }`, `{ inlet = { reflecting = false } }`,
 /// How fast an outlet goes back to its pressure where a scene does not say: Poinsot & Lele (1992) find 0.25 to hold it while
 /// sound still leaves.
 const RELAXATION: f64 = 0.25;
-
-const WALL: Side = Side::Wall {
-    kind: WallKind::Slip,
-    velocity: 0.0,
-    acceleration: 0.0,
-};
 
 /// The table form.
 #[derive(Deserialize)]
@@ -322,20 +303,14 @@ impl<'de> Visitor<'de> for SideVisitor {
 
 /// The side that a word names.
 fn named<E: Error>(word: &str) -> Result<Side, E> {
-    Ok(match word {
-        "inlet" => Side::Inlet,
-        "outlet" => Side::Outlet,
-        "free-stream" => Side::FreeStream,
-        "reservoir" => Side::Reservoir { relaxation: None },
-        "symmetry" => Side::Symmetry,
-        "axis" => Side::Axis,
-        "periodic" => Side::Periodic,
-        "body" => Side::Body,
-        "wall" => WALL,
-        _ => return Err(E::unknown_variant(word, &WORDS)),
+    Side::named(word).ok_or_else(|| {
+        E::custom(format!(
+            "unknown variant `{word}`, expected one of {}",
+            words()
+        ))
     })
 }
 
 fn words() -> String {
-    WORDS.map(|word| format!("`{word}`")).join(", ")
+    Side::WORDS.map(|(word, _)| format!("`{word}`")).join(", ")
 }

@@ -190,8 +190,6 @@ tables! {
     biconvex = "biconvex/surface.csv";
     /// Forces on the rotating square, digitised from the Eilmer example set.
     rotating_square = "rotating_square/forces.csv";
-    /// Modified Newtonian drag of the Apollo forebody.
-    apollo_newtonian = "apollo/newtonian.csv";
     /// Taylor-Maccoll cones.
     cones = "cone/taylor_maccoll.csv";
     /// Prandtl-Meyer fans at convex corners.

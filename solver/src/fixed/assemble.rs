@@ -3,7 +3,7 @@
 use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 
-use super::build::{Beside, Builder, Findings};
+use super::build::{Beside, Builder};
 use super::cells::{Cells, Face, SideFace, WallFace, WallOwner, ordered, settled};
 use super::cut_cell::CutCell;
 use super::folding::{folded_faces, folded_sides, folded_walls};
@@ -25,11 +25,7 @@ struct Found<const D: usize> {
 
 impl<const D: usize> Builder<'_, D> {
     /// All cells, those that were `cut` among them.
-    pub(super) fn assemble(
-        &self,
-        positions: Vec<Vector<D>>,
-        cut: &[CutCell<D>],
-    ) -> (Cells<D>, Findings) {
+    pub(super) fn assemble(&self, positions: Vec<Vector<D>>, cut: &[CutCell<D>]) -> Cells<D> {
         const CHUNK: usize = 4096;
         let nodes = Nodes::new(&self.is_plain, cut);
         let targets = given(&nodes, cut);
@@ -86,16 +82,13 @@ impl<const D: usize> Builder<'_, D> {
             faces: folded_faces(all.faces, self.plot.spacing),
             walls: folded_walls(all.walls, self.about_axis),
             sides: folded_sides(all.sides),
-        };
-        let mut findings = Findings {
-            cut: cut.len(),
-            given: targets.given,
             lost: targets.lost,
             open: 0.0,
         };
-        findings.open = self.close(&mut cells);
+        self.close(&mut cells);
+        debug_assert!(cells.open < 1e-6, "faces leave a hole");
         self.bend(&mut cells);
-        (cells, findings)
+        cells
     }
 
     fn radius(&self, number: usize, offset: f64) -> f64 {
@@ -279,10 +272,9 @@ impl<const D: usize> Builder<'_, D> {
         });
     }
 
-    /// Lets the walls take what rounding left open; says how much that was at most.
-    fn close(&self, cells: &mut Cells<D>) -> f64 {
+    /// Lets the walls take what rounding left open.
+    fn close(&self, cells: &mut Cells<D>) {
         let sums = cells.open_areas(self.about_axis);
-        let mut most = 0.0_f64;
         let mut largest: Vec<Option<usize>> = vec![None; cells.points.len()];
         for (number, wall) in cells.walls.iter().enumerate() {
             let known = &mut largest[wall.i as usize];
@@ -293,12 +285,11 @@ impl<const D: usize> Builder<'_, D> {
         }
         for (i, sum) in sums.iter().enumerate() {
             let unit = self.cloud.places[i].spacing.powi(D as i32 - 1);
-            most = most.max(sum.norm() / unit);
+            cells.open = cells.open.max(sum.norm() / unit);
             if let Some(wall) = largest[i] {
                 cells.walls[wall].area -= sum;
             }
         }
-        most
     }
 
     /// Says how the walls bend.

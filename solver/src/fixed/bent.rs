@@ -55,14 +55,14 @@ pub struct Layout<'a, const D: usize> {
     pub points: &'a [Vector<D>],
 }
 
-/// Adds to what the cells of a block gain what the faces around its bends let through more than the `usual` flux.
+/// Adds to what the cells of a block gain what the faces around its bends let through more than the `usual` flux, face by face.
 pub fn turn<G: Gas, const D: usize>(
     gas: &G,
     fans: &[Standing<'_, D>],
     Layout { net, block, points }: Layout<'_, D>,
     flow: Flow<'_, D>,
     cells: &mut [Conserved<D>],
-    usual: impl Fn(&Face) -> Conserved<D>,
+    usual: &[Conserved<D>],
 ) {
     let start = block.cells.start;
     for standing in fans {
@@ -70,7 +70,8 @@ pub fn turn<G: Gas, const D: usize>(
             let face = &block.faces[number as usize];
             let shape = &net.face_shapes[face.shape as usize];
             let bent = standing.bend.face(points, face, shape);
-            let Some(more) = standing.more(gas, &bent, (face, shape), flow, &usual) else {
+            let usual = &usual[number as usize];
+            let Some(more) = standing.more(gas, &bent, (face, shape), flow, usual) else {
                 continue;
             };
             for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
@@ -134,7 +135,7 @@ impl<const D: usize> Standing<'_, D> {
         bent: &BentFace<D>,
         (face, shape): (&Face, &FaceShape<D>),
         flow: Flow<'_, D>,
-        usual: impl FnOnce(&Face) -> Conserved<D>,
+        usual: &Conserved<D>,
     ) -> Option<Conserved<D>> {
         let fan = &self.fan;
         let near = fan.nearness(bent.away);
@@ -163,7 +164,7 @@ impl<const D: usize> Standing<'_, D> {
             let jump = Jump::new(gas, left, right, normal);
             flux = flux.plus(part * shape.size, &jump.hllc());
         }
-        let more = flux.plus(-1.0, &usual(face));
+        let more = flux.plus(-1.0, usual);
         Some(Conserved::ZERO.plus(weight, &more))
     }
 }

@@ -13,19 +13,6 @@ use super::voronoi::Voronoi;
 use super::whole::Whole;
 use crate::problem::Side;
 
-/// What was found on the way.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-pub struct Findings {
-    /// Cells that were cut out one by one.
-    pub cut: usize,
-    /// Pieces behind thin parts that were given to a neighbour.
-    pub given: usize,
-    /// Pieces that nobody could take.
-    pub lost: usize,
-    /// Largest part of a cell's faces that did not close before its wall took it, in spacings to their power.
-    pub open: f64,
-}
-
 /// Cells of a cloud, and what cells of the next one may take over.
 #[derive(Clone, Debug)]
 pub struct Built<const D: usize> {
@@ -33,8 +20,6 @@ pub struct Built<const D: usize> {
     pub cells: Cells<D>,
     /// Those that were cut out one by one.
     pub cut: Vec<CutCell<D>>,
-    /// What was found on the way.
-    pub findings: Findings,
     /// Which cell of the earlier cloud each is the same as; [`NOBODY`] where it is new.
     pub same: Vec<u32>,
 }
@@ -50,25 +35,14 @@ pub struct Builder<'a, const D: usize> {
     keeps_rings: bool,
 }
 
-/// The cells of a cloud.
-pub fn cells<const D: usize>(plot: &Plot<'_, D>, cloud: &Cloud<D>) -> (Cells<D>, Findings) {
-    let built = built(plot, cloud);
-    (built.cells, built.findings)
-}
-
 /// The cells of a cloud, with what the next cloud may take over.
 pub fn built<const D: usize>(plot: &Plot<'_, D>, cloud: &Cloud<D>) -> Built<D> {
     let builder = Builder::new(*plot, cloud);
     let positions = cloud.positions();
     let cut = builder.cut_cells(&positions);
     let same = vec![NOBODY; positions.len()];
-    let (cells, findings) = builder.assemble(positions, &cut);
-    Built {
-        cells,
-        cut,
-        findings,
-        same,
-    }
+    let cells = builder.assemble(positions, &cut);
+    Built { cells, cut, same }
 }
 
 impl<'a, const D: usize> Builder<'a, D> {

@@ -22,6 +22,10 @@ pub struct Cells<const D: usize> {
     pub walls: Vec<WallFace<D>>,
     /// On the other sides of the domain.
     pub sides: Vec<SideFace<D>>,
+    /// Pieces behind thin parts that nobody could take.
+    pub lost: usize,
+    /// Largest part of a cell's faces that did not close before its wall took it, in spacings to their power.
+    pub open: f64,
 }
 
 /// A face between two cells, `i < j`.

@@ -1,4 +1,4 @@
-//! The points: a lattice with its cells split where asked, moved off the walls, or points supplied by hand.
+//! The points: a lattice with its cells split where asked, moved off the walls.
 //!
 //! Points stand in the order of a Morton curve, so that runs of them are compact (Morton 1966).
 
@@ -7,9 +7,8 @@ use std::collections::{HashMap, HashSet};
 use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 use foldhash::fast::FixedState;
-use rayon::slice::ParallelSliceMut;
 
-use super::plot::{Plot, off_the_walls};
+use super::plot::Plot;
 use super::site::{Site, steps};
 
 /// No point.
@@ -50,35 +49,6 @@ pub struct Cloud<const D: usize> {
 }
 
 impl<const D: usize> Cloud<D> {
-    /// Points supplied by hand, each with the spacing around it; those in bodies or outside of the domain are left out.
-    pub fn of_points(plot: &Plot<'_, D>, points: &[(Vector<D>, f64)]) -> Self {
-        let mut cloud = Self::empty(plot);
-        cloud.places = points
-            .par_iter()
-            .filter_map(|&(position, spacing)| loose(plot, position, spacing))
-            .collect();
-        cloud.sort();
-        cloud.number();
-        cloud
-    }
-
-    /// The same cloud with `points` in place of all lattice points for which `keep` does not hold.
-    #[must_use]
-    pub fn with_points(
-        mut self,
-        plot: &Plot<'_, D>,
-        points: &[Vector<D>],
-        keep: impl Fn(&Place<D>) -> bool,
-    ) -> Self {
-        self.places.retain(keep);
-        let spacing = plot.spacing;
-        self.places
-            .extend(points.iter().filter_map(|&p| loose(plot, p, spacing)));
-        self.sort();
-        self.number();
-        self
-    }
-
     pub(super) fn empty(plot: &Plot<'_, D>) -> Self {
         Self {
             spacing: plot.spacing,
@@ -149,45 +119,4 @@ impl<const D: usize> Cloud<D> {
             }
         }
     }
-
-    /// Sorts the points along a Morton curve.
-    fn sort(&mut self) {
-        let fine = self
-            .places
-            .iter()
-            .fold(self.spacing, |least, place| least.min(place.spacing));
-        let bits = 63 / D as u32;
-        let key = |place: &Place<D>| {
-            let cell: [u64; D] = std::array::from_fn(|k| {
-                ((place.position[k] - self.corner[k]) / fine).max(0.0) as u64
-            });
-            let mut code = 0_u64;
-            for bit in (0..bits).rev() {
-                for axis in cell {
-                    code = code << 1 | axis >> bit & 1;
-                }
-            }
-            code
-        };
-        self.places.par_sort_by_cached_key(key);
-    }
-}
-
-/// A point on no lattice, off the walls.
-fn loose<const D: usize>(
-    plot: &Plot<'_, D>,
-    position: Vector<D>,
-    spacing: f64,
-) -> Option<Place<D>> {
-    if !plot.domain.bounds.contains(&position) {
-        return None;
-    }
-    let (position, distance, _) = off_the_walls(plot, position, spacing)?;
-    Some(Place {
-        position,
-        spacing,
-        distance,
-        site: None,
-        is_moved: true,
-    })
 }

@@ -1,53 +1,28 @@
 //! What flows through the faces of a block: reconstruct, solve the Riemann problem, add up.
 
-use std::{array, slice};
+use std::array;
 
-use aero_geometry::Vector;
 use pulp::{Simd, WithSimd};
 
-use super::bent::{Layout, fans, press, turn};
 use super::calmness::{smoothness, steepness};
 use super::energy::{EnergyFlux, carried};
 use super::gas::Gas;
 use super::gather::{gather, gather_state, stored};
 use super::hll::Jump;
-use super::kink::hold;
 use super::net::{Block, Face, Net};
 use super::real::{Lane, MAX_LANES, Real};
 use super::reconstruction::{Neighbours, moved, rise};
-use super::slopes::{Flow, Slopes};
+use super::slopes::Flow;
 use super::slow::meeting;
 use super::state::{Conserved, Primitive, dot, scaled};
-use super::viscous::{Rubbing, WallShare};
-use super::walls::push;
 
-/// What the cells of a block gain per time.
-#[derive(Clone, Debug)]
-pub struct Gains<const D: usize> {
-    /// Cell by cell.
-    pub cells: Vec<Conserved<D>>,
-    /// Through walls and sides, all cells.
-    pub boundary: Conserved<D>,
-}
-
-impl<const D: usize> Gains<D> {
-    /// Nothing, of so many cells.
-    fn nothing(cells: usize) -> Self {
-        Self {
-            cells: vec![Conserved::ZERO; cells],
-            boundary: Conserved::ZERO,
-        }
-    }
-}
-
-/// Sums up the faces of `block`; pressures on its walls go to `pressures`.
-pub struct Exchange<'a, G, const D: usize> {
+/// The pass over the faces of a block, as many at once as the processor has lanes. What is not of faces is left to [`super::exchange`], which is
+/// compiled once for all processors.
+pub struct Through<'a, G, const D: usize> {
     /// The gas.
     pub gas: &'a G,
     /// All faces.
     pub net: &'a Net<D>,
-    /// The points of all cells.
-    pub points: &'a [Vector<D>],
     /// How energy goes through them.
     pub energy: EnergyFlux,
     /// Least Mach number that gas counts by where it meets, see [`super::slow`].
@@ -56,57 +31,37 @@ pub struct Exchange<'a, G, const D: usize> {
     pub block: &'a Block<D>,
     /// The flow.
     pub flow: Flow<'a, D>,
-    /// Pressure on each wall of the block.
-    pub pressures: &'a mut [f64],
-    /// Of viscous gas.
-    pub rubbing: Option<Rubbing<'a, D>>,
-    /// What each wall of the block does to viscous gas.
-    pub shares: &'a mut [WallShare<D>],
+    /// Whether gas meets in the middle of each face, also where that is not halfway between the cells.
+    pub in_the_middle: bool,
+    /// Whether the flux through each face is asked for.
+    pub keeps_fluxes: bool,
 }
 
-impl<'a, G, const D: usize> Exchange<'a, G, D> {
-    /// The same of another gas.
-    pub fn of<H>(self, gas: &'a H) -> Exchange<'a, H, D> {
-        Exchange {
-            gas,
-            net: self.net,
-            points: self.points,
-            energy: self.energy,
-            least_mach: self.least_mach,
-            block: self.block,
-            flow: self.flow,
-            pressures: self.pressures,
-            rubbing: self.rubbing,
-            shares: self.shares,
-        }
-    }
+/// What went through the faces of a block.
+pub struct Passed<const D: usize> {
+    /// What each cell gained, per time.
+    pub cells: Vec<Conserved<D>>,
+    /// Flux through the whole of each face, where asked for.
+    pub fluxes: Vec<Conserved<D>>,
 }
 
-impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
-    type Output = Gains<D>;
+impl<G: Gas, const D: usize> WithSimd for Through<'_, G, D> {
+    type Output = Passed<D>;
 
     #[inline(always)]
-    fn with_simd<S: Simd>(self, simd: S) -> Gains<D> {
+    fn with_simd<S: Simd>(self, simd: S) -> Passed<D> {
         let Self {
-            gas,
-            net,
-            points,
-            energy,
-            least_mach,
-            block,
-            flow,
-            pressures,
-            rubbing,
-            shares,
+            net, block, flow, ..
         } = self;
         let start = block.cells.start;
         let mut cells = vec![Conserved::ZERO; block.cells.len()];
+        let mut fluxes = Vec::new();
         for faces in block.faces.chunks(S::F64_LANES) {
             let mut batch = Batch::new(simd, net, faces, flow);
-            if rubbing.is_some() {
+            if self.in_the_middle {
                 batch.find_skews(simd, net, faces);
             }
-            let flux = batch.flux(gas, energy, least_mach);
+            let flux = batch.flux(self.gas, self.energy, self.least_mach);
             let flux = stored(&flux);
             for (face, flux) in faces.iter().zip(&flux) {
                 for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
@@ -115,59 +70,11 @@ impl<G: Gas, const D: usize> WithSimd for Exchange<'_, G, D> {
                     }
                 }
             }
-        }
-        // Gas that rubs sticks to walls: no fan stands at their bends.
-        let stand = rubbing.is_none().then(|| fans(gas, block, flow));
-        let fans = stand.unwrap_or_default();
-        let layout = Layout { net, block, points };
-        turn(gas, &fans, layout, flow, &mut cells, |face| {
-            let batch = Batch::new(simd, net, slice::from_ref(face), flow);
-            stored(&batch.flux(gas, energy, least_mach))[0]
-        });
-        let rubbed = rubbing.map(|rubbing| {
-            let mut gains = Gains::nothing(cells.len());
-            rubbing.add(net, block, flow, &mut gains, shares);
-            gains
-        });
-        let mut boundary = Conserved::ZERO;
-        for (wall, pressure) in block.walls.iter().zip(pressures.iter_mut()) {
-            let i = wall.i as usize;
-            let Slopes { along, calmness } = &flow.slopes[i];
-            *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
-        }
-        press(gas, &fans, layout, flow, pressures);
-        if rubbed.is_none() {
-            hold(gas, block, flow, pressures);
-        }
-        for (wall, pressure) in block.walls.iter().zip(pressures) {
-            let i = wall.i as usize;
-            let gain = push(&wall.image, *pressure);
-            boundary = boundary.plus(1.0, &gain);
-            cells[i - start] = cells[i - start].plus(1.0, &gain);
-        }
-        for side in &block.sides {
-            let i = side.i as usize;
-            let own = rubbed.as_ref().map(|gains| {
-                Conserved::ZERO.plus(1.0 / net.cell(i).volume, &gains.cells[i - start])
-            });
-            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i], own.as_ref());
-            boundary = boundary.plus(-side.image.size, &flux);
-            cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
-        }
-        // Rings press outwards on the gas that goes around with them.
-        if D > 1 {
-            for (cell, i) in cells.iter_mut().zip(block.cells.clone()) {
-                cell.momentum[1] += flow.states[i].pressure * net.cell(i).hoop;
+            if self.keeps_fluxes {
+                fluxes.extend_from_slice(&flux[..faces.len()]);
             }
         }
-        let mut gains = Gains { cells, boundary };
-        if let Some(rubbed) = rubbed {
-            gains.boundary = gains.boundary.plus(1.0, &rubbed.boundary);
-            for (cell, more) in gains.cells.iter_mut().zip(&rubbed.cells) {
-                *cell = cell.plus(1.0, more);
-            }
-        }
-        gains
+        Passed { cells, fluxes }
     }
 }
 

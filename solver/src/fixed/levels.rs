@@ -52,11 +52,6 @@ impl<const D: usize> Levels<D> {
         self.split.len()
     }
 
-    /// True where no cell is.
-    pub fn is_empty(&self) -> bool {
-        self.split.is_empty()
-    }
-
     /// The site, or the one that a periodic lattice has in its place; none beyond the ends.
     pub fn inside(&self, site: &Site<D>) -> Option<Site<D>> {
         let Some(counts) = self.counts else {

@@ -23,8 +23,6 @@ pub struct Target<const D: usize> {
 pub struct Targets<const D: usize> {
     /// By cell and piece.
     pub of_parts: Vec<Vec<Option<Target<D>>>>,
-    /// Pieces that changed hands.
-    pub given: usize,
     /// Pieces without an owner.
     pub lost: usize,
 }
@@ -106,7 +104,6 @@ pub fn given<const D: usize>(nodes: &Nodes, cut: &[CutCell<D>]) -> Targets<D> {
     for (k, cell) in cut.iter().enumerate() {
         homeless.extend((1..cell.parts.len()).map(|piece| (k, piece)));
     }
-    let total = homeless.len();
     for _ in 0..ROUNDS {
         let found: Vec<Option<Target<D>>> = homeless
             .iter()
@@ -122,7 +119,6 @@ pub fn given<const D: usize>(nodes: &Nodes, cut: &[CutCell<D>]) -> Targets<D> {
     }
     Targets {
         of_parts,
-        given: total - homeless.len(),
         lost: homeless.len(),
     }
 }
@@ -210,7 +206,7 @@ mod tests {
                 cell(2, vec![piece(true, 2, &[(1, right)])]),
             ];
             let targets = owners(&cut);
-            assert_eq!((targets.given, targets.lost), (1, 0));
+            assert_eq!(targets.lost, 0);
             let target = targets.of_parts[1][1].unwrap();
             assert_eq!(target.cell, expected);
             assert_eq!(target.offset.x, f64::from(expected) - 1.0);
@@ -235,7 +231,7 @@ mod tests {
             cell(2, vec![piece(true, 2, &[(1, 0.3)])]),
         ];
         let targets = owners(&cut);
-        assert_eq!((targets.given, targets.lost), (2, 0));
+        assert_eq!(targets.lost, 0);
         for k in [0, 1] {
             let target = targets.of_parts[k][1].unwrap();
             assert_eq!((target.cell, target.offset.x), (2, 2.0 - k as f64));
@@ -257,7 +253,7 @@ mod tests {
             cell(2, vec![piece(true, 2, &[(1, 0.9)])]),
         ];
         let targets = owners(&cut);
-        assert_eq!((targets.given, targets.lost), (1, 0));
+        assert_eq!(targets.lost, 0);
         assert_eq!(targets.of_parts[1][1].unwrap().cell, 0);
     }
 

@@ -87,6 +87,8 @@ pub struct Net<const D: usize> {
     pub cell_shapes: Vec<CellShape<D>>,
     /// What faces look like.
     pub face_shapes: Vec<FaceShape<D>>,
+    /// Pieces of cells that nobody could take.
+    pub lost: usize,
 }
 
 impl<const D: usize> Net<D> {
@@ -128,6 +130,7 @@ impl<const D: usize> Net<D> {
             shape_of: Vec::with_capacity(count),
             cell_shapes: Vec::new(),
             face_shapes: Vec::new(),
+            lost: cells.lost,
         };
         // What counts is how near a cell is, not how far around the axis it goes: the ring next to the axis would not feel its own image.
         let radius = |place: f64| if is_axisymmetric { place } else { 1.0 };

@@ -4,7 +4,7 @@ use aero_geometry::parallel::prelude::*;
 
 use super::columns::Columns;
 use super::energy::EnergyFlux;
-use super::fluxes::{Exchange, Gains};
+use super::exchange::{Exchange, Gains};
 use super::gas::AnyGas;
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};
@@ -169,8 +169,8 @@ impl<const D: usize> FixedSimulation<D> {
                     shares,
                 };
                 let gains = match &*gas {
-                    AnyGas::Ideal(gas) => arch.dispatch(exchange.of(gas)),
-                    AnyGas::Air(gas) => arch.dispatch(exchange.of(gas)),
+                    AnyGas::Ideal(gas) => exchange.of(gas).gains(*arch),
+                    AnyGas::Air(gas) => exchange.of(gas).gains(*arch),
                 };
                 let boundary = gains.boundary;
                 let start = block.cells.start;

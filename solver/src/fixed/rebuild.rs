@@ -21,13 +21,8 @@ pub fn rebuilt<const D: usize>(
     let positions = cloud.positions();
     let (cut, same) = builders[1].cut_again(&positions, &builders[0], before);
     let [_, builder] = builders;
-    let (cells, findings) = builder.assemble(positions, &cut);
-    Built {
-        cells,
-        cut,
-        findings,
-        same,
-    }
+    let cells = builder.assemble(positions, &cut);
+    Built { cells, cut, same }
 }
 
 impl<const D: usize> Builder<'_, D> {

@@ -37,7 +37,7 @@ impl Adaption {
     /// The levels after the wishes of all points of a cloud are heard: splits first, then joins of cells all of whose
     /// parts may be joined, but for those that `kept` has split.
     pub fn heard<const D: usize>(
-        &self,
+        self,
         cloud: &Cloud<D>,
         levels: &Levels<D>,
         kept: &Levels<D>,

@@ -138,7 +138,7 @@ impl<const D: usize> FixedSimulation<D> {
             ghost: self.net.blocks.iter().map(|block| block.walls.len()).sum(),
             particle_updates: self.tally.updates,
             neighbours_mean: 2.0 * faces as f64 / self.points.len() as f64,
-            leaked: 0,
+            leaked: self.net.lost,
             returned: 0,
             mirror_fallbacks: 0,
             min_density: self.tally.min_density,

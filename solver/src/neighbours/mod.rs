@@ -23,7 +23,7 @@ pub use candidates::Candidates;
 use hull::Hull;
 pub use rough::Rough;
 
-use super::vectors::Arch;
+use super::vectors::{Arch, dispatch};
 
 /// A smoothing length may grow by this factor in one step; the lists allow for it.
 pub const GROWTH: f64 = 1.03;
@@ -131,16 +131,19 @@ impl Lists {
         let per_run = self.run_targets();
         self.assemble(count.div_ceil(per_run), |number, chunk| {
             let targets = number * per_run..count.min((number + 1) * per_run);
-            arch.instructions.dispatch(Build {
-                lanes,
-                chunk,
-                targets,
-                seeker: &seeker,
-                sets,
-                rough,
-                half_step,
-                kind: &kind,
-            });
+            dispatch(
+                arch.instructions,
+                Build {
+                    lanes,
+                    chunk,
+                    targets,
+                    seeker: &seeker,
+                    sets,
+                    rough,
+                    half_step,
+                    kind: &kind,
+                },
+            );
         });
     }
 }

@@ -49,6 +49,32 @@ pub enum Side {
 }
 
 impl Side {
+    /// Those that a word tells all of.
+    pub const WORDS: [(&str, Self); 9] = [
+        ("inlet", Self::Inlet),
+        ("outlet", Self::Outlet),
+        ("free-stream", Self::FreeStream),
+        ("reservoir", Self::Reservoir { relaxation: None }),
+        ("symmetry", Self::Symmetry),
+        ("axis", Self::Axis),
+        ("periodic", Self::Periodic),
+        ("wall", Self::WALL),
+        ("body", Self::Body),
+    ];
+
+    /// A wall at rest that gas slips along.
+    pub const WALL: Self = Self::Wall {
+        kind: WallKind::Slip,
+        velocity: 0.0,
+        acceleration: 0.0,
+    };
+
+    /// The one that a word names.
+    pub fn named(word: &str) -> Option<Self> {
+        let named = Self::WORDS.into_iter().find(|(name, _)| *name == word);
+        named.map(|(_, side)| side)
+    }
+
     /// True where the flow beyond is the mirror image of the flow within.
     pub fn is_mirror(self) -> bool {
         matches!(self, Self::Symmetry | Self::Axis)

@@ -22,7 +22,7 @@ pub struct Statistics {
     pub particle_updates: u64,
     /// Mean number of neighbours within the support.
     pub neighbours_mean: f64,
-    /// Fluid particles inside a body or behind a wall now.
+    /// Fluid particles inside a body or behind a wall now; of points, pieces of gas that belong to no cell.
     pub leaked: usize,
     /// How often gas was brought back that a step had carried into a wall.
     pub returned: u64,

@@ -71,7 +71,7 @@ impl Arch {
 
     /// Runs `pass` in these instructions' vectors of `f64`.
     pub fn dispatch_double<P: Pass>(self, pass: P) -> P::Output {
-        self.instructions.dispatch(InDouble(pass))
+        dispatch(self.instructions, InDouble(pass))
     }
 
     /// Runs `pass` in these vectors.
@@ -81,16 +81,31 @@ impl Arch {
         }
         match self.instructions {
             // Half a vector of AVX-512, with all its instructions and registers.
-            #[cfg(target_arch = "x86_64")]
+            #[cfg(all(target_arch = "x86_64", not(test)))]
             pulp::Arch::V4(simd) => simd.vectorize(InEights(pass, *simd)),
             #[cfg(target_arch = "x86_64")]
             pulp::Arch::V3(simd) => simd.vectorize(InEights(pass, simd)),
+            #[cfg(all(target_arch = "x86_64", test))]
+            pulp::Arch::V4(simd) => (*simd).vectorize(InEights(pass, *simd)),
             #[cfg(target_arch = "x86_64")]
             _ => InSingle(pass).with_simd(pulp::Scalar),
             #[cfg(not(target_arch = "x86_64"))]
             instructions => instructions.dispatch(InSingle(pass)),
         }
     }
+}
+
+/// Runs `work` in the vectors of `instructions`. Unit tests are compiled for no wider ones than AVX2: what they say of those the program's tests
+/// compare with AVX-512, where the processor has it.
+pub fn dispatch<W: WithSimd>(instructions: pulp::Arch, work: W) -> W::Output {
+    #[cfg(all(target_arch = "x86_64", test))]
+    return match instructions {
+        pulp::Arch::V4(simd) => Simd::vectorize(*simd, work),
+        pulp::Arch::V3(simd) => Simd::vectorize(simd, work),
+        _ => Simd::vectorize(pulp::Scalar, work),
+    };
+    #[cfg(not(all(target_arch = "x86_64", test)))]
+    instructions.dispatch(work)
 }
 
 /// Vectors of four `f64` or eight `f32`, where the processor has them.

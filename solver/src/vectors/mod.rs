@@ -20,7 +20,7 @@ mod single;
 
 #[cfg(test)]
 pub use arch::avx2;
-pub use arch::{Arch, Pass};
+pub use arch::{Arch, Pass, dispatch};
 pub use double::Double;
 pub use single::Single;
 

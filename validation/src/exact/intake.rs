@@ -89,12 +89,6 @@ impl Intake {
         (1.0 - self.lip * turn.tan()) * turn.cos() / self.throat()
     }
 
-    /// The largest contraction with which it starts by itself: the stream behind a normal shock ahead of the lip just passes the throat.
-    pub fn starting_contraction(&self) -> Result<f64, ExactError> {
-        let behind = normal_shock(self.ramp.mach, self.gamma)?.mach;
-        Ok(area_ratio(behind, self.gamma))
-    }
-
     /// The flow that is unstarted, with a normal shock on the ramp ahead of the cowl and a `pressure` at the end of the duct, over the stream's: its
     /// Mach number ahead and total pressure follow, how much goes in too, if all of that has passed the ramp's shock.
     pub fn unstarted(&self, pressure: f64) -> Result<Unstarted, ExactError> {
@@ -209,14 +203,6 @@ mod tests {
             let area = 1.35 * intake.throat();
             assert_relative_eq!(pressure * end * area / stream, 1.0, max_relative = 1e-9);
         }
-    }
-
-    #[test]
-    fn a_smaller_contraction_than_the_limit_starts() {
-        let intake = intake();
-        assert!(intake.contraction() < intake.starting_contraction().unwrap());
-        let steep = Intake::new(2.5, 10_f64.to_radians(), 1.35, 1.4).unwrap();
-        assert!(steep.contraction() > steep.starting_contraction().unwrap());
     }
 
     /// With the pressure at which it would be full a duct behind a normal shock on the ramp takes in all; with more, less.

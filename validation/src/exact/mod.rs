@@ -17,7 +17,6 @@ pub mod intake;
 pub mod isentropic;
 pub mod karman_trefftz;
 pub mod liquid;
-pub mod newtonian;
 pub mod noh;
 pub mod normal;
 pub mod nozzle;

@@ -54,15 +54,6 @@ pub fn pitot_pressure_ratio(mach: f64, gamma: f64) -> f64 {
     shock.pressure_ratio * isentropic::pressure_ratio(shock.mach, gamma)
 }
 
-/// Density at the stagnation point of a blunt body over the free stream's, `rho02 / rho1`.
-pub fn stagnation_density_ratio(mach: f64, gamma: f64) -> f64 {
-    if mach <= 1.0 {
-        return isentropic::density_ratio(mach, gamma);
-    }
-    let shock = jump(mach, gamma);
-    shock.density_ratio * isentropic::density_ratio(shock.mach, gamma)
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -90,11 +81,6 @@ mod tests {
             pitot_pressure_ratio(10.0, 1.4),
             129.216_97,
             max_relative = 1e-7
-        );
-        assert_relative_eq!(
-            stagnation_density_ratio(10.0, 1.4),
-            6.1532,
-            max_relative = 2e-5
         );
     }
 

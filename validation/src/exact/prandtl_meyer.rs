@@ -77,27 +77,6 @@ pub fn expand(mach: f64, turn: f64, gamma: f64) -> Result<Fan, ExactError> {
     })
 }
 
-/// Mach number inside the fan on the ray `ray` radians above the oncoming stream's direction; ahead
-/// of the head it is the oncoming Mach number.
-pub fn mach_on_ray(mach: f64, ray: f64, gamma: f64) -> Result<f64, ExactError> {
-    require_gamma(gamma)?;
-    require_supersonic(mach)?;
-    if ray >= (1.0 / mach).asin() {
-        return Ok(mach);
-    }
-    let start = prandtl_meyer_angle(mach, gamma);
-    // A Mach wave leans by asin(1/M) above the local stream, which has turned down by nu - nu1.
-    let excess =
-        |inverse: f64| inverse.asin() - (prandtl_meyer_angle(1.0 / inverse, gamma) - start) - ray;
-    require(
-        excess(0.0) <= 0.0,
-        "the ray's angle in radians",
-        ray,
-        "rays above the edge of the vacuum",
-    )?;
-    Ok(1.0 / bracketed_root(excess, 0.0, 1.0 / mach))
-}
-
 /// `p`, `rho` and `T` at Mach number `to` over those at Mach number `from` of the same stream.
 pub fn ratios(from: f64, to: f64, gamma: f64) -> [f64; 3] {
     let temperature =
@@ -150,19 +129,6 @@ mod tests {
             epsilon = 1e-4
         );
         assert_abs_diff_eq!(largest_angle(1.4).to_degrees(), 130.4541, epsilon = 1e-4);
-    }
-
-    #[test]
-    fn the_fan_joins_the_streams_on_both_sides() {
-        let fan = expand(3.0, 0.3, 1.4).unwrap();
-        assert_relative_eq!(mach_on_ray(3.0, fan.head_angle, 1.4).unwrap(), 3.0);
-        let tail = mach_on_ray(3.0, fan.tail_angle, 1.4).unwrap();
-        assert_relative_eq!(tail, fan.mach, max_relative = 1e-9);
-    }
-
-    #[test]
-    fn a_ray_inside_the_vacuum_is_refused() {
-        assert!(mach_on_ray(2.5, -2.0, 1.4).is_err());
     }
 
     proptest! {

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use aero_geometry::{Bounds, Shape, Vector};
 
-use super::build::{Findings, cells};
+use super::build::built;
 use super::cells::{Cells, WallOwner};
 use super::cloud::Cloud;
 use super::levels::Levels;
@@ -43,7 +43,6 @@ fn domain<const D: usize>(low: [f64; D], high: [f64; D]) -> Domain<D> {
 /// Cells of a scene and what they were made from.
 struct Made<const D: usize> {
     cells: Cells<D>,
-    findings: Findings,
     cloud: Cloud<D>,
 }
 
@@ -88,12 +87,8 @@ impl<const D: usize> Scene<D> {
     fn made_with(&self, levels: &Levels<D>) -> Made<D> {
         let plot = self.plot();
         let cloud = Cloud::lattice(&plot, levels, self.disorder);
-        let (cells, findings) = cells(&plot, &cloud);
-        Made {
-            cells,
-            findings,
-            cloud,
-        }
+        let cells = built(&plot, &cloud).cells;
+        Made { cells, cloud }
     }
 }
 

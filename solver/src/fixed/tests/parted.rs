@@ -36,7 +36,7 @@ fn cells_are_closed_and_fill_the_domain_wherever_the_lattice_begins() {
             let split = scene.made_with(&levels);
             for made in [whole, split] {
                 assert!(made.open(false) < 1e-12, "{off}: {}", made.open(false));
-                assert_eq!(made.findings.lost, 0);
+                assert_eq!(made.cells.lost, 0);
                 let lack = made.volume() + hole - 1.23;
                 assert!(lack.abs() < allowed, "{off}: {lack}");
             }

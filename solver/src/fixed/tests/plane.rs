@@ -44,9 +44,8 @@ fn cells_around_bodies_in_the_plane_close_and_fill_the_gas() {
             let made = scene.made();
             let [area, along] = made.wall_area(&scene.solids);
             println!(
-                "{name} {disorder}: points {}, {:?}, open {:.1e}, volume {:.2e} dx2, area {area:.4} {along:.4}, least {:.3}",
+                "{name} {disorder}: points {}, open {:.1e}, volume {:.2e} dx2, area {area:.4} {along:.4}, least {:.3}",
                 made.cells.points.len(),
-                made.findings,
                 made.open(false),
                 (made.volume() - exact) / dx / dx,
                 made.cells
@@ -55,10 +54,10 @@ fn cells_around_bodies_in_the_plane_close_and_fill_the_gas() {
                     .fold(1.0_f64, |a, v| a.min(v / dx / dx)),
             );
             assert!(
-                made.findings.open < 1e-12 && made.open(false) < 1e-12,
+                made.cells.open < 1e-12 && made.open(false) < 1e-12,
                 "{name}"
             );
-            assert_eq!(made.findings.lost, 0, "{name}");
+            assert_eq!(made.cells.lost, 0, "{name}");
             assert!((made.volume() - exact).abs() < 0.25 * dx * dx, "{name}");
         }
     }
@@ -108,7 +107,7 @@ fn corners_of_endless_walls_leave_the_gas_that_is_above_them() {
         let scene = Scene::new(duct.clone(), vec![ramp.clone()], dx).disordered(disorder);
         let made = scene.made();
         let exact = 6.0 - 0.5 * 1.97 * 1.97 * slope;
-        assert!(made.findings.open < 1e-12);
+        assert!(made.cells.open < 1e-12);
         assert!((made.volume() - exact).abs() < 1e-6 * dx * dx);
         let [area, _] = made.wall_area(&scene.solids);
         assert!((area - 1.03 - 1.97 * (1.0 + slope * slope).sqrt()).abs() < 1e-7);

@@ -39,9 +39,9 @@ fn cells_around_bodies_in_space_close_and_fill_the_gas() {
                 .disordered(disorder)
                 .made();
             // Where a facet of a cell lies in a wall the skin shows, and the wall takes it.
-            assert!(made.findings.open < 1e-8, "{name}: {:?}", made.findings);
+            assert!(made.cells.open < 1e-8, "{name}: {}", made.cells.open);
             assert!(made.open(false) < 1e-12, "{name}");
-            assert_eq!(made.findings.lost, 0, "{name}");
+            assert_eq!(made.cells.lost, 0, "{name}");
             // The round ones are polyhedra here.
             let miss = (made.volume() - exact) / dx.powi(3);
             assert!(miss.abs() < 4.0, "{name}: {miss}");
@@ -192,8 +192,8 @@ fn a_surface_of_triangles_is_cut_like_the_body_it_stands_for() {
     let plate = Scene::new(boxed(), vec![Arc::new(mesh)], dx).disordered(0.2);
     let exact = Scene::new(boxed(), vec![block([0.7, 0.04, 0.5])], dx).disordered(0.2);
     let (plate, exact) = (plate.made(), exact.made());
-    assert!(plate.findings.open < 1e-12);
-    assert_eq!(plate.findings.lost, 0);
+    assert!(plate.cells.open < 1e-12);
+    assert_eq!(plate.cells.lost, 0);
     assert!((plate.volume() - exact.volume()).abs() < 0.1 * dx.powi(3));
     let sum = |made: &Made<3>| -> f64 { made.cells.walls.iter().map(|w| w.area.norm()).sum() };
     assert!((sum(&plate) - sum(&exact)).abs() < 0.1 * dx * dx);

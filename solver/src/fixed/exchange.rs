@@ -1,0 +1,156 @@
+//! What the cells of a block gain: through faces, walls and sides, and by rings that press outwards.
+
+use aero_geometry::Vector;
+
+use super::bent::{Layout, fans, press, turn};
+use super::energy::EnergyFlux;
+use super::fluxes::{Passed, Through};
+use super::gas::Gas;
+use super::kink::hold;
+use super::net::{Block, Net};
+use super::slopes::{Flow, Slopes};
+use super::state::Conserved;
+use super::viscous::{Rubbing, WallShare};
+use super::walls::push;
+use crate::vectors::dispatch;
+
+/// What the cells of a block gain per time.
+#[derive(Clone, Debug)]
+pub struct Gains<const D: usize> {
+    /// Cell by cell.
+    pub cells: Vec<Conserved<D>>,
+    /// Through walls and sides, all cells.
+    pub boundary: Conserved<D>,
+}
+
+impl<const D: usize> Gains<D> {
+    /// Nothing, of so many cells.
+    fn nothing(cells: usize) -> Self {
+        Self {
+            cells: vec![Conserved::ZERO; cells],
+            boundary: Conserved::ZERO,
+        }
+    }
+}
+
+/// Sums up the faces of `block`; pressures on its walls go to `pressures`.
+pub struct Exchange<'a, G, const D: usize> {
+    /// The gas.
+    pub gas: &'a G,
+    /// All faces.
+    pub net: &'a Net<D>,
+    /// The points of all cells.
+    pub points: &'a [Vector<D>],
+    /// How energy goes through them.
+    pub energy: EnergyFlux,
+    /// Least Mach number that gas counts by where it meets, see [`super::slow`].
+    pub least_mach: f64,
+    /// Those to sum up.
+    pub block: &'a Block<D>,
+    /// The flow.
+    pub flow: Flow<'a, D>,
+    /// Pressure on each wall of the block.
+    pub pressures: &'a mut [f64],
+    /// Of viscous gas.
+    pub rubbing: Option<Rubbing<'a, D>>,
+    /// What each wall of the block does to viscous gas.
+    pub shares: &'a mut [WallShare<D>],
+}
+
+impl<'a, G, const D: usize> Exchange<'a, G, D> {
+    /// The same of another gas.
+    pub fn of<H>(self, gas: &'a H) -> Exchange<'a, H, D> {
+        Exchange {
+            gas,
+            net: self.net,
+            points: self.points,
+            energy: self.energy,
+            least_mach: self.least_mach,
+            block: self.block,
+            flow: self.flow,
+            pressures: self.pressures,
+            rubbing: self.rubbing,
+            shares: self.shares,
+        }
+    }
+}
+
+impl<G: Gas, const D: usize> Exchange<'_, G, D> {
+    /// What the cells gain.
+    pub fn gains(self, arch: pulp::Arch) -> Gains<D> {
+        let Self {
+            gas,
+            net,
+            points,
+            block,
+            flow,
+            pressures,
+            rubbing,
+            shares,
+            ..
+        } = self;
+        let start = block.cells.start;
+        // Gas that rubs sticks to walls: no fan stands at their bends.
+        let stand = rubbing.is_none().then(|| fans(gas, block, flow));
+        let fans = stand.unwrap_or_default();
+        let Passed { mut cells, fluxes } = dispatch(
+            arch,
+            Through {
+                gas,
+                net,
+                energy: self.energy,
+                least_mach: self.least_mach,
+                block,
+                flow,
+                in_the_middle: rubbing.is_some(),
+                keeps_fluxes: !fans.is_empty(),
+            },
+        );
+        let layout = Layout { net, block, points };
+        turn(gas, &fans, layout, flow, &mut cells, &fluxes);
+        let rubbed = rubbing.map(|rubbing| {
+            let mut gains = Gains::nothing(cells.len());
+            rubbing.add(net, block, flow, &mut gains, shares);
+            gains
+        });
+        let mut boundary = Conserved::ZERO;
+        for (wall, pressure) in block.walls.iter().zip(pressures.iter_mut()) {
+            let i = wall.i as usize;
+            let Slopes { along, calmness } = &flow.slopes[i];
+            *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
+        }
+        press(gas, &fans, layout, flow, pressures);
+        if rubbed.is_none() {
+            hold(gas, block, flow, pressures);
+        }
+        for (wall, pressure) in block.walls.iter().zip(pressures) {
+            let i = wall.i as usize;
+            let gain = push(&wall.image, *pressure);
+            boundary = boundary.plus(1.0, &gain);
+            cells[i - start] = cells[i - start].plus(1.0, &gain);
+        }
+        for side in &block.sides {
+            let i = side.i as usize;
+            let own = rubbed.as_ref().map(|gains| {
+                Conserved::ZERO.plus(1.0 / net.cell(i).volume, &gains.cells[i - start])
+            });
+            let flux = side.flux(gas, &flow.states[i], &flow.slopes[i], own.as_ref());
+            boundary = boundary.plus(-side.image.size, &flux);
+            cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
+        }
+        // Rings press outwards on the gas that goes around with them.
+        if D > 1 {
+            for (cell, i) in cells.iter_mut().zip(block.cells.clone()) {
+                cell.momentum[1] += flow.states[i].pressure * net.cell(i).hoop;
+            }
+        }
+        let mut gains = Gains { cells, boundary };
+        if let Some(rubbed) = rubbed {
+            gains.boundary = gains.boundary.plus(1.0, &rubbed.boundary);
+            for (cell, more) in gains.cells.iter_mut().zip(&rubbed.cells) {
+                *cell = cell.plus(1.0, more);
+            }
+        }
+        gains
+    }
+}
