@@ -54,6 +54,20 @@ fn shells_and_manuals_are_served() {
     );
 }
 
+#[test]
+fn the_program_is_installed_as_the_readme_says_without_symbols() {
+    let read = |name: &str| {
+        let path = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join(name);
+        std::fs::read_to_string(path).unwrap()
+    };
+    assert!(read("README.md").contains("`cargo install --path .`"));
+    let manifest: toml::Table = read("Cargo.toml").parse().unwrap();
+    assert_eq!(
+        manifest["profile"]["release"]["strip"].as_bool(),
+        Some(true)
+    );
+}
+
 /// A lens at Mach 3 about a few points that stay.
 const LENS: &str = r#"
 dimension = 2
@@ -136,4 +150,24 @@ fn a_sweep_makes_a_polar_and_keeps_what_is_done() {
     place
         .aero(&["sweep", "lens.toml", "--mach", "1..2"])
         .refuses(&["no step"]);
+}
+
+#[test]
+fn a_sweep_tells_which_of_its_points_have_not_settled() {
+    let place = Workplace::new();
+    let ends = LENS
+        .replace("stop = \"steady\"", "")
+        .replace("end_time = 20.0", "end_time = 0.1");
+    place.write("lens.toml", ends);
+    let answer = place.aero(&["sweep", "lens.toml", "--incidence", "0,2"]);
+    answer.succeeds();
+    assert!(
+        answer.out.contains("2 of 2 rows are not settled"),
+        "{}",
+        answer.out
+    );
+    let rows = place.json("out/lens-sweep/sweep.json");
+    for row in rows.as_array().unwrap() {
+        assert_eq!(row["settled"], false, "{row}");
+    }
 }

@@ -185,6 +185,85 @@ fn a_scene_is_written_as_it_would_be_run() {
 }
 
 #[test]
+fn a_scene_holds_all_that_is_asked_of_a_flight_in_a_box_that_its_waves_leave() {
+    let place = Workplace::new();
+    place.write("cone.stl", cone(36));
+    let scene = |mach: &str, roll: &str| {
+        let air = "--pressure 2e4 --temperature 250";
+        let how = "--incidence 5 --sideslip 3 --unit mm --axis -z,+x --motion with-the-gas";
+        let line = format!(
+            "fly cone.stl --mach {mach} --roll {roll} {air} {how} --spacing 1e-4 --minutes 0.2 --scene it.toml"
+        );
+        let answer = place.aero(&line.split(' ').collect::<Vec<_>>());
+        answer.succeeds();
+        assert!(answer.out.contains("up is +x"), "{}", answer.out);
+        std::fs::read_to_string(place.path("it.toml")).expect("a scene")
+    };
+    let scenes = [scene("1.5", "0"), scene("3", "30")];
+    for line in [
+        "mach = 1.5",
+        "pressure = 20000.0",
+        "temperature = 250.0",
+        "incidence = 5.0",
+        "sideslip = 3.0",
+        "unit = \"mm\"",
+        "stop = \"steady\"",
+        "z_min = \"free-stream\"",
+    ] {
+        assert!(scenes[0].contains(line), "`{line}` in {}", scenes[0]);
+    }
+    assert!(!scenes[0].contains("fixed"), "{}", scenes[0]);
+    let [slow, fast] = scenes.map(|scene| scene.parse::<toml::Table>().expect("TOML"));
+    assert_ne!(slow["body"][0]["place"], fast["body"][0]["place"]);
+    // Shocks stand steeper in a slower stream.
+    let [slow, fast] = [slow, fast].map(|scene| scene["domain"]["max"][1].as_float());
+    assert!(slow > fast.map(|top| 1.5 * top), "{slow:?} {fast:?}");
+}
+
+#[test]
+fn a_flight_at_an_incidence_has_lift_moment_and_centre_of_pressure_with_their_bands() {
+    let place = Workplace::new();
+    place.write("cone.stl", cone(36));
+    let answer = place.aero(&[
+        "fly",
+        "cone.stl",
+        "--mach",
+        "3",
+        "--incidence",
+        "5",
+        "--spacing",
+        "0.2",
+        "--minutes",
+        "1",
+    ]);
+    answer.succeeds();
+    let found = place.json("out/cone-fly/fly.json");
+    let point = &found["points"][0];
+    let number = |key: &str| point[key].as_f64().unwrap_or_else(|| panic!("{key}"));
+    for key in ["cl", "cd", "centre_of_pressure", "lift_to_drag"] {
+        assert!(number(key) > 0.0, "{point}");
+    }
+    for key in ["cd_band", "cl_band", "cm_band", "centre_of_pressure_band"] {
+        assert!(number(key).is_finite() && number(key) > 0.0, "{point}");
+    }
+    assert!((number("lift_to_drag") * number("cd") / number("cl") - 1.0).abs() < 1e-9);
+    let levels = found["levels"].as_array().expect("runs");
+    assert!(
+        levels.len() > 2 && levels.iter().all(|level| level["settled"] == true),
+        "{found}"
+    );
+    let second = std::fs::read_to_string(place.path("out/cone-fly/spacing-2/run.toml"));
+    let second = second.expect("a scene");
+    let start = second
+        .lines()
+        .find(|line| line.starts_with("initial.frame"));
+    assert!(
+        start.is_some_and(|line| line.contains("spacing-1/frame-")),
+        "{second}"
+    );
+}
+
+#[test]
 fn a_spacing_far_below_the_body_is_halved_down_to_and_its_time_is_one_that_can_be() {
     let place = Workplace::new();
     place.write("cone.stl", cone(36));

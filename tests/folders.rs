@@ -24,15 +24,25 @@ fn what_another_scene_has_left_is_not_written_over_unasked() {
 fn two_runs_share_no_folder_and_the_dead_hold_none() {
     let place = Workplace::new();
     place.write("scene.toml", BOX);
-    std::fs::create_dir(place.path("results")).expect("a folder");
-    let lock = std::fs::File::create(place.path("results/.lock")).expect("a file");
-    lock.lock().expect("a lock");
-    place
-        .aero(&RUN)
-        .refuses(&["another run is writing", "results"]);
+    let long = [&RUN[..], &["--set", "end_time=1e9"]].concat();
+    let mut first = std::process::Command::new(assert_cmd::cargo::cargo_bin("aero"))
+        .current_dir(place.path(""))
+        .args(&long)
+        .stderr(std::process::Stdio::null())
+        .spawn()
+        .expect("the program");
+    let begun = std::time::Instant::now();
+    while !place.path("results/run.toml").exists() {
+        assert!(begun.elapsed().as_secs() < 60, "it does not begin");
+        std::thread::sleep(std::time::Duration::from_millis(20));
+    }
+    let second = place.aero(&RUN);
+    first.kill().expect("a process");
+    first.wait().expect("its end");
+    second.refuses(&["another run is writing", "results"]);
     // The file stays, as after a crash; nobody holds it.
-    drop(lock);
-    place.aero(&RUN).succeeds();
+    assert!(place.path("results/.lock").exists());
+    place.run(BOX, &[]).succeeds();
 }
 
 /// The compression corner about points that stay, without an end.
@@ -103,8 +113,19 @@ fn a_scene_converges_to_oblique_shock_theory() {
     let answer = place.aero(&arguments);
     answer.succeeds();
     assert!(answer.out.contains("order"), "{}", answer.out);
+    assert!(place.path("study/converge.svg").exists());
+    let second = std::fs::read_to_string(place.path("study/spacing-2/run.toml")).expect("a scene");
+    let start = second
+        .lines()
+        .find(|line| line.starts_with("initial.frame"));
+    assert!(
+        start.is_some_and(|line| line.contains("spacing-1/frame-")),
+        "{second}"
+    );
     let rows = place.json("study/converge.json");
     let row = &rows[0];
+    // These three show none.
+    assert!(row.get("order").is_some(), "{row}");
     assert_eq!(
         (row["body"].as_str(), row["coefficient"].as_str()),
         (Some("ramp"), Some("cd"))

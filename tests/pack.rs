@@ -223,6 +223,7 @@ fn what_is_wrong_with_a_packing_is_told_by_every_command_in_the_same_words() {
     packed.succeeds();
     let report = place.json("out/foil/foil-pack.json");
     let warning = report["warnings"][0].as_str().unwrap().to_owned();
+    assert!(warning.contains("gas may pass through"), "{warning}");
     assert!(
         packed.out.contains(&format!("warning: {warning}")),
         "{}",

@@ -85,7 +85,58 @@ fn a_run_says_at_its_end_whether_its_forces_have_settled() {
     let words = format!("not settled: +- {swing:.1} %");
     assert!(swing > 1.0 && early.contains(&words), "{swing}: {early}");
     let settles = ["--set", "stop=\"steady\"", "--set", "scheme.motion=fixed"];
-    let (settled, _) = told(&settles);
+    let about_the_tail = ["--set", "body.plate.moment_centre=[1.0, 0.0]"];
+    let (settled, summary) = told(&[&settles[..], &about_the_tail].concat());
     assert!(settled.contains("settled after"), "{settled}");
     assert!(!settled.contains("not settled"), "{settled}");
+    check_coefficients(&place, &summary["bodies"]["plate"]);
+}
+
+/// The history ends with the coefficients of the summary, those of both axes are one force, and lift before the point of the moments is
+/// nose up. Thin plates have their lift in their middle [Liepmann & Roshko 1957, section 4.17].
+fn check_coefficients(place: &Workplace, plate: &serde_json::Value) {
+    let names = ["cd", "cl", "cm", "ca", "cn"];
+    let [cd, cl, cm, ca, cn] = names.map(|name| plate[name].as_f64().expect(name));
+    let text = std::fs::read_to_string(place.path("out/plate/history.csv")).expect("a history");
+    let mut columns = text.lines().next().expect("a header").split(',');
+    let first = columns.position(|name| name == "plate.cd").expect("cd");
+    let names: Vec<&str> = columns.take(2).collect();
+    assert_eq!(names, ["plate.cl", "plate.cm"]);
+    let last = text.lines().last().expect("a row").split(',').skip(first);
+    let last: Vec<f64> = last
+        .take(3)
+        .map(|cell| cell.parse().expect("a number"))
+        .collect();
+    for (last, told) in last.iter().zip([cd, cl, cm]) {
+        assert!((last - told).abs() < 1e-12, "{last} {told}");
+    }
+    let (sin, cos) = 3_f64.to_radians().sin_cos();
+    assert!((ca * cos + cn * sin - cd).abs() < 1e-12 && (cn * cos - ca * sin - cl).abs() < 1e-12);
+    assert!(cl > 0.05 && (cm / cl - 0.5).abs() < 0.1, "{cl} {cm}");
+}
+
+/// What a person sees who watches from a terminal.
+#[test]
+#[cfg(target_os = "linux")]
+fn the_bar_shows_drag_and_lift() {
+    let place = Workplace::new();
+    place.write("plate.toml", PLATE);
+    let program = assert_cmd::cargo::cargo_bin("aero");
+    let run = format!(
+        "stty cols 200; '{}' run plate.toml --set end_time=2e-4",
+        program.display()
+    );
+    let terminal = std::process::Command::new("script")
+        .current_dir(place.path(""))
+        .args(["-qefc", &run, "/dev/null"])
+        .stdin(std::process::Stdio::null())
+        .output();
+    let Ok(seen) = terminal else {
+        return;
+    };
+    let seen = String::from_utf8_lossy(&seen.stdout);
+    assert!(
+        seen.contains('%') && seen.contains(", cd ") && seen.contains(", cl "),
+        "{seen}"
+    );
 }

@@ -1,5 +1,8 @@
 //! Fields on a lattice and pictures beside the frames of a run.
 
+use std::path::Path;
+use std::process::Command;
+
 use crate::support::{BOX, Workplace, appended, box_with, read_surface, read_vtp};
 
 /// A wedge in a box of gas whose state is linear in place.
@@ -143,6 +146,16 @@ fn the_field_has_the_same_bits_for_any_number_of_threads_and_after_a_stop() {
 }
 
 #[test]
+fn the_field_may_be_of_a_part() {
+    let place = Workplace::new();
+    let region =
+        "output.field={ spacing = 0.05, region = { min = [0.25, 0.1], max = [0.5, 0.5] } }";
+    place.run(BOX, &["--set", region]).succeeds();
+    let density = appended(&place.path("results/field-000002.vti"), "density");
+    assert_eq!(density.map(|values| values.len()), Some(6 * 9));
+}
+
+#[test]
 fn a_scene_that_asks_for_nothing_gets_nothing() {
     let place = Workplace::new();
     place.run(BOX, &[]).succeeds();
@@ -162,6 +175,7 @@ fn pictures_are_drawn_on_lines_in_planes_and_in_space() {
         "frames = 1\npicture = { quantity = \"schlieren\" }",
     );
     let space = line
+        .replace("\"density\"", "\"density\", normal = [0.0, 1.0, 0.0], offset = 0.1")
         .replace("dimension = 1", "dimension = 3")
         .replace("[0.0]", "[0.0, 0.0, 0.0]")
         .replace("[1.0]", "[1.0, 0.5, 0.5]")
@@ -319,6 +333,39 @@ fn files_say_what_they_are_measured_by() {
             "{name}"
         );
     }
+}
+
+/// The script of `docs/VIEWING.md` reads what this run has written.
+#[test]
+fn the_script_for_viewing_is_python_and_opens_files_that_a_run_writes() {
+    let page = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/VIEWING.md");
+    let page = std::fs::read_to_string(page).expect("a page");
+    let script = page.split("```python\n").nth(1).expect("a script");
+    let script = script.split("```").next().expect("its end");
+    let place = Workplace::new();
+    place.run(LINEAR, &[]).succeeds();
+    let mut names = script.split("{folder}/").skip(1).peekable();
+    assert!(names.peek().is_some(), "{script}");
+    for name in names {
+        let name = name.split('"').next().expect("a name");
+        let path = place
+            .path("results")
+            .join(name.replace("{number}", "000001"));
+        assert!(path.exists(), "{}", path.display());
+    }
+    let path = place.write("show.py", script);
+    let compiled = Command::new("python3")
+        .args(["-m", "py_compile"])
+        .arg(path)
+        .output();
+    let Ok(compiled) = compiled else {
+        return;
+    };
+    assert!(
+        compiled.status.success(),
+        "{}",
+        String::from_utf8_lossy(&compiled.stderr)
+    );
 }
 
 #[test]

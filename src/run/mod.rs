@@ -9,6 +9,7 @@ mod destination;
 mod error;
 mod far_field;
 mod lately;
+mod leaks;
 mod outcome;
 mod outlets;
 mod probes;

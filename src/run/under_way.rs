@@ -11,7 +11,7 @@ use crate::case::{Case, RunPlan, Stop};
 use crate::output::Summary;
 use aero_solver::Flow;
 
-/// A step this short, as a part of the whole run, makes no headway: a thousand million would be
+/// A step this short, as a part of the flow's own time, makes no headway: a thousand million would be
 /// needed.
 const TINY_STEP: f64 = 1e-9;
 
@@ -116,6 +116,7 @@ impl<const D: usize> UnderWay<D> {
     fn march(&mut self, recorder: &mut dyn Recorder<D>) -> Result<Summary, RunError> {
         let end = self.plan.end_time;
         let interval = self.pace.interval;
+        let tiny = self.tiny_step();
         loop {
             let due = frame_time(self.pace.frames, interval, end);
             let dt = match self.simulation.step(due) {
@@ -130,7 +131,7 @@ impl<const D: usize> UnderWay<D> {
                 self.pace.framed_step = self.simulation.steps();
                 self.pace.frames += 1;
             }
-            self.pace.tiny_steps = if dt < TINY_STEP * end {
+            self.pace.tiny_steps = if dt < tiny {
                 self.pace.tiny_steps + 1
             } else {
                 0
@@ -168,6 +169,20 @@ impl<const D: usize> UnderWay<D> {
             None => "end time reached".into(),
         };
         Ok(self.tally.summary(&self.simulation, &reason))
+    }
+
+    /// The step below which a run makes no headway: a tiny part of the time in which the stream's fastest waves cross the domain, or of
+    /// the run where that is shorter. One that has to come to its end needs a step above its round-off, too.
+    fn tiny_step(&self) -> f64 {
+        let (problem, end) = (self.simulation.problem(), self.plan.end_time);
+        let stream = &problem.free_stream;
+        let sound = problem.gas.sound_speed_at(stream.density, stream.pressure);
+        let crossing = problem.domain.bounds.size().max() / (stream.velocity.norm() + sound);
+        let tiny = TINY_STEP * end.min(crossing);
+        match self.plan.stop {
+            Stop::EndTime => tiny.max(f64::EPSILON * end),
+            Stop::Steady => tiny,
+        }
     }
 
     /// Ends early, after the frame of where the run stands unless that was written already.
