@@ -37,20 +37,35 @@ pub fn even_out<const D: usize>(
     walls: &mut Walls<D>,
     around: &mut Neighbourhood<D>,
 ) {
+    for _ in 0..MOST {
+        if !move_apart(problem, time, fluid, buffers, walls, around) {
+            break;
+        }
+    }
+}
+
+/// Moves the particles apart once; false where they stand evenly.
+pub fn move_apart<const D: usize>(
+    problem: &Problem<D>,
+    time: f64,
+    fluid: &mut Particles<D>,
+    buffers: &mut Buffers<D>,
+    walls: &mut Walls<D>,
+    around: &mut Neighbourhood<D>,
+) -> bool {
     let moment = Moment {
         start: time,
         ahead: 0.0,
     };
-    for _ in 0..MOST {
-        prepare(problem, (time, 0.0), fluid, buffers, walls, around);
-        arrange(problem, moment, fluid, buffers, walls, around);
-        if unevenness(problem, fluid) <= TOLERANCE {
-            break;
-        }
-        sum_rates(problem, fluid, around);
-        shift(problem, fluid);
-        closed::bring_back(&problem.domain, fluid);
+    prepare(problem, (time, 0.0), fluid, buffers, walls, around);
+    arrange(problem, moment, fluid, buffers, walls, around);
+    if unevenness(problem, fluid) <= TOLERANCE {
+        return false;
     }
+    sum_rates(problem, fluid, around);
+    shift(problem, fluid);
+    closed::bring_back(&problem.domain, fluid);
+    true
 }
 
 /// By how much the most crowded particle has less room than its share.

@@ -263,9 +263,7 @@ fn first_order<const D: usize>(moments: &Moments<D>) -> Option<Interpolated<D>> 
         smoothing_length: scalar(2),
         centroid: Vector::zeros(),
     };
-    // Across a strong shock a linear fit may undershoot to what no gas can be.
-    let sound = interpolated.pressure > 0.0
-        && interpolated.energy > 0.0
-        && interpolated.smoothing_length > 0.0;
+    // As for the pressure, which may be less than nothing in a liquid: whoever knows the gas has to see.
+    let sound = interpolated.energy > 0.0 && interpolated.smoothing_length > 0.0;
     sound.then_some(interpolated)
 }

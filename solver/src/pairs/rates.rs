@@ -102,8 +102,9 @@ fn rates_of_liquids<const D: usize>(
     backend.sweep(lists, records, &met, &laws, rates);
 }
 
-/// Accelerations that the gas would give ghosts of mass `rho V`: by the pair laws' symmetry the
-/// force on each ghost.
+/// Accelerations that the gas would give ghosts of mass `rho V`. Where pairs share their momentum alike the forces are minus those of the
+/// ghosts on the gas. Differences of pressures leave out what is the same on both sides, and a wall bears that too: there it is the sum of
+/// pressures that presses on it.
 pub fn reactions<const D: usize>(
     backend: &impl Backend,
     lists: &Lists,
@@ -111,7 +112,11 @@ pub fn reactions<const D: usize>(
     scheme: &Scheme,
     rates: &mut [Rates<D>],
 ) {
-    let forces = (ArtificialViscosity(scheme.viscosity), PressureForce);
     let met = Encounters::of_ghosts(records);
+    if scheme.operators.pressure == PressureGradient::Averaged {
+        let pressure = AveragedPressure { acts: true };
+        return backend.sweep_in_double(lists, records, &met, &pressure, rates);
+    }
+    let forces = (ArtificialViscosity(scheme.viscosity), PressureForce);
     backend.sweep_in_double(lists, records, &met, &forces, rates);
 }

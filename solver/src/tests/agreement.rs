@@ -4,6 +4,7 @@ use super::reference::step::{Asked, World};
 use super::reference::{Matrix, Point};
 use super::seam::{Setup, Solver, instructions, maps};
 use super::*;
+use crate::frame::Load;
 
 /// Relative to the largest value of the cloud.
 const ALLOWED: f64 = 1e-12;
@@ -120,6 +121,10 @@ pub fn compare<const D: usize>(setup: Setup, problem: &Problem<D>) {
         solver.evaluate();
         let expected = evaluated.get_or_insert_with(|| start.clone().evaluate(asked, room));
         agree_on_walls(&solver, &expected.walls);
+        if setup.mirrors && !expected.walls.is_empty() {
+            let mirrored = solver.mirrored();
+            assert!(mirrored > 0.5, "{mirrored} of the ghosts have mirrors");
+        }
         let (found, renormalised) = (solver.renormalisations(), &expected.renormalised);
         let each = found.iter().map(|r| matrix(&r.matrix));
         agree(
@@ -150,11 +155,12 @@ pub fn compare<const D: usize>(setup: Setup, problem: &Problem<D>) {
             [[solver.stable_step()]].into_iter(),
             [[step]].into_iter(),
         );
-        agree_on_loads(&solver, expected);
+        agree_on_loads(&solver, &expected.walls, &expected.on_ghosts);
     }
 }
 
-fn agree_on_walls<const D: usize>(solver: &Solver<D>, expected: &[reference::Wall<D>]) {
+/// What ghosts show.
+pub fn agree_on_walls<const D: usize>(solver: &Solver<D>, expected: &[reference::Wall<D>]) {
     let ghosts = solver.ghosts();
     let numbers = |wall: &reference::Wall<D>| {
         let point = &wall.point;
@@ -205,7 +211,7 @@ fn agree_on_rates<const D: usize>(
     both("heating by pressure", &|r| {
         [r.heating_by_pressure, 0.0, 0.0]
     });
-    if !setup.published && setup.limits_conduction {
+    if is_limited(setup) || setup.viscous {
         both("energy gradient", &|r| array(&r.energy_gradient));
     }
     let gradient = |r: &Rate<D>| matrix(&r.velocity_gradient);
@@ -216,6 +222,11 @@ fn agree_on_rates<const D: usize>(
     );
 }
 
+/// True where conduction leaves alone what varies linearly.
+fn is_limited(setup: Setup) -> bool {
+    setup.conduction() == reference::Conduction::Limited
+}
+
 /// What the next step's dissipation will go by.
 fn agree_on_smoothness<const D: usize>(
     setup: Setup,
@@ -224,7 +235,7 @@ fn agree_on_smoothness<const D: usize>(
     expected: &reference::step::Evaluation<D>,
 ) {
     let gas = solver.gas();
-    let limits = !setup.published && (setup.limits_viscosity || setup.limits_conduction);
+    let limits = !setup.published && setup.limits_viscosity || is_limited(setup);
     if limits || setup.shifting {
         let each = expected.smoothness.iter().map(|&s| [s]);
         agree("smoothness", gas.iter().map(|p| [p.smoothness]), each);
@@ -245,8 +256,7 @@ fn agree_on_smoothness<const D: usize>(
         strains,
     );
     let slopes = both().map(|((spared, rate), before)| {
-        let limits = !setup.published && setup.limits_conduction;
-        array(&if limits {
+        array(&if is_limited(setup) {
             rate.energy_gradient * *spared
         } else {
             before.energy_slope
@@ -259,18 +269,31 @@ fn agree_on_smoothness<const D: usize>(
     );
 }
 
-/// Sums of the forces on the ghosts of each body, and their moments about the origin.
-fn agree_on_loads<const D: usize>(solver: &Solver<D>, expected: &reference::step::Evaluation<D>) {
+/// Sums of what the gas does to the ghosts of each body, the moments about the origin.
+pub fn agree_on_loads<const D: usize>(
+    solver: &Solver<D>,
+    walls: &[reference::Wall<D>],
+    on_ghosts: &[reference::step::OnGhost<D>],
+) {
     let loads = solver.loads();
-    let mut sums = vec![[0.0; 6]; loads.len()];
-    for (wall, force) in expected.walls.iter().zip(&expected.forces) {
-        let (place, force) = (array(&wall.point.position), array(force));
+    let mut sums = vec![Load::default(); loads.len()];
+    for (wall, on_ghost) in walls.iter().zip(on_ghosts) {
+        let place = array(&wall.point.position);
+        let (force, friction) = (array(&on_ghost.force), array(&on_ghost.friction));
         let sum = &mut sums[wall.body];
         for k in 0..3 {
             let (l, m) = ((k + 1) % 3, (k + 2) % 3);
-            sum[k] += force[k];
-            sum[3 + k] += place[l] * force[m] - place[m] * force[l];
+            sum.force[k] += force[k];
+            sum.moment[k] += place[l] * force[m] - place[m] * force[l];
+            sum.friction[k] += friction[k];
         }
+        sum.heat -= on_ghost.heat;
     }
-    agree("loads", loads.into_iter(), sums.into_iter());
+    let both = |what: &str, get: &dyn Fn(&Load) -> [f64; 3]| {
+        agree(what, loads.iter().map(get), sums.iter().map(get));
+    };
+    both("force", &|load| load.force);
+    both("moment", &|load| load.moment);
+    both("friction", &|load| load.friction);
+    both("heat", &|load| [load.heat, 0.0, 0.0]);
 }

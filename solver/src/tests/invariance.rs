@@ -165,6 +165,7 @@ fn with_vectors(arch: pulp::Arch, precision: Precision) -> Vec<[f64; 5]> {
     numbers.collect()
 }
 
+/// Not to the bit: plain numbers do not fuse products with sums, and AVX-512 makes reciprocals of rough ones.
 #[test]
 fn any_width_of_vectors_gives_the_same_flow_to_round_off() {
     any_width_gives_the_same(Precision::Double, 1e-11);

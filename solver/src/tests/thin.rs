@@ -7,7 +7,7 @@ use crate::lattice;
 use crate::problem::{Body, Motion, Turning};
 
 /// Spacings of gas above and below the plate: the mirrors of the walls' ghosts do not reach across it.
-const ABOVE: usize = 8;
+pub const ABOVE: usize = 8;
 
 /// A plate at rest, `thickness` spacings of 0.1 thick, in the middle of a box that is periodic along it; its ghosts
 /// lie on the gas's own lattice.
@@ -63,7 +63,7 @@ fn plate<const D: usize>(
     problem
 }
 
-fn plate_2d(thickness: usize) -> Problem<2> {
+pub fn plate_2d(thickness: usize) -> Problem<2> {
     let height = thickness as f64 * 0.1;
     let place =
         Placement::default().moved(Vector::<2>::new(0.5, 0.1 * ABOVE as f64 + 0.5 * height));

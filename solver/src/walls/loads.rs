@@ -16,6 +16,7 @@ use crate::particles::{Particles, Rates};
 use crate::problem::{Domain, Problem, Side};
 use crate::records::GHOSTS;
 use crate::rings::Rings;
+use crate::scheme::PressureGradient;
 use crate::sides::closed::reflections;
 
 /// Particles that are summed up at once.
@@ -24,7 +25,7 @@ const BLOCK: usize = 4096;
 /// Loads on the bodies, in scene order; then on the wall sides in the order of
 /// [`crate::wall_sides`]. They belong to the state of the last evaluation, half a step back of `time`.
 ///
-/// By the pair laws' symmetry the force on a ghost is minus what the ghost gives the gas:
+/// Where pairs share their momentum alike the force on a ghost is minus what the ghost gives the gas:
 /// `F = -sum m_i a_i^(body)`. A body that a symmetry plane cuts is reported whole; of a body or wall that runs
 /// on through an open side, what lies in the domain ([`super::cut`]).
 pub fn loads<const D: usize>(
@@ -79,7 +80,8 @@ pub fn loads<const D: usize>(
 /// Impulse and work on the fluid of a step, at the rates of its middle.
 ///
 /// Walls at rest do no work, so what the pair sums make of it is drift, not inflow. Beyond
-/// open sides and planes the neighbours' share cannot be told from the fluid's own and all is booked.
+/// open sides and planes the neighbours' share cannot be told from the fluid's own and all is booked. Where pressures act by their
+/// differences ghosts give the fluid less than the walls bear, and those have the word.
 pub fn received<const D: usize>(
     problem: &Problem<D>,
     step: f64,
@@ -90,6 +92,9 @@ pub fn received<const D: usize>(
     let mut received = Totals::default();
     let has_planes = problem.domain.has(Side::is_mirror);
     let is_open = problem.domain.has(Side::is_open);
+    let is_borne = problem.scheme.operators.pressure == PressureGradient::Difference
+        && !is_open
+        && !has_planes;
     if !is_open && !has_planes && walls.ghosts.is_empty() {
         return received;
     }
@@ -119,8 +124,12 @@ pub fn received<const D: usize>(
         impulse += block_impulse;
         work += block_work;
     }
-    if !is_open && (walls.are_moving() || walls.are_sliding() || walls.are_conducting()) {
+    let is_at_work = walls.are_moving() || walls.are_sliding() || walls.are_conducting();
+    if is_borne || (!is_open && is_at_work) {
         let all = on_ghosts(problem, walls, around, &around.wall_lists.near);
+        if is_borne {
+            impulse = -all.iter().map(|on_ghost| on_ghost.force).sum::<Vector<D>>();
+        }
         for (ghost, OnGhost { force, heat, .. }) in walls.ghosts.iter().zip(all) {
             work -= force.dot(&(ghost.wall.velocity + ghost.wall.slide));
             if walls.kind(ghost.body).conducts() {

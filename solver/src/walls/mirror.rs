@@ -43,6 +43,11 @@ impl<const D: usize> Walls<D> {
                 Consistency::FirstOrder,
                 &mut self.mirrored,
             );
+            // Across a strong shock a linear fit may undershoot to what no gas can be.
+            let least = self.gases.of(false).least_pressure();
+            for (ghost, mirrored) in self.ghosts.iter().zip(&mut self.mirrored) {
+                *mirrored = mirrored.filter(|gas| ghost.has_mirror && gas.pressure > least);
+            }
         }
         if self.gases.are_two() {
             shares::read(&lists.near, records, &mut self.ghosts);
@@ -53,7 +58,6 @@ impl<const D: usize> Walls<D> {
             .zip(&self.found)
             .zip(&self.mirrored)
             .for_each(|((ghost, found), mirrored)| {
-                let mirrored = mirrored.filter(|_| ghost.has_mirror);
                 let Some(gas) = mirrored.or(*found) else {
                     return;
                 };
@@ -80,13 +84,10 @@ impl<const D: usize> Walls<D> {
         self.mirror_fallbacks = match self.treatment.extrapolation {
             Extrapolation::Wom => 0,
             Extrapolation::Wm => self
-                .ghosts
+                .mirrored
                 .iter()
-                .zip(&self.mirrored)
                 .zip(&self.found)
-                .filter(|((ghost, mirrored), found)| {
-                    found.is_some() && !(mirrored.is_some() && ghost.has_mirror)
-                })
+                .filter(|(mirrored, found)| found.is_some() && mirrored.is_none())
                 .count(),
         };
     }
@@ -96,7 +97,7 @@ impl<const D: usize> Walls<D> {
         for ((ghost, found), mirrored) in
             self.ghosts.iter_mut().zip(&self.found).zip(&self.mirrored)
         {
-            if let Some(gas) = mirrored.filter(|_| ghost.has_mirror).or(*found) {
+            if let Some(gas) = mirrored.or(*found) {
                 ghost.shown.smoothing_length = gas
                     .smoothing_length
                     .min(GROWTH * ghost.shown.smoothing_length);

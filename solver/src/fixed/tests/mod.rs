@@ -28,6 +28,7 @@ mod sheared;
 mod sides;
 mod space;
 mod tubes;
+mod vectors;
 mod viscous;
 mod wakes;
 

@@ -109,6 +109,14 @@ pub fn friction<const D: usize>(viscous: Viscous, ghost: &Point<D>, gas: &[Point
     each.sum()
 }
 
+/// Heat that goes into a ghost.
+pub fn heat<const D: usize>(viscous: Viscous, ghost: &Point<D>, gas: &[Point<D>]) -> f64 {
+    let each = gas
+        .iter()
+        .map(|j| viscous.heat(&Pair::new(ghost, j), ghost, j));
+    each.sum()
+}
+
 /// The ghost with the gradients that it takes from the gas.
 pub fn with_gradients<const D: usize>(
     viscous: Viscous,

@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::{Laws, Point};
+use super::{Conduction, Laws, Point};
 
 /// What all laws need of a pair.
 pub struct Pair<const D: usize> {
@@ -76,7 +76,7 @@ pub fn viscous_pressure<const D: usize>(pair: &Pair<D>, closing: f64) -> f64 {
 }
 
 /// What `j` gives `i` of its heat, with `kappa = 0.1`: weighed by `m_j / rho_j` as published, by `m_j / rho_ij` otherwise, where Noh's
-/// flux `2 |mu| h` joins in.
+/// flux `2 |mu| h` joins in, or is all there is.
 pub fn conduction<const D: usize>(
     laws: Laws,
     pair: &Pair<D>,
@@ -86,15 +86,17 @@ pub fn conduction<const D: usize>(
 ) -> f64 {
     let difference = (j.energy - i.energy) * (1.0 - i.unlike(j));
     let spread = 2.0 * pair.h * pair.diffusivity();
-    if laws.published {
-        return 0.1 * pair.sound * spread * difference * j.mass / j.density;
-    }
-    let mut uneven = difference;
-    if laws.limits_conduction {
-        let towards = -pair.r;
-        let slopes = [i.energy_slope.dot(&towards), j.energy_slope.dot(&towards)];
-        uneven -= minmod([slopes[0], slopes[1], difference]);
-    }
+    let uneven = match laws.conduction {
+        Conduction::ByVolume => {
+            return 0.1 * pair.sound * spread * difference * j.mass / j.density;
+        }
+        Conduction::Pairwise => difference,
+        Conduction::Limited => {
+            let [own, other] = [i, j].map(|of| -of.energy_slope.dot(&pair.r));
+            difference - minmod([own, other, difference])
+        }
+        Conduction::InShocks => 0.0,
+    };
     let artificial = 0.1 * pair.sound * uneven;
     let noh = 2.0 * closing.abs() * difference;
     (artificial + noh) * spread * j.mass / pair.density

@@ -3,8 +3,10 @@
 
 use aero_geometry::Vector;
 
+use super::gas::Renormalised;
 use super::laws::Pair;
-use super::{Matrix, Point};
+use super::wall::{continued, look, mirrored, normal_acceleration};
+use super::{Matrix, Point, Viscous, Wall, diffusion};
 
 /// A liquid whose pressure is linear in its density, and how it is solved.
 #[derive(Clone, Copy, Debug)]
@@ -29,6 +31,20 @@ pub struct Rate<const D: usize> {
 impl Liquid {
     pub fn pressure(self, density: f64) -> f64 {
         self.sound * self.sound * (density - self.density)
+    }
+
+    /// The pressure of no density.
+    fn least(self) -> f64 {
+        self.pressure(0.0)
+    }
+
+    /// Its viscosity as that of gas.
+    pub fn viscous(self) -> Viscous {
+        Viscous {
+            viscosity: self.viscosity,
+            exponent: 0.0,
+            prandtl: 1.0,
+        }
     }
 
     /// What `j` presses `i` by.
@@ -120,8 +136,87 @@ pub fn rate<const D: usize>(
         rate.density += liquid.damp(&pair, i, j);
     }
     for j in ghosts {
-        rate.wall_acceleration += liquid.press(&Pair::new(i, j), i, j);
+        let pair = Pair::new(i, j);
+        rate.wall_acceleration += liquid.press(&pair, i, j) + liquid.rub(&pair, i, j);
     }
     rate.acceleration += rate.wall_acceleration;
     rate
+}
+
+/// What the ghost shows of the liquid, and the pressure at the wall.
+pub fn show<const D: usize>(
+    liquid: Liquid,
+    wall: &Wall<D>,
+    gas: &[Point<D>],
+    mirrors: bool,
+) -> Wall<D> {
+    let least = liquid.least();
+    let Some((seen, height)) = look(wall, gas, mirrors, least) else {
+        return *wall;
+    };
+    let density = |pressure: f64| liquid.density + pressure / (liquid.sound * liquid.sound);
+    let slope = density(seen.pressure) * normal_acceleration(wall, &seen);
+    let risen = |height: f64| continued(seen.pressure - least, slope * height) + least;
+    let pressure = risen(height);
+    let shown = Point {
+        pressure,
+        density: density(pressure),
+        energy: seen.energy,
+        mass: density(pressure) * wall.point.volume,
+        ..mirrored(wall, &seen, height)
+    };
+    Wall {
+        point: shown,
+        surface_pressure: risen(height - wall.depth),
+        ..*wall
+    }
+}
+
+/// Force on a ghost by the pressure of the liquid: what it presses by is given back where pairs share it alike; differences leave out
+/// the pressure that is the same on both sides, and the wall has all of it.
+pub fn thrust<const D: usize>(liquid: Liquid, ghost: &Point<D>, gas: &[Point<D>]) -> Vector<D> {
+    let each = gas.iter().map(|i| {
+        let pair = Pair::new(i, ghost);
+        if liquid.pairwise {
+            return liquid.press(&pair, i, ghost) * -i.mass;
+        }
+        let stress = i.renormalisation * i.pressure + ghost.renormalisation * ghost.pressure;
+        stress * pair.gradient * (i.volume * ghost.volume)
+    });
+    each.sum()
+}
+
+/// Force on a ghost by the friction of the liquid: sums of stresses that are not renormalised, and the exchange of pairs.
+pub fn friction<const D: usize>(liquid: Liquid, ghost: &Point<D>, gas: &[Point<D>]) -> Vector<D> {
+    let plain = |of: &Point<D>| Point {
+        strain: if liquid.pairwise {
+            Matrix::zeros()
+        } else {
+            of.strain
+        },
+        renormalisation: Matrix::identity(),
+        ..*of
+    };
+    let gas: Vec<_> = gas.iter().map(plain).collect();
+    diffusion::friction(liquid.viscous(), &plain(ghost), &gas)
+}
+
+/// Moves `i` once towards even spacing, along `-h^2 / 2 grad C` by `h / 5` at most and not into a wall; velocity and density become
+/// those of where it comes to.
+pub fn evened_out<const D: usize>(i: &Point<D>, renormalised: &Renormalised<D>) -> Point<D> {
+    let mut way = renormalised.concentration_gradient * (-0.5 * i.h * i.h);
+    let wall = renormalised.wall_gradient;
+    if wall.norm() * i.h > 0.36 {
+        let into = wall.normalize();
+        way -= into * way.dot(&into).max(0.0);
+    }
+    if way.norm() > 0.2 * i.h {
+        way = way.normalize() * (0.2 * i.h);
+    }
+    Point {
+        position: i.position + way,
+        velocity: i.velocity + i.strain * way,
+        density: i.density + i.density_gradient.dot(&way),
+        ..*i
+    }
 }

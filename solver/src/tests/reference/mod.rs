@@ -54,10 +54,21 @@ impl<const D: usize> Point<D> {
         1.0 + 1.0 / (self.second / (SECOND - 1.0) + (1.0 - self.second) / (GAMMA - 1.0))
     }
 
+    /// What of `all` is in its reach.
+    pub fn near(&self, all: &[Self]) -> Vec<Self> {
+        in_reach(&self.position, self.h, all)
+    }
+
     /// One of two particles of different gases, zero of others.
     pub fn unlike(&self, other: &Self) -> f64 {
         (self.second - other.second).powi(2)
     }
+}
+
+/// What of `all` the kernel of this smoothing length sees from a place.
+pub fn in_reach<const D: usize>(place: &Vector<D>, h: f64, all: &[Point<D>]) -> Vec<Point<D>> {
+    let is_near = |j: &&Point<D>| (place - j.position).norm() < 3.0 * f64::midpoint(h, j.h);
+    all.iter().filter(is_near).copied().collect()
 }
 
 /// A ghost.
@@ -125,12 +136,25 @@ pub enum Transport {
     Exchange,
 }
 
+/// What of a difference of energies pairs conduct, beside Noh's flux in what is compressed.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Conduction {
+    /// All, as published: weighed by the other's volume, without Noh's flux.
+    ByVolume,
+    /// All.
+    Pairwise,
+    /// What does not vary linearly.
+    Limited,
+    /// Nothing.
+    InShocks,
+}
+
 /// Which laws are summed.
 #[derive(Clone, Copy, Debug)]
 pub struct Laws {
     pub published: bool,
     pub limits_viscosity: bool,
-    pub limits_conduction: bool,
+    pub conduction: Conduction,
     pub transport: Transport,
     pub viscous: Option<Viscous>,
 }

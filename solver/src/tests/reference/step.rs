@@ -32,8 +32,18 @@ pub struct Evaluation<const D: usize> {
     pub renormalised: Vec<Renormalised<D>>,
     pub rates: Vec<Rate<D>>,
     pub smoothness: Vec<f64>,
-    /// Forces on the ghosts.
-    pub forces: Vec<Vector<D>>,
+    /// What the gas does to the ghosts.
+    pub on_ghosts: Vec<OnGhost<D>>,
+}
+
+/// What the gas does to a ghost.
+#[derive(Clone, Copy, Debug)]
+pub struct OnGhost<const D: usize> {
+    pub force: Vector<D>,
+    /// What of it viscosity makes.
+    pub friction: Vector<D>,
+    /// Heat that goes into it.
+    pub heat: f64,
 }
 
 impl<const D: usize> World<D> {
@@ -77,7 +87,10 @@ impl<const D: usize> World<D> {
     /// The densities that are read off the particles.
     pub fn densities(&self) -> Vec<f64> {
         let (gas, ghosts) = (self.all_gas(), self.all_ghosts());
-        let each = self.gas.iter().map(|i| density(i, &gas, &ghosts));
+        let each = self
+            .gas
+            .iter()
+            .map(|i| density(i, &i.near(&gas), &i.near(&ghosts)));
         each.collect()
     }
 
@@ -87,7 +100,7 @@ impl<const D: usize> World<D> {
         viscous: Viscous,
         room: &impl Fn(&Vector<D>) -> f64,
         rates: &mut [Rate<D>],
-        forces: &mut [Vector<D>],
+        on_ghosts: &mut [OnGhost<D>],
     ) {
         let mut world = self.clone();
         for (i, rate) in world.gas.iter_mut().zip(&*rates) {
@@ -100,14 +113,17 @@ impl<const D: usize> World<D> {
         }
         let gas = world.all_gas();
         for wall in &mut world.walls {
-            wall.point = diffusion::with_gradients(viscous, wall, &gas);
+            wall.point = diffusion::with_gradients(viscous, wall, &wall.point.near(&gas));
         }
         let ghosts = world.all_ghosts();
         for (i, rate) in world.gas.iter().zip(rates) {
-            diffusion::add(viscous, i, &gas, &ghosts, rate);
+            diffusion::add(viscous, i, &i.near(&gas), &i.near(&ghosts), rate);
         }
-        for (wall, force) in world.walls.iter().zip(forces) {
-            *force += diffusion::friction(viscous, &wall.point, &pressing(wall, &gas, room));
+        for (wall, on_ghost) in world.walls.iter().zip(on_ghosts) {
+            let pressing = pressing(wall, &gas, room);
+            on_ghost.friction = diffusion::friction(viscous, &wall.point, &pressing);
+            on_ghost.force += on_ghost.friction;
+            on_ghost.heat = diffusion::heat(viscous, &wall.point, &pressing);
         }
     }
 
@@ -123,7 +139,7 @@ impl<const D: usize> World<D> {
         let renormalised: Vec<_> = self
             .gas
             .iter()
-            .map(|i| renormalise(i, &gas, &ghosts))
+            .map(|i| renormalise(i, &i.near(&gas), &i.near(&ghosts)))
             .collect();
         for (i, renormalised) in self.gas.iter_mut().zip(&renormalised) {
             i.renormalisation = renormalised.matrix;
@@ -138,20 +154,22 @@ impl<const D: usize> World<D> {
             }
         }
         let gas = self.all_gas();
-        let each = self.gas.iter().map(|i| rate(laws, i, &gas, &ghosts));
+        let each = self.gas.iter();
+        let each = each.map(|i| rate(laws, i, &i.near(&gas), &i.near(&ghosts)));
         let mut rates: Vec<_> = each.collect();
-        let mut forces: Vec<_> = self
-            .walls
-            .iter()
-            .map(|wall| force(laws, &wall.point, &pressing(wall, &gas, &room)))
-            .collect();
+        let pressed = self.walls.iter().map(|wall| OnGhost {
+            force: force(laws, &wall.point, &pressing(wall, &gas, &room)),
+            friction: Vector::zeros(),
+            heat: 0.0,
+        });
+        let mut on_ghosts: Vec<_> = pressed.collect();
         if let Some(viscous) = laws.viscous {
-            self.diffuse(viscous, &room, &mut rates, &mut forces);
+            self.diffuse(viscous, &room, &mut rates, &mut on_ghosts);
         }
         let both = self.gas.iter().zip(&rates);
         Evaluation {
             smoothness: both.map(|(i, rate)| smoothness(i, rate, 0.0)).collect(),
-            forces,
+            on_ghosts,
             walls: self.walls,
             renormalised,
             rates,
@@ -159,7 +177,7 @@ impl<const D: usize> World<D> {
     }
 }
 
-/// The gas whose line to a ghost goes through the wall within open sides.
+/// The gas in reach whose line to a ghost goes through the wall within open sides.
 fn pressing<const D: usize>(
     wall: &Wall<D>,
     gas: &[Point<D>],
@@ -171,5 +189,6 @@ fn pressing<const D: usize>(
         let share = wall.depth / across.max(wall.depth);
         room(&(wall.point.position + line * share)) >= 0.0
     };
-    gas.iter().filter(presses).copied().collect()
+    let near = wall.point.near(gas);
+    near.iter().filter(presses).copied().collect()
 }

@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::laws::{Pair, closing_speed, viscous_pressure};
-use super::{Heat, Laws, Matrix, Point, Wall, kernel};
+use super::{Heat, Laws, Matrix, Point, Wall, in_reach, kernel};
 
 /// Gas as it is seen from a point: `centroid` is where the interpolation looked, relative to the point.
 pub struct Seen<const D: usize> {
@@ -18,6 +18,7 @@ pub struct Seen<const D: usize> {
 
 /// `sum f_j W_j / sum W_j` [Villodi & Ramachandran 2024, eq. 24]; none where no gas is in reach.
 pub fn shepard<const D: usize>(place: &Vector<D>, h: f64, gas: &[Point<D>]) -> Option<Seen<D>> {
+    let gas = &in_reach(place, h, gas);
     let weights: Vec<f64> = gas.iter().map(|j| weight(place, h, j)).collect();
     let total: f64 = weights.iter().sum();
     (total > 0.0).then(|| seen(place, gas, &weights, total))
@@ -55,8 +56,14 @@ fn seen<const D: usize>(
 
 /// The fit that is exact for linear fields [eq. 25; Liu & Liu 2006]: with the moments `M = sum w_j (1, d_j) (x) (1, d_j)`,
 /// `w_j = V_j W_j`, and `M (a, b) = (1, 0)`, the weights are `w_j (a + b.d_j)`. None with less than 0.3 of a full
-/// neighbourhood, with an ill-conditioned matrix, or where it gives what no gas is. The strain is Shepard's.
-pub fn linear_fit<const D: usize>(place: &Vector<D>, h: f64, gas: &[Point<D>]) -> Option<Seen<D>> {
+/// neighbourhood, with an ill-conditioned matrix, or where it gives what no gas is: pressures of no more than the `least`. The strain is Shepard's.
+pub fn linear_fit<const D: usize>(
+    place: &Vector<D>,
+    h: f64,
+    gas: &[Point<D>],
+    least: f64,
+) -> Option<Seen<D>> {
+    let gas = &in_reach(place, h, gas);
     let weights: Vec<f64> = gas.iter().map(|j| j.volume * weight(place, h, j)).collect();
     let total: f64 = weights.iter().sum();
     if total < 0.3 {
@@ -94,7 +101,83 @@ pub fn linear_fit<const D: usize>(place: &Vector<D>, h: f64, gas: &[Point<D>]) -
         centroid: Vector::zeros(),
         ..seen(place, gas, &corrected, 1.0)
     };
-    (fit.pressure > 0.0 && fit.energy > 0.0 && fit.h > 0.0).then_some(fit)
+    (fit.pressure > least && fit.energy > 0.0 && fit.h > 0.0).then_some(fit)
+}
+
+/// The gas as the ghost sees it, and how far along the normal: at the mirror point where that is asked for and works, else about
+/// itself; none where no gas is in reach.
+pub fn look<const D: usize>(
+    wall: &Wall<D>,
+    gas: &[Point<D>],
+    mirrors: bool,
+    least: f64,
+) -> Option<(Seen<D>, f64)> {
+    let Point { position, h, .. } = wall.point;
+    let mirror = position + wall.normal * (2.0 * wall.depth);
+    let mirrored = (mirrors && wall.has_mirror)
+        .then(|| linear_fit(&mirror, h, gas, least))
+        .flatten();
+    mirrored.map(|seen| (seen, 2.0 * wall.depth)).or_else(|| {
+        let seen = shepard(&position, h, gas)?;
+        let height = seen.centroid.dot(&wall.normal);
+        Some((seen, height))
+    })
+}
+
+/// The ghost with the velocity and strain that the wall makes of what is seen at a height over the ghost.
+pub fn mirrored<const D: usize>(wall: &Wall<D>, seen: &Seen<D>, height: f64) -> Point<D> {
+    let n = wall.normal;
+    let relative = seen.velocity - wall.surface_velocity;
+    if wall.slips {
+        let mirror = Matrix::<D>::identity() - n * n.transpose() * 2.0;
+        return Point {
+            velocity: seen.velocity - n * (2.0 * relative.dot(&n)),
+            strain: mirror * seen.strain * mirror.transpose(),
+            ..wall.point
+        };
+    }
+    // A straight line through the wall's velocity at the wall.
+    let above = (height - wall.depth).max(0.1 * wall.point.h);
+    let surface = wall.surface_velocity + wall.slide;
+    Point {
+        velocity: surface - (relative - wall.slide) * (wall.depth / above),
+        strain: seen.strain,
+        ..wall.point
+    }
+}
+
+/// That of gas that follows the wall: of the wall, of Coriolis and of the bend. The pressure rises by `dp/dn = -rho n.a`.
+pub fn normal_acceleration<const D: usize>(wall: &Wall<D>, seen: &Seen<D>) -> f64 {
+    let n = wall.normal;
+    let relative = seen.velocity - wall.surface_velocity;
+    let slide = if wall.slips {
+        relative - n * relative.dot(&n)
+    } else {
+        Vector::zeros()
+    };
+    let full = |v: &Vector<D>| Vector3::from_fn(|k, _| if k < D { v[k] } else { 0.0 });
+    let coriolis = wall.spin.cross(&full(&slide)) * 2.0;
+    wall.surface_acceleration.dot(&n) + coriolis.dot(&full(&n))
+        - slide.dot(&(wall.curvature * slide))
+}
+
+/// Share of the second gas about the ghost.
+fn share<const D: usize>(wall: &Wall<D>, gas: &[Point<D>]) -> Option<f64> {
+    let Point { position, h, .. } = wall.point;
+    let gas = wall.point.near(gas);
+    let weigh = |j: &Point<D>| j.volume * weight(&position, h, j);
+    let total: f64 = gas.iter().map(weigh).sum();
+    let second: f64 = gas.iter().map(|j| j.second * weigh(j)).sum();
+    (total > 0.0).then(|| second / total)
+}
+
+/// A pressure over the least there is that rises, or falls and stays above it.
+pub fn continued(pressure: f64, rise: f64) -> f64 {
+    if rise >= 0.0 {
+        pressure + rise
+    } else {
+        pressure / (1.0 - rise / pressure)
+    }
 }
 
 /// What the ghost shows of the gas [Villodi & Ramachandran 2024, eqs 24-30], and the pressure at the wall. A ghost that sees no
@@ -107,71 +190,18 @@ pub fn show<const D: usize>(
     laws: Laws,
 ) -> Wall<D> {
     let keeps_entropy = !laws.published && wall.heat == Heat::Kept;
-    let place = wall.point.position;
-    let h = wall.point.h;
-    let mirror = place + wall.normal * (2.0 * wall.depth);
-    let mirrored = (mirrors && wall.has_mirror)
-        .then(|| linear_fit(&mirror, h, gas))
-        .flatten();
-    let Some((seen, height)) = mirrored.map(|seen| (seen, 2.0 * wall.depth)).or_else(|| {
-        let seen = shepard(&place, h, gas)?;
-        let height = seen.centroid.dot(&wall.normal);
-        Some((seen, height))
-    }) else {
+    let Some((seen, height)) = look(wall, gas, mirrors, 0.0) else {
         return *wall;
     };
-    let n = wall.normal;
-    let relative = seen.velocity - wall.surface_velocity;
-    let mut shown = wall.point;
-    if wall.slips {
-        shown.velocity = seen.velocity - n * (2.0 * relative.dot(&n));
-        let mut mirror = Matrix::<D>::identity();
-        mirror -= n * n.transpose() * 2.0;
-        shown.strain = mirror * seen.strain * mirror.transpose();
-    } else {
-        // A straight line through the wall's velocity at the wall.
-        let above = (height - wall.depth).max(0.1 * h);
-        shown.velocity =
-            wall.surface_velocity + wall.slide - (relative - wall.slide) * (wall.depth / above);
-        shown.strain = seen.strain;
-    }
-    // Gas that follows the wall: dp/dn = -rho n.a, with n.a that of the wall, of Coriolis and of the bend.
-    let slide = if wall.slips {
-        relative - n * relative.dot(&n)
-    } else {
-        Vector::zeros()
-    };
-    let full = |v: &Vector<D>| Vector3::from_fn(|k, _| if k < D { v[k] } else { 0.0 });
-    let coriolis = wall.spin.cross(&full(&slide)) * 2.0;
-    let normal_acceleration = wall.surface_acceleration.dot(&n) + coriolis.dot(&full(&n))
-        - slide.dot(&(wall.curvature * slide));
-    let weights: Vec<f64> = gas
-        .iter()
-        .map(|j| j.volume * weight(&place, h, j))
-        .collect();
-    let total: f64 = weights.iter().sum();
-    let second = gas
-        .iter()
-        .zip(&weights)
-        .map(|(j, weight)| j.second * weight);
-    if total > 0.0 {
-        shown.second = second.sum::<f64>() / total;
-    }
+    let mut shown = mirrored(wall, &seen, height);
+    shown.second = share(wall, gas).unwrap_or(shown.second);
     let gamma = shown.gamma();
-    let density = seen.pressure / ((gamma - 1.0) * seen.energy);
-    let continued = |height: f64| {
-        let rise = density * normal_acceleration * height;
-        if rise >= 0.0 {
-            seen.pressure + rise
-        } else {
-            seen.pressure / (1.0 - rise / seen.pressure)
-        }
-    };
-    shown.pressure = continued(height);
+    let slope = seen.pressure / ((gamma - 1.0) * seen.energy) * normal_acceleration(wall, &seen);
+    shown.pressure = continued(seen.pressure, slope * height);
     // A straight line through the wall's energy at the wall, or of the flux's slope.
     shown.energy = match (wall.heat, laws.viscous) {
         (Heat::Passes { energy }, _) => {
-            let above = (height - wall.depth).max(0.1 * h);
+            let above = (height - wall.depth).max(0.1 * shown.h);
             let beyond = energy - (seen.energy - energy) * (wall.depth / above);
             beyond.max(0.1 * energy.min(seen.energy))
         }
@@ -188,7 +218,7 @@ pub fn show<const D: usize>(
     shown.mass = shown.density * shown.volume;
     Wall {
         point: shown,
-        surface_pressure: continued(height - wall.depth),
+        surface_pressure: continued(seen.pressure, slope * (height - wall.depth)),
         ..*wall
     }
 }

@@ -9,6 +9,8 @@ use nalgebra::Vector3;
 use super::reference::{GAMMA, Heat, Point, Rate, SECOND, Wall};
 use crate::Simulation;
 use crate::evaluation::{Moment, evaluate, read_densities};
+use crate::frame::{Load, Totals};
+use crate::iterative_shifting::move_apart;
 use crate::pairs::renormalisation::{Renormalisation, even_renormalisation};
 use crate::particles::Particle;
 use crate::problem::{Problem, Side, WallHeat, WallKind};
@@ -16,6 +18,7 @@ use crate::rings::Rings;
 use crate::scheme::Precision;
 use crate::step::prepare;
 use crate::vectors::{Arch, avx2};
+use crate::walls::loads::received;
 use crate::walls::{Ghost, wall_sides};
 
 pub use problems::{DEFAULT, PUBLISHED, Setup, body_on_the_lattice, maps, room, turn};
@@ -181,6 +184,27 @@ impl<const D: usize> Solver<D> {
         evaluate(problem, moment, fluid, buffers, walls, around);
     }
 
+    /// Moves the particles apart once; false where they stand evenly.
+    pub fn move_apart(&mut self) -> bool {
+        let Simulation {
+            problem,
+            clock,
+            fluid,
+            buffers,
+            walls,
+            around,
+            ..
+        } = &mut self.0;
+        move_apart(problem, clock.time, fluid, buffers, walls, around)
+    }
+
+    /// Part of the ghosts that have mirrors.
+    pub fn mirrored(&self) -> f64 {
+        let ghosts = self.0.walls.own();
+        let mirrored = ghosts.iter().filter(|ghost| ghost.has_mirror);
+        mirrored.count() as f64 / ghosts.len() as f64
+    }
+
     /// The renormalisation matrices, density gradients, and gradients of concentration by all and by walls.
     pub fn renormalisations(&self) -> Vec<Renormalisation<D>> {
         self.0.fluid.renormalisations().to_vec()
@@ -204,21 +228,21 @@ impl<const D: usize> Solver<D> {
             .collect()
     }
 
-    /// Force and moment on each body and wall side.
-    pub fn loads(&self) -> Vec<[f64; 6]> {
-        let loads = self.0.loads();
-        let both = |k: usize, load: &crate::frame::Load| {
-            load.force
-                .iter()
-                .chain(&load.moment)
-                .copied()
-                .nth(k)
-                .unwrap_or(0.0)
-        };
-        loads
-            .iter()
-            .map(|load| std::array::from_fn(|k| both(k, load)))
-            .collect()
+    /// What the gas does to each body and wall side.
+    pub fn loads(&self) -> Vec<Load> {
+        self.0.loads()
+    }
+
+    /// What walls and sides give the fluid in a step of this length.
+    pub fn received(&self, step: f64) -> Totals {
+        let simulation = &self.0;
+        received(
+            &simulation.problem,
+            step,
+            &simulation.fluid,
+            &simulation.walls,
+            &simulation.around,
+        )
     }
 
     /// The stable step at the rates of the last evaluation.

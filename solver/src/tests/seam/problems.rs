@@ -6,11 +6,11 @@ use aero_geometry::{Shape, Vector};
 use aero_packer::{Ghosts, PackReport};
 use nalgebra::Vector3;
 
-use super::super::reference::{Laws, Map, SECOND, Transport, Viscous};
+use super::super::reference::{Conduction, Laws, Map, SECOND, Transport, Viscous};
 use crate::gas::{self, Gas};
 use crate::lattice;
 use crate::problem::{Body, Motion, Problem, SecondGas, Side, Turning, WallKind};
-use crate::scheme::{Extrapolation, Scheme};
+use crate::scheme::{Extrapolation, ReturnOfShift, Scheme};
 
 /// What a scheme is made of, as far as the tests choose it.
 #[derive(Clone, Copy, Debug)]
@@ -20,6 +20,7 @@ pub struct Setup {
     pub mirrors: bool,
     pub shield: bool,
     pub shifting: bool,
+    pub return_of_shift: ReturnOfShift,
     pub limits_viscosity: bool,
     pub limits_conduction: bool,
     pub viscous: bool,
@@ -39,6 +40,7 @@ pub const DEFAULT: Setup = Setup {
     mirrors: false,
     shield: false,
     shifting: false,
+    return_of_shift: ReturnOfShift::Exchange,
     limits_viscosity: true,
     limits_conduction: true,
     viscous: false,
@@ -48,6 +50,7 @@ pub const DEFAULT: Setup = Setup {
 /// The published scheme.
 pub const PUBLISHED: Setup = Setup {
     published: true,
+    return_of_shift: ReturnOfShift::Advection,
     ..DEFAULT
 };
 
@@ -67,6 +70,7 @@ impl Setup {
         };
         scheme.transport_velocity.shield = self.shield;
         scheme.transport_velocity.shifting = self.shifting;
+        scheme.transport_velocity.return_of_shift = self.return_of_shift;
         scheme.limit_viscosity(self.limits_viscosity);
         scheme.limit_conduction(self.limits_conduction);
         scheme.skip_undisturbed = false;
@@ -78,6 +82,7 @@ impl Setup {
             });
         }
         if self.viscous {
+            *scheme = scheme.of_viscous_gas();
             let Gas::Ideal(gas) = &mut problem.gas else {
                 unreachable!("these problems are of an ideal gas")
             };
@@ -93,16 +98,26 @@ impl Setup {
         problem
     }
 
+    /// How pairs conduct heat.
+    pub fn conduction(self) -> Conduction {
+        match (self.published, self.limits_conduction, self.viscous) {
+            (true, ..) => Conduction::ByVolume,
+            (_, false, _) => Conduction::Pairwise,
+            (_, _, true) => Conduction::InShocks,
+            _ => Conduction::Limited,
+        }
+    }
+
     /// The laws that the reference is to sum.
     pub fn laws(self) -> Laws {
         Laws {
             published: self.published,
             limits_viscosity: self.limits_viscosity,
-            limits_conduction: self.limits_conduction,
+            conduction: self.conduction(),
             viscous: self.viscous.then_some(VISCOUS),
-            transport: match (self.published, self.shifting, self.shield) {
-                (_, false, false) => Transport::None,
-                (false, true, _) => Transport::Exchange,
+            transport: match (self.shifting, self.return_of_shift) {
+                (true, ReturnOfShift::Exchange) => Transport::Exchange,
+                (false, _) if !self.shield => Transport::None,
                 _ => Transport::Advection,
             },
         }
