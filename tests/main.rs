@@ -36,6 +36,7 @@ mod stress;
 mod support;
 mod telling;
 mod two_gases;
+mod vectors;
 mod views;
 mod viscous;
 mod wall_treatments;

@@ -82,6 +82,7 @@ fn rows(flow: &Flow<'_, Halves>) -> Result<Vec<Row>, CompareError> {
     let (departure, scale) = departure(flow.outcome, &theory)?;
     let body = &flow.outcome.summary.bodies["aerofoil"];
     let tip = theory.surface(0.0)?.pressure_coefficient;
+    let is_of_points = flow.variant.scheme.is_of_points();
     let mut rows = vec![
         Row::absolute(
             "Cp, mean departure / mean size",
@@ -89,7 +90,8 @@ fn rows(flow: &Flow<'_, Halves>) -> Result<Vec<Row>, CompareError> {
             departure / scale,
             0.0,
             [0.1, 0.03],
-        ),
+        )
+        .by_points(is_of_points, [0.06, 0.03]),
         Row::informs(
             "Cp, mean departure / Cp behind the leading edge",
             THEORY,
@@ -101,8 +103,9 @@ fn rows(flow: &Flow<'_, Halves>) -> Result<Vec<Row>, CompareError> {
             THEORY,
             body.cd_mean.unwrap_or(f64::NAN),
             theory.drag_coefficient()?,
-            [6.0, 5.0],
-        ),
+            [0.5, 5.0],
+        )
+        .by_points(is_of_points, [2.0, 5.0]),
     ];
     let unbalanced = match flow.variant.own {
         Halves::Upper => ROUND_OFF,

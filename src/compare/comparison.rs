@@ -8,7 +8,7 @@ use aero_validation::pictures::curves::Curves;
 use aero_validation::table::{Check, Subject};
 
 use super::context::{CompareError, Context, Level};
-use super::row::{Allowed, Heading, Row};
+use super::row::{Heading, Row};
 use super::scenes::Source;
 use super::variant::Variant;
 use super::view::View;
@@ -144,16 +144,11 @@ fn failed(case: &str, label: &str, error: CompareError) -> Result<Check, Compare
 impl<'a, P> Flow<'a, P> {
     /// The row of particles in the wall, where none may be.
     pub fn no_leaks(&self) -> Row {
-        self.leaks(0.0)
-    }
-
-    /// The row of particles in the wall, where so many pass at most.
-    pub fn leaks(&self, most: impl Into<Allowed>) -> Row {
         Row::at_most(
             "particles in the wall",
             "no penetration",
             self.leaked(),
-            most,
+            0.0,
         )
     }
 

@@ -97,6 +97,7 @@ fn rows(flow: &Flow<'_, Model>) -> Result<Vec<Row>, CompareError> {
     let line = shock_line(flow, &theory)?;
     let read: Vec<f64> = surface_pressures(flow.outcome).collect();
     let pressure = read.iter().sum::<f64>() / read.len() as f64;
+    let is_of_points = flow.variant.scheme.is_of_points();
     let mut rows = vec![
         Row::relative(
             "half-jump shock angle, deg",
@@ -104,14 +105,16 @@ fn rows(flow: &Flow<'_, Model>) -> Result<Vec<Row>, CompareError> {
             line.angle.to_degrees(),
             theory.shock_angle.to_degrees(),
             [0.8, 1.0],
-        ),
+        )
+        .by_points(is_of_points, [0.4, 1.0]),
         Row::relative(
             "surface pressure / free stream",
             THEORY,
             GAMMA * pressure,
             theory.pressure_ratio,
             [4.0, 2.0],
-        ),
+        )
+        .by_points(is_of_points, [0.4, 2.0]),
         Row::relative(
             "forebody drag, gauge",
             THEORY,
@@ -121,8 +124,7 @@ fn rows(flow: &Flow<'_, Model>) -> Result<Vec<Row>, CompareError> {
             theory.pressure_coefficient,
             [1.0, 2.0],
         ),
-        // Next to the axis, at the tip and where the cone ends.
-        flow.leaks([75.0, 0.0]),
+        flow.no_leaks(),
     ];
     rows.extend(flow.no_lift("cone", ROUND_OFF));
     Ok(rows)

@@ -166,6 +166,7 @@ fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
         3.0,
     );
     rows.push(first.always());
+    rows.push(flow.no_leaks());
     Ok(rows)
 }
 

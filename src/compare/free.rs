@@ -60,8 +60,8 @@ fn swing(cells: u32, context: &Context<'_>) -> Result<Vec<Check>, CompareError> 
     let what = label("time of half a swing");
     let time = Subject::new(NAME, &what, "the moment of the same body held at an angle");
     Ok(vec![
-        slope.relative(stiffness, theory, 5.0),
-        time.relative(half_swing(&free), wanted, 5.0),
+        slope.relative(stiffness, theory, 2.5),
+        time.relative(half_swing(&free), wanted, 2.5),
     ])
 }
 

@@ -112,6 +112,7 @@ fn rows(flow: &Flow<'_, Cone>) -> Result<Vec<Row>, CompareError> {
             2.0 / (3.0 * cosine * cosine),
             CENTRE,
         ),
+        flow.no_leaks(),
     ])
 }
 

@@ -114,6 +114,7 @@ fn rows(flow: &Flow<'_, Regime>) -> Result<Vec<Row>, CompareError> {
         }
     };
     rows.insert(0, whole);
+    rows.push(flow.no_leaks());
     Ok(rows)
 }
 
@@ -125,17 +126,28 @@ fn fast(gas: &Frame, intake: &Intake) -> [Row; 4] {
     let twice = once * intake.cowl.pressure_ratio;
     let pressure = pressure_in(gas, throat);
     let (mach, total) = (mach_in(gas, throat), recovery(gas, throat[0]));
-    let exact =
-        |what, value, reference, allowed| Row::relative(what, SHOCKS, value, reference, allowed);
+    let exact = |what, value, reference, allowed: [f64; 2]| {
+        Row::relative(what, SHOCKS, value, reference, allowed)
+    };
     [
-        exact("pressure on the ramp / stream's", ramp, once, 1.0),
-        exact("pressure in the throat / stream's", pressure, twice, 2.0),
-        exact("Mach number in the throat", mach, intake.cowl.mach, 1.0),
+        exact("pressure on the ramp / stream's", ramp, once, [0.04, 1.0]),
+        exact(
+            "pressure in the throat / stream's",
+            pressure,
+            twice,
+            [1.0, 2.0],
+        ),
+        exact(
+            "Mach number in the throat",
+            mach,
+            intake.cowl.mach,
+            [0.25, 1.0],
+        ),
         exact(
             "total pressure in the throat / stream's",
             total,
             intake.recovery(),
-            1.0,
+            [1.0, 1.0],
         ),
     ]
 }
@@ -153,7 +165,7 @@ fn shocked(gas: &Frame, held: Held) -> [Row; 2] {
             theory / LENGTH,
             0.02,
         ),
-        Row::relative(TOTAL, THEORY, recovery(gas, END), held.recovery, 1.0),
+        Row::relative(TOTAL, THEORY, recovery(gas, END), held.recovery, [0.5, 1.0]),
     ]
 }
 
@@ -175,7 +187,7 @@ fn unstarted(gas: &Frame, theory: Unstarted) -> [Row; 4] {
             SPILT,
         ),
         Row::absolute(PASSES, BOW, captured, theory.captured, 0.08),
-        Row::relative(TOTAL, BOW, recovery(gas, END), theory.recovery, 1.0),
+        Row::relative(TOTAL, BOW, recovery(gas, END), theory.recovery, [0.7, 1.0]),
     ]
 }
 

@@ -104,6 +104,7 @@ fn rows(flow: &Flow<'_, Moment>) -> Result<Vec<Row>, CompareError> {
             ),
         ]);
     }
+    rows.push(flow.no_leaks());
     Ok(rows)
 }
 

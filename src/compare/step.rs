@@ -54,23 +54,26 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
     let place = |quantity: &str, measured, reference, quick: f64| {
         Row::absolute(quantity, VOLUMES, measured, reference, [quick, 0.02])
     };
+    let is_of_points = flow.variant.scheme.is_of_points();
     let mut rows = Vec::new();
     let table = step_shock();
     let column = |name: &str| table.column(name).unwrap_or_default();
     for (y, x) in column("y").iter().zip(column("x")) {
         let found = shocks.bow_shock(*y)?;
-        let quick = if *y > 0.6 { 0.045 } else { 0.022 };
+        let quick = if *y > 0.6 { 0.026 } else { 0.014 };
         let quantity = format!("bow shock, x at y {y}");
-        rows.push(place(&quantity, found, *x, quick));
+        rows.push(place(&quantity, found, *x, quick).by_points(is_of_points, [0.5 * quick, 0.02]));
     }
     // Half a cell off the wall, the heights that the strip holds are all on the stem.
     let stem = shocks.bow_shock(1.0)?;
     let length = 1.0 - shocks.triple_point(stem)?;
     let normal = normal_shock(MACH, GAMMA)?;
     rows.extend([
-        place("Mach stem, x at the upper wall", stem, STEM[0], 0.05),
+        place("Mach stem, x at the upper wall", stem, STEM[0], 0.018)
+            .by_points(is_of_points, [0.05, 0.02]),
         place("Mach stem, length", length, STEM[1], 0.026),
-        place("reflection on the step, x", shocks.foot()?, FOOT, 0.07),
+        place("reflection on the step, x", shocks.foot()?, FOOT, 0.023)
+            .by_points(is_of_points, [0.006, 0.02]),
         Row::relative(
             "pressure at the foot of the step",
             "Rayleigh pitot (NACA 1135, 1953)",
@@ -78,7 +81,7 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
             pitot_pressure_ratio(MACH, GAMMA),
             [0.7, 2.0],
         )
-        .by_points(flow.variant.scheme.is_of_points(), [2.6, 2.0]),
+        .by_points(is_of_points, [2.6, 2.0]),
         Row::informs(
             "p / rho^gamma on the step",
             "constant behind the normal shock",

@@ -11,7 +11,11 @@ const OFTEN: f64 = 0.1;
 pub(super) fn warnings<const D: usize>(flow: &Flow<D>) -> Vec<Warning> {
     let statistics = flow.statistics();
     let all = statistics.fluid as f64 * changes(flow.problem(), flow.time());
-    let lost = lost(statistics.leaked);
+    let lost = if flow.problem().method.fixed().is_some() {
+        without_a_point(statistics.leaked)
+    } else {
+        lost(statistics.leaked)
+    };
     let returned = returned(statistics.returned, all);
     let lines = lost.into_iter().chain(returned);
     lines.map(|text| Warning::new(About::Scene, text)).collect()
@@ -39,6 +43,16 @@ fn lost(particles: usize) -> Option<String> {
     ))
 }
 
+/// Of gas between walls, about points that stay.
+fn without_a_point(pieces: usize) -> Option<String> {
+    (pieces > 0).then(|| {
+        format!(
+            "gas in {pieces} places between thin walls is left out: no point is near that it could belong to; use a smaller `spacing`, or more of \
+             `scheme.refine`"
+        )
+    })
+}
+
 /// Of gas that walls brought back so many `times`, of `all` particles that there have been.
 fn returned(times: u64, all: f64) -> Option<String> {
     let part = times as f64 / all.max(1.0);
@@ -58,6 +72,8 @@ mod tests {
     #[test]
     fn gas_in_walls_is_told_and_gas_brought_back_where_that_is_much_of_it() {
         assert_eq!(lost(0), None);
+        assert_eq!(without_a_point(0), None);
+        assert!(without_a_point(2).unwrap().contains("in 2 places"));
         assert!(lost(1).is_some_and(|text| text.starts_with("1 particle of gas is inside")));
         assert_eq!(returned(10, 100.0), None);
         assert_eq!(returned(0, 0.0), None);

@@ -174,11 +174,8 @@ fn any_width_of_vectors_gives_the_same_flow_to_round_off() {
 
 fn any_width_gives_the_same(precision: Precision, allowed: f64) {
     let plain = with_vectors(pulp::Arch::Scalar, precision);
-    let avx2 = crate::vectors::avx2();
-    for arch in [Some(pulp::Arch::new()), avx2].into_iter().flatten() {
-        let wide = with_vectors(arch, precision);
-        for (plain, wide) in plain.iter().flatten().zip(wide.iter().flatten()) {
-            assert!((plain - wide).abs() < allowed, "{plain} became {wide}");
-        }
+    let wide = with_vectors(crate::vectors::avx2().unwrap_or_default(), precision);
+    for (plain, wide) in plain.iter().flatten().zip(wide.iter().flatten()) {
+        assert!((plain - wide).abs() < allowed, "{plain} became {wide}");
     }
 }

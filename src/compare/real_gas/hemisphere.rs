@@ -24,7 +24,7 @@ const NOSE: [&str; 2] = ["domain.min=[-1.2, 0.0]", "domain.max=[-0.4, 1.2]"];
 const READ: [f64; 2] = [0.3, 0.8];
 
 /// Per cent, quickly and in full.
-const STATE: [f64; 2] = [3.0, 2.0];
+const STATE: [f64; 2] = [2.0, 2.0];
 
 /// Per cent of the stand-off, which four cells between shock and nose are too few for.
 const STAND_OFF: f64 = 10.0;

@@ -87,6 +87,7 @@ fn rows(flow: &Flow<'_, f64>) -> Result<Vec<Row>, CompareError> {
             2.0,
         ));
     }
+    rows.push(flow.no_leaks());
     Ok(rows)
 }
 

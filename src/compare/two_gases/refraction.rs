@@ -26,8 +26,8 @@ const READ: [f64; 2] = [0.18, 0.3];
 const BESIDE: [f64; 2] = [2.5, 6.0];
 
 /// Degrees that the interface may be off, and per cent of the state behind the transmitted shock.
-const ALLOWED_TURN: [f64; 2] = [0.3, 0.1];
-const ALLOWED: [f64; 2] = [1.5, 0.5];
+const ALLOWED_TURN: [f64; 2] = [0.08, 0.1];
+const ALLOWED: [f64; 2] = [1.0, 0.5];
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     let angle = ANGLE.to_radians();

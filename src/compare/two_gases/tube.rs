@@ -20,14 +20,14 @@ const THEORY: &str = "exact Riemann solution of two gases (Toro 2009, chapter 4)
 const MIDDLE: f64 = 0.5;
 
 /// Per cent that the state on either side may be off, and the mean density over that of the gas on the left.
-const ALLOWED: f64 = 0.5;
+const ALLOWED: f64 = 0.1;
 const ALLOWED_MEAN: [f64; 2] = [0.01, 0.004];
 
 /// Left of here waves come from the end of the tube.
 const FROM: f64 = 0.25;
 
 /// Spacings that the interface may be off.
-const ALLOWED_PLACE: f64 = 0.5;
+const ALLOWED_PLACE: f64 = 0.2;
 
 /// What meets in the middle.
 struct Tube {
