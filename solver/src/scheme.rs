@@ -1,6 +1,9 @@
 //! A scheme as data: one part per question that a particle method has to answer, to be combined at will.
 //!
 //! The combinations that have a name stand in `schemes.rs`.
+//!
+//! In the formulas sums go over the neighbours `j` of a particle `i`, ghosts included where it does not say otherwise: `x_ij = x_i - x_j`, `V = m / rho` volumes, `W_ij` the
+//! kernel, `grad_i W_ij` its gradient at `i`, `L_i` the matrix that renormalises it, `F_ij = -(x_ij . grad_i W_ij) / x_ij^2`; letters with both indices are means of both.
 
 /// Equations and boundary treatment of particles.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,9 +80,9 @@ pub enum StepRule {
 /// Where densities come from.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Density {
-    /// The equation of continuity [Villodi & Ramachandran 2024, eqs 10 and 17].
+    /// The equation of continuity, `d rho_i / dt = -rho_i sum_j V_j (u_j - u_i) . L_i grad_i W_ij` and its damping [Villodi & Ramachandran 2024, eqs 10 and 17].
     Continuity,
-    /// The sum over the particles around.
+    /// The sum over the particles around, `rho_i = sum_j m_j W_ij`, over the part of the kernel that they fill.
     Summation,
 }
 
@@ -88,11 +91,12 @@ pub enum Density {
 pub enum Damping {
     /// Nothing.
     None,
-    /// The diffusion of delta-SPH [Villodi & Ramachandran 2024, eq. 11].
+    /// The diffusion of delta-SPH, `delta sum_j V_j c_ij h_ij D_ij . grad_i W_ij` with `D_ij = 2 x_ji / x_ij^2 [(rho_j - rho_i) - (g_i + g_j) . x_ji / 2]` and `g` the
+    /// gradients of the density; within the gas [Villodi & Ramachandran 2024, eqs 10-11].
     Delta,
-    /// That of an evolved pressure, by differences of gradients [Negi & Ramachandran 2021, eq. 13].
+    /// That of an evolved pressure, by differences of gradients: `nu sum_j V_j (g_j - g_i) . L_i grad_i W_ij`, `nu = h c / 16` [Negi & Ramachandran 2021, eqs 12-13].
     Coupled,
-    /// The same by pairs [Ramachandran & Puri 2019].
+    /// The same by pairs, `nu sum_j (V_i^2 + V_j^2) / V_i (rho_i - rho_j) F_ij` [Ramachandran & Puri 2019].
     Pairwise,
 }
 
@@ -108,11 +112,11 @@ pub enum Volume {
 /// How pressure accelerates.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum PressureGradient {
-    /// By sums of pressures: pairs exchange momentum alike [Villodi & Ramachandran 2024, eq. 12].
+    /// By sums of pressures, `-1/rho_i sum_j V_j (p_i L_i + p_j L_j) grad_i W_ij`: pairs exchange momentum alike [Villodi & Ramachandran 2024, eq. 12].
     Pairwise,
-    /// By differences, exact where it is linear [Negi & Ramachandran 2021, eq. 8].
+    /// By differences, `-1/rho_i sum_j V_j (p_j - p_i) L_i grad_i W_ij`, exact where it is linear [Negi & Ramachandran 2021, eq. 8].
     Difference,
-    /// By a mean of the two, without renormalisation [Adami, Hu & Adams 2013].
+    /// By a mean of the two, `-1/m_i sum_j (V_i^2 + V_j^2) (V_i p_i + V_j p_j) / (V_i + V_j) grad_i W_ij` [Adami, Hu & Adams 2013].
     Averaged,
 }
 
@@ -123,7 +127,7 @@ pub enum Stress {
     Conservative,
     /// By differences of stresses, and the departure.
     Coupled,
-    /// By pairs alone [Morris, Fox & Zhu 1997].
+    /// By pairs alone, `-2 mu sum_j V_j (u_i - u_j) F_ij` over the density [Morris, Fox & Zhu 1997].
     Pairwise,
 }
 
@@ -132,11 +136,12 @@ pub enum Stress {
 pub enum Viscosity {
     /// None: the gas's own viscosity is to do.
     None,
-    /// All, over the distance [Villodi & Ramachandran 2024, eq. 13].
+    /// All, over the distance: `sum_j m_j / rho_ij Pi_ij grad_i W_ij` with `Pi_ij = alpha c_ij mu - beta mu^2` and `mu = h_ij (u_ij . x_ij) / x_ij^2` of pairs that close
+    /// [Villodi & Ramachandran 2024, eq. 13].
     Bare,
-    /// All, over a distance softened [Monaghan 1992, eq. 4.2].
+    /// All, over a distance softened: `mu = h_ij (u_ij . x_ij) / (x_ij^2 + 0.01 h_ij^2)` [Monaghan 1992, eq. 4.2].
     Softened,
-    /// That, without what varies linearly.
+    /// That, without what of `u_ij . x_ij` varies linearly, as both particles' rates of strain say [Frontiere, Raskin & Owen 2017, section 2.4].
     Limited,
 }
 
@@ -145,9 +150,10 @@ pub enum Viscosity {
 pub enum Conduction {
     /// None: the gas's own conduction is to do.
     None,
-    /// Weighed by the neighbour's volume, as printed [Villodi & Ramachandran 2024, eq. 14]; conserves no energy.
+    /// Weighed by the neighbour's volume, as printed: `kappa sum_j V_j c_ij h_ij E_ij . grad_i W_ij` with `E_ij = 2 (e_j - e_i) x_ji / x_ij^2`
+    /// [Villodi & Ramachandran 2024, eqs 14-15]; conserves no energy.
     ByVolume,
-    /// By what both give and take alike, with a flux that cools shocked walls [Noh 1987].
+    /// By what both give and take alike, `m_j / rho_ij` for `V_j`, with a flux that cools shocked walls, the speed of closing added to `c_ij` [Noh 1987].
     Pairwise,
     /// That, of what does not vary linearly.
     Limited,
@@ -167,9 +173,10 @@ pub enum Energy {
 /// How particles move otherwise than their gas: through the transport velocity.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct TransportVelocity {
-    /// They are shifted towards even spacing.
+    /// They are shifted towards even spacing, against the gradient of `sum_j V_j W_ij`: `-Ma c 2h grad C` at most [Sun et al. 2019].
     pub shifting: bool,
-    /// Walls shield themselves from penetration.
+    /// Walls shield themselves from penetration: `-2 (1 - s / s_nom) (n . u) n` is added to the motion of what heads for a wall at a distance `s` below its own
+    /// spacing `s_nom` [Villodi & Ramachandran 2024, eq. 32].
     pub shield: bool,
     /// How the flow is kept in place where particles are shifted.
     pub return_of_shift: ReturnOfShift,
@@ -214,7 +221,7 @@ pub struct WallTreatment {
 /// How ghosts get the state of the gas.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Extrapolation {
-    /// Without ghost mirrors: Shepard interpolation at the ghost.
+    /// Without ghost mirrors: Shepard interpolation at the ghost, `sum_j V_j q_j W / sum_j V_j W` over the gas.
     Wom,
     /// With ghost mirrors: first-order consistent interpolation at the mirror point.
     Wm,
