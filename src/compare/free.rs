@@ -27,7 +27,7 @@ pub struct FreeBodies;
 impl Compare for FreeBodies {
     fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
         let cells: &[u32] = match context.level {
-            Level::Quick => &[30],
+            Level::Quick => &[40],
             Level::Full => &[40, 80],
         };
         let mut checks = Vec::new();
