@@ -62,7 +62,10 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
         let found = shocks.bow_shock(*y)?;
         let quick = if *y > 0.6 { 0.026 } else { 0.014 };
         let quantity = format!("bow shock, x at y {y}");
-        rows.push(place(&quantity, found, *x, quick).by_points(is_of_points, [0.5 * quick, 0.02]));
+        rows.push(place(&quantity, found, *x, quick).by_points(
+            is_of_points,
+            [if *y > 0.6 { quick } else { 0.5 * quick }, 0.02],
+        ));
     }
     // Half a cell off the wall, the heights that the strip holds are all on the stem.
     let stem = shocks.bow_shock(1.0)?;

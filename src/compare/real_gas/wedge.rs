@@ -24,7 +24,7 @@ const RAYS: [f64; 2] = [0.3, 0.7];
 const READ: [f64; 2] = [1.2, 2.7];
 
 /// Per cent.
-const ALLOWED: f64 = 0.3;
+const ALLOWED: f64 = 0.8;
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     let cells = match context.level {
