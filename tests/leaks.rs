@@ -177,3 +177,61 @@ fn gas_on_both_sides_of_a_slab_of_long_facets_stays_apart() {
         assert!(lift > 0.15, "{spacings}: {lift}");
     }
 }
+
+/// A pocket of half a spacing between four plates, about points that stay: none of them is in it.
+const POCKET: &str = r#"
+dimension = 2
+spacing = 0.1
+end_time = 0.02
+
+[scheme]
+motion = "fixed"
+
+[free_stream]
+mach = 2.0
+density = 1.0
+pressure = 0.7142857142857143
+
+[domain]
+min = [-1.0, -1.0]
+max = [2.0, 1.0]
+
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+y_min = "free-stream"
+y_max = "free-stream"
+"#;
+
+#[test]
+fn gas_in_a_pocket_without_a_point_is_told() {
+    let plate = |name: &str, [x, y]: [f64; 2], [width, height]: [f64; 2]| {
+        let (right, top) = (x + width, y + height);
+        format!(
+            "[[body]]\nname = \"{name}\"\nshape = {{ polygon = {{ points = [[{x}, {y}], [{right}, {y}], [{right}, {top}], [{x}, {top}]] }} }}\n"
+        )
+    };
+    // Around a square of this size at this place.
+    let pocket = |size: f64| {
+        let [x, y] = [0.31, 0.013];
+        let (thick, over) = (0.03, 0.001);
+        [
+            plate("west", [x - thick, y - thick], [thick, size + 2.0 * thick]),
+            plate("east", [x + size, y - thick], [thick, size + 2.0 * thick]),
+            plate("south", [x - over, y - thick], [size + 2.0 * over, thick]),
+            plate("north", [x - over, y + size], [size + 2.0 * over, thick]),
+        ]
+        .concat()
+    };
+    let place = Workplace::new();
+    for (size, is_told) in [(0.06, true), (0.12, false)] {
+        let answer = place.run(&[POCKET, &pocket(size)].concat(), &[]);
+        answer.succeeds();
+        let summary = place.json("results/summary.json");
+        let warnings = summary["warnings"].to_string();
+        assert_eq!(summary["leaked"].as_u64() > Some(0), is_told, "{size}");
+        assert_eq!(warnings.contains("is left out"), is_told, "{warnings}");
+        let said = [answer.out, answer.err].concat();
+        assert_eq!(said.contains("is left out"), is_told, "{said}");
+    }
+}

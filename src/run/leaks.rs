@@ -47,8 +47,8 @@ fn lost(particles: usize) -> Option<String> {
 fn without_a_point(pieces: usize) -> Option<String> {
     (pieces > 0).then(|| {
         format!(
-            "gas in {pieces} places between thin walls is left out: no point is near that it could belong to; use a smaller `spacing`, or more of \
-             `scheme.refine`"
+            "gas between walls that no point of it is in, or beside, is left out ({pieces} pieces of cells); close the gap or pocket, or use a smaller \
+             `spacing` or more of `scheme.refine`"
         )
     })
 }
@@ -73,7 +73,7 @@ mod tests {
     fn gas_in_walls_is_told_and_gas_brought_back_where_that_is_much_of_it() {
         assert_eq!(lost(0), None);
         assert_eq!(without_a_point(0), None);
-        assert!(without_a_point(2).unwrap().contains("in 2 places"));
+        assert!(without_a_point(2).unwrap().contains("(2 pieces of cells)"));
         assert!(lost(1).is_some_and(|text| text.starts_with("1 particle of gas is inside")));
         assert_eq!(returned(10, 100.0), None);
         assert_eq!(returned(0, 0.0), None);

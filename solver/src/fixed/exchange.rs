@@ -5,6 +5,7 @@ use aero_geometry::Vector;
 use super::bent::{Layout, fans, press, turn};
 use super::energy::EnergyFlux;
 use super::fluxes::{Passed, Through};
+use super::gains::Gains;
 use super::gas::Gas;
 use super::kink::hold;
 use super::net::{Block, Net};
@@ -13,25 +14,6 @@ use super::state::Conserved;
 use super::viscous::{Rubbing, WallShare};
 use super::walls::push;
 use crate::vectors::dispatch;
-
-/// What the cells of a block gain per time.
-#[derive(Clone, Debug)]
-pub struct Gains<const D: usize> {
-    /// Cell by cell.
-    pub cells: Vec<Conserved<D>>,
-    /// Through walls and sides, all cells.
-    pub boundary: Conserved<D>,
-}
-
-impl<const D: usize> Gains<D> {
-    /// Nothing, of so many cells.
-    fn nothing(cells: usize) -> Self {
-        Self {
-            cells: vec![Conserved::ZERO; cells],
-            boundary: Conserved::ZERO,
-        }
-    }
-}
 
 /// Sums up the faces of `block`; pressures on its walls go to `pressures`.
 pub struct Exchange<'a, G, const D: usize> {

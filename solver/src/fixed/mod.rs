@@ -29,6 +29,7 @@ mod far_field;
 mod filler;
 mod fluxes;
 mod folding;
+mod gains;
 mod gas;
 mod gather;
 mod given;

@@ -4,7 +4,8 @@ use aero_geometry::parallel::prelude::*;
 
 use super::columns::Columns;
 use super::energy::EnergyFlux;
-use super::exchange::{Exchange, Gains};
+use super::exchange::Exchange;
+use super::gains::Gains;
 use super::gas::AnyGas;
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};

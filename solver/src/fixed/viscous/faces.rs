@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::super::exchange::Gains;
+use super::super::gains::Gains;
 use super::super::net::{Block, Net};
 use super::super::slopes::Flow;
 use super::super::state::{Conserved, dot};
