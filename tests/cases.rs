@@ -48,6 +48,10 @@ const SMALL: [(&str, &[&str]); 48] = [
         &["end_time=1e-4", "stop=end-time", "scheme.refine=0"],
     ),
     (
+        "flat-plate-askew",
+        &["end_time=1e-4", "stop=end-time", "scheme.refine=0"],
+    ),
+    (
         "flat-plate-subsonic",
         &["end_time=1e-4", "stop=end-time", "scheme.refine=0"],
     ),

@@ -79,6 +79,17 @@ impl<const D: usize> Bend<D> {
         arm - edge * edge.dot(arm)
     }
 
+    /// True of a place, as seen from the bend, in front of the one wall or the other that meet there, or hardly behind either: what lies behind both is
+    /// beyond the body.
+    pub fn opens_to(&self, arm: &Vector<D>) -> bool {
+        /// So far behind, in spacings, faces that the walls cut may lie.
+        const BEHIND: f64 = 0.5;
+        let [along, before, up] = [self.along, self.before, self.up].map(Vector::from);
+        let behind = up * along.dot(&before) - before * along.dot(&up);
+        let least = -BEHIND * self.unit;
+        arm.dot(&up) > least || arm.dot(&behind) > least
+    }
+
     /// The gas before it.
     pub fn front(&self, states: &[Primitive<D>]) -> Primitive<D> {
         let donors = self.donors.iter();

@@ -10,6 +10,7 @@ use super::chain::Chain;
 use super::fan::farthest;
 use super::net::{Face, Net};
 use super::ridges::Ridges;
+use super::sight::Sight;
 use crate::problem::Problem;
 
 impl<const D: usize> Net<D> {
@@ -45,8 +46,10 @@ impl<const D: usize> Net<D> {
             let away = (place - at).norm() - 1e-6 * unit;
             places.iter().all(|other| (place - other).norm() > away)
         };
+        let all = || self.blocks.iter().flat_map(|block| &block.walls);
+        let sights: Vec<Sight<'_, D>> = bends.iter().map(|bend| Sight::new(bend, all())).collect();
         for number in 0..self.blocks.len() {
-            for (bend, at) in bends.iter().zip(&places) {
+            for ((bend, at), sight) in bends.iter().zip(&places).zip(&sights) {
                 let is_own = |middle: &Vector<D>| {
                     middle.norm() / bend.unit < farthest::<D>()
                         && is_nearest(at, &(middle + at), bend.unit)
@@ -54,12 +57,14 @@ impl<const D: usize> Net<D> {
                 let block = &self.blocks[number];
                 let is_face = |face: &Face| {
                     self.seen(&cells.points, at, face)
-                        .is_some_and(|middle| is_own(&middle))
+                        .is_some_and(|middle| is_own(&middle) && sight.reaches(&middle))
                 };
                 let around = Surroundings {
                     bends: vec![bend.clone()],
                     faces: numbers(&block.faces, is_face),
-                    walls: numbers(&block.walls, |wall| is_own(&(wall.foot - at))),
+                    walls: numbers(&block.walls, |wall| {
+                        is_own(&(wall.foot - at)) && sight.reaches_wall(wall)
+                    }),
                 };
                 if !around.faces.is_empty() || !around.walls.is_empty() {
                     self.blocks[number].bends.push(around);

@@ -51,7 +51,12 @@ impl<const D: usize> Piece<D> {
         let across = (arm - way * along).norm();
         let is_beside = beyond <= 1e-6 * unit || self.goes_on[usize::from(along > 0.0)];
         let is_near = across < farthest::<D>() * unit;
-        (across * across + beyond * beyond, is_beside && is_near)
+        let from_here = place - Vector::from(self.bends[0].at);
+        let is_open = self.bends.iter().any(|bend| bend.opens_to(&from_here));
+        (
+            across * across + beyond * beyond,
+            is_beside && is_near && is_open,
+        )
     }
 }
 

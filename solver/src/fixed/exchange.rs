@@ -84,7 +84,7 @@ impl<G: Gas, const D: usize> Exchange<'_, G, D> {
                 least_mach: self.least_mach,
                 block,
                 flow,
-                in_the_middle: rubbing.is_some(),
+                has_layers: rubbing.is_some(),
                 keeps_fluxes: !fans.is_empty(),
             },
         );

@@ -31,8 +31,9 @@ pub struct Through<'a, G, const D: usize> {
     pub block: &'a Block<D>,
     /// The flow.
     pub flow: Flow<'a, D>,
-    /// Whether gas meets in the middle of each face, also where that is not halfway between the cells.
-    pub in_the_middle: bool,
+    /// Whether layers are drawn as finely as they can be: gas meets in the middle of each face, also where that is not halfway between the
+    /// cells, and temperatures are straight across a cell rather than densities.
+    pub has_layers: bool,
     /// Whether the flux through each face is asked for.
     pub keeps_fluxes: bool,
 }
@@ -58,7 +59,8 @@ impl<G: Gas, const D: usize> WithSimd for Through<'_, G, D> {
         let mut fluxes = Vec::new();
         for faces in block.faces.chunks(S::F64_LANES) {
             let mut batch = Batch::new(simd, net, faces, flow);
-            if self.in_the_middle {
+            if self.has_layers {
+                batch.has_layers = true;
                 batch.find_skews(simd, net, faces);
             }
             let flux = batch.flux(self.gas, self.energy, self.least_mach);
@@ -85,6 +87,8 @@ struct Batch<S: Simd, const D: usize> {
     calmness: Lane<S>,
     area: [Lane<S>; D],
     apart: [Lane<S>; D],
+    /// See [`Through::has_layers`].
+    has_layers: bool,
     /// From halfway between the cells to the faces' middles, where that counts.
     skew: Option<[Lane<S>; D]>,
 }
@@ -111,6 +115,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             calmness: zero,
             area: [zero; D],
             apart: [zero; D],
+            has_layers: false,
             skew: None,
         };
         let mut calmness = [zero; 2];
@@ -161,6 +166,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             ],
             smooth: steepness(self.calmness),
             order: self.calmness,
+            has_layers: self.has_layers,
         }
         .states();
         if let Some(skew) = &self.skew {

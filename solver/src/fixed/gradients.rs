@@ -18,7 +18,8 @@ struct Sums<const D: usize> {
 }
 
 /// Slopes of the cells of `block`, `grad q = M^-1 sum_j w d (q_j - q_i)`, with `w` the area of a face over its length `d`, so that slivers
-/// count as little as they are; images behind walls and known sides count as neighbours. Exact for linear states.
+/// count as little as they are; images behind walls and known sides count as neighbours. Exact for linear states; of viscous gas for linear
+/// temperatures in place of densities, whose profile through a layer at a cold wall is far from straight.
 ///
 /// Returns the least of `V / L` over the cells, `L` the sum of `(|u.n| + a) A` over all faces, and of what viscosity adds to it.
 pub fn slopes<G: Gas, const D: usize>(
@@ -46,11 +47,12 @@ pub fn slopes<G: Gas, const D: usize>(
         let (i, j) = (face.i as usize, face.j as usize);
         let (first, second) = (&states[i], &states[j]);
         let rise = second.plus(-1.0, first);
+        let warming = viscous.map(|_| second.heat() - first.heat());
         let weight = shape.apart.map(|d| d * shape.weight);
         let ratio = calmness(first, second);
         for (number, state) in [(i, first), (j, second)] {
             if let Some(sums) = sums.get_mut(number.wrapping_sub(start)) {
-                sums.add(&rise, &weight);
+                sums.add(&in_heat(rise, warming, state), &weight);
                 sums.slopes.calmness = sums.slopes.calmness.min(ratio);
                 sums.reach += dot(&state.velocity, &shape.area).abs() + sums.sound * shape.size;
             }
@@ -58,16 +60,19 @@ pub fn slopes<G: Gas, const D: usize>(
     }
     for wall in &block.walls {
         let cell = &states[wall.i as usize];
-        let image = wall.beyond(cell);
+        let rise = wall.beyond(cell).plus(-1.0, cell);
+        let warming = viscous.map(|_| wall.heat_beyond(cell) - cell.heat());
         let sums = &mut sums[wall.i as usize - start];
-        sums.add(&image.plus(-1.0, cell), &wall.image.weight());
+        sums.add(&in_heat(rise, warming, cell), &wall.image.weight());
         sums.meet(cell, &wall.image);
     }
     for side in &block.sides {
         let cell = &states[side.i as usize];
         let sums = &mut sums[side.i as usize - start];
         if let Some(image) = side.known(cell) {
-            sums.add(&image.plus(-1.0, cell), &side.image.weight());
+            let warming = viscous.map(|_| image.heat() - cell.heat());
+            let rise = image.plus(-1.0, cell);
+            sums.add(&in_heat(rise, warming, cell), &side.image.weight());
         }
         sums.meet(cell, &side.image);
     }
@@ -92,6 +97,23 @@ pub fn slopes<G: Gas, const D: usize>(
         };
     }
     least
+}
+
+/// The `rise` from the cell of a `state` to a neighbour, whose `p / rho` is more by `warming` where that is what is to be straight: the
+/// density's is what goes with it.
+#[inline(always)]
+fn in_heat<const D: usize>(
+    rise: Primitive<D>,
+    warming: Option<f64>,
+    state: &Primitive<D>,
+) -> Primitive<D> {
+    let Some(warming) = warming else {
+        return rise;
+    };
+    Primitive {
+        density: (rise.pressure - state.density * warming) / state.heat(),
+        ..rise
+    }
 }
 
 /// Ratio of the pressures of neighbours, the lower one over the higher; [`Slopes::CAREFUL`] at the edge of a vacuum, which slopes would draw more gas

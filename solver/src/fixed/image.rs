@@ -88,6 +88,7 @@ impl<const D: usize> Image<D> {
             rises: [rise; 2],
             smooth: steepness(calmness),
             order: calmness,
+            has_layers: false,
         }
         .states();
         inner

@@ -1,6 +1,6 @@
 //! The states on both sides of a face, from the cells' means and slopes.
 
-use super::limiter::{central, minmod};
+use super::limiter::{central, minmod, third};
 use super::real::Real;
 use super::state::{Primitive, scaled};
 
@@ -15,6 +15,8 @@ pub struct Neighbours<const D: usize, R> {
     pub smooth: R,
     /// Below zero where no slope may be used at all.
     pub order: R,
+    /// Whether layers are drawn as finely as they can be: `p / rho` is straight in a cell, in place of the density, and slopes are of third order.
+    pub has_layers: bool,
 }
 
 impl<const D: usize, R: Real> Neighbours<D, R> {
@@ -26,8 +28,18 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
         let [first, second] = &self.means;
         let [a, b] = &self.rises;
         let mut sides = self.means;
-        let density = self.sides(first.density, second.density, a.density, b.density);
         let pressure = self.sides(first.pressure, second.pressure, a.pressure, b.pressure);
+        let density = if self.has_layers {
+            let [cold, hot] = self.sides(
+                first.heat(),
+                second.heat(),
+                warming(first, a),
+                warming(second, b),
+            );
+            [pressure[0] / cold, pressure[1] / hot]
+        } else {
+            self.sides(first.density, second.density, a.density, b.density)
+        };
         let mut velocity = [first.velocity, second.velocity];
         for k in 0..D {
             let [u, v] = [first.velocity[k], second.velocity[k]];
@@ -56,11 +68,26 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
     }
 
     #[inline(always)]
+    fn even(&self, beyond: R, jump: R) -> R {
+        if self.has_layers {
+            third(beyond, jump)
+        } else {
+            central(beyond, jump)
+        }
+    }
+
+    #[inline(always)]
     fn step(&self, rise: R, jump: R) -> R {
         let beyond = rise * 2.0 - jump;
         let careful = minmod(beyond, jump);
-        careful + self.smooth * (central(beyond, jump) - careful)
+        careful + self.smooth * (self.even(beyond, jump) - careful)
     }
+}
+
+/// How much more `p / rho` is where a state has changed by `rise`, to first order.
+#[inline(always)]
+fn warming<R: Real, const D: usize>(state: &Primitive<D, R>, rise: &Primitive<D, R>) -> R {
+    (rise.pressure - state.heat() * rise.density) / state.density
 }
 
 /// Moves the states on both sides of a face from halfway between two cells to the face's middle, by the mean of the cells' `slopes`, so that

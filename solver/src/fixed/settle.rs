@@ -63,6 +63,9 @@ pub struct Settling {
     first: f64,
     #[serde(default)]
     pub(super) pace: Pace,
+    /// Mass of closed-in gas.
+    #[serde(default)]
+    pub(super) mass: Option<f64>,
     /// Circulation that the stream far away goes around the bodies with, clockwise; none before the first iteration.
     #[serde(default)]
     pub(super) circulation: Option<f64>,
@@ -92,11 +95,15 @@ impl<const D: usize> FixedSimulation<D> {
     /// A [`Failure`] where a cell's state makes no sense any more.
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
         self.turn_far_field();
+        self.keep_mass()?;
         let courant = self.settling.pace.courant(self.settling.calm);
         let residual = self.implicit_step(courant)?;
+        self.keep_mass()?;
         self.tally.steps += 1;
         self.tally.updates += self.awake_cells();
         let (watched, measures) = self.watched().into_iter().unzip();
+        let is_viscous = self.fluid.viscous.is_some();
+        let is_slow_to_rest = is_viscous || self.throws_sound_back();
         let settling = &mut self.settling;
         settling.measures = measures;
         settling.iterations += 1;
@@ -110,13 +117,12 @@ impl<const D: usize> FixedSimulation<D> {
             settling.watched.remove(0);
         }
         settling.watched.push(watched);
-        let is_viscous = self.fluid.viscous.is_some();
         if is_viscous && settling.iterations <= WINDOW as u64 {
             // Walls stop the gas before anything else changes.
             settling.first = settling.first.max(residual);
         }
-        let look = match (is_viscous, settling.is_near) {
-            (true, _) => Look::VISCOUS,
+        let look = match (is_slow_to_rest, settling.is_near) {
+            (true, _) => Look::LONG,
             (false, true) => Look::NEAR,
             (false, false) => Look::USUAL,
         };
@@ -168,11 +174,29 @@ impl<const D: usize> FixedSimulation<D> {
         };
         let forces = loads.iter().flat_map(|load| load.force);
         watched.extend(forces.map(|f| (f, force)));
+        if self.throws_sound_back() {
+            // As much flows in as out long before it is as much as the pressures ask for.
+            let (momentum, size) = self.momentum();
+            watched.extend(momentum.map(|part| (part, within(size))));
+        }
         if self.fluid.viscous.is_some() {
             let rubbed = self.rubbed(&loads, force.size);
             watched.extend(rubbed.into_iter().map(|value| (value, within(1.0))));
         }
         watched
+    }
+
+    /// Momentum of all gas, and what it would be if all went one way.
+    fn momentum(&self) -> ([f64; D], f64) {
+        let (mut sums, mut size) = ([0.0; D], f64::MIN_POSITIVE);
+        for (i, held) in self.columns.held.iter().enumerate() {
+            let volume = self.net.cell(i).volume;
+            for (sum, part) in sums.iter_mut().zip(held.momentum) {
+                *sum += part * volume;
+            }
+            size += dot(&held.momentum, &held.momentum).sqrt() * volume;
+        }
+        (sums, size)
     }
 
     /// What changes of forces are measured by: the largest one, bounded by what all departures from the stream's pressure press the walls with:

@@ -68,7 +68,7 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     /// True of a stream slower than sound between sides that hold a pressure.
-    fn throws_sound_back(&self) -> bool {
+    pub(super) fn throws_sound_back(&self) -> bool {
         let holds = |side: &Side| matches!(side, Side::Reservoir { .. } | Side::HeldOutlet { .. });
         let domain = &self.problem.domain;
         let parts = domain.openings.iter().map(|opening| &opening.side);

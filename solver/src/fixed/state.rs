@@ -88,6 +88,12 @@ impl<const D: usize, R: Real> Primitive<D, R> {
         }
     }
 
+    /// `p / rho`, the temperature times the gas constant.
+    #[inline(always)]
+    pub fn heat(&self) -> R {
+        self.pressure / self.density
+    }
+
     /// The same state seen in a mirror across the unit `normal`.
     #[inline(always)]
     pub fn mirrored(&self, normal: &[R; D]) -> Self {

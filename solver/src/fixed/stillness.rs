@@ -23,10 +23,10 @@ impl Look {
         window: WINDOW / 2,
         slowest: 0.99, // the square root of that of twice the window
     };
-    /// Of viscous gas.
-    pub const VISCOUS: Self = Self {
+    /// Of a flow that takes long to come to rest: of viscous gas, or slower than sound between sides that hold a pressure.
+    pub const LONG: Self = Self {
         window: WINDOW,
-        slowest: SLOWEST_VISCOUS,
+        slowest: SLOWEST_OF_ALL,
     };
 }
 
@@ -36,8 +36,8 @@ const STRAIGHT: f64 = 0.9;
 /// Largest part of a window's way that the next is taken to go, so that what only seems to creep is not waited for for ever.
 const SLOWEST: f64 = 0.98;
 
-/// The same of viscous flows: heat spreads slowly.
-const SLOWEST_VISCOUS: f64 = 0.9995;
+/// The same where heat has to spread, or a pressure to drive a whole duct.
+const SLOWEST_OF_ALL: f64 = 0.9995;
 
 /// How far apart values are.
 pub fn range(values: &[f64]) -> f64 {

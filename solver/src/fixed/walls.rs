@@ -9,7 +9,7 @@ use super::image::Image;
 use super::limiter::minmod;
 use super::slow::counted;
 use super::state::{Conserved, Primitive, dot};
-use super::stick::Stick;
+use super::stick::{Heat, Stick};
 
 /// A wall of a cell.
 #[derive(Clone, Copy, Debug)]
@@ -62,6 +62,15 @@ impl<const D: usize> Wall<D> {
             beyond.pressure += 2.0 * self.image.distance * cell.density * self.push;
         }
         beyond
+    }
+
+    /// `p / rho` behind it, as the slopes of viscous gas see it: a line through what it is on the wall.
+    #[inline]
+    pub fn heat_beyond(&self, cell: &Primitive<D>) -> f64 {
+        match self.stick.map(|stick| stick.heat) {
+            Some(Heat::Level(level)) => 2.0 * level - cell.heat(),
+            Some(Heat::Flux(_)) | None => cell.heat(),
+        }
     }
 
     /// `u.K u` along the wall; of gas that sticks to it and moves as the wall there, the mean up to the cell.

@@ -14,6 +14,11 @@ pub trait Source<const D: usize>: Debug + Send + Sync {
         false
     }
 
+    /// True of one that adds no mass; none unless told.
+    fn keeps_mass(&self) -> bool {
+        false
+    }
+
     /// What it is, in words.
     fn description(&self) -> String {
         "sources are added to the equations".into()
@@ -34,6 +39,10 @@ impl<const D: usize> Source<D> for BodyForce<D> {
     }
 
     fn is_steady(&self) -> bool {
+        true
+    }
+
+    fn keeps_mass(&self) -> bool {
         true
     }
 

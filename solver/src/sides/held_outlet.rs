@@ -48,7 +48,7 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
         true
     }
 
-    /// The wave on its way out goes through the particles, `dR+/dt = -c (dR+/dn + div_t v)`, with what the flow along the side takes off it [after
+    /// The wave on its way out goes through the particles, `dR+/dt = -c (du/dn + dp/dn / (rho c) + div_t v)`, which is `dR+/dn` of gas of one entropy, with what the flow along the side takes off it [after
     /// Yoo & Im 2007, Combust. Theory Model. 11, 259-286]; entropy and the velocity along the side ride with them. The wave that comes in is
     /// the same all along their way, and who leaves takes on that of those who left there before.
     fn go_on(
@@ -74,7 +74,7 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             .filter(|particle| -place.depth(&particle.position) < reach);
         let all = near.chain(gone.iter().map(|open| &open.particle));
         for particle in all {
-            upstream.add(particle.position, [along(particle).waves(gamma).ahead]);
+            upstream.add(particle.position, along(particle).speed_and_rise(gamma));
         }
         upstream.sort();
         let mut known = Upstream::new(place, problem.spacing);
@@ -88,7 +88,10 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             let gas = along(particle);
             let held = self.at(&particle.position, now);
             let waves = gas.waves(gamma);
-            let [slope] = upstream.slopes(&particle.position, [waves.ahead]);
+            let own = gas.speed_and_rise(gamma);
+            let [faster, risen] = upstream.slopes(&particle.position, own);
+            // Gas of another entropy at the same pressure sends no sound.
+            let slope = faster + (waves.ahead - gas.speed) / own[1] * risen;
             // Rings grow, whichever way they leave.
             let parting = parting(axis, &open.gradients) + rings.growth(particle);
             let parting = gas.sound(gamma) * parting;
@@ -176,6 +179,37 @@ mod tests {
         let after = gas(&gone[0].particle).waves(GAMMA).ahead;
         let change = (after - before.waves(GAMMA).ahead) / 0.01;
         assert_relative_eq!(change, -0.3 * before.sound(GAMMA), epsilon = 1e-12);
+    }
+
+    /// Light gas behind dense gas at one pressure and speed goes out without a sound.
+    #[test]
+    fn gas_of_another_entropy_changes_no_wave_on_its_way_out() {
+        let problem = cube::<2>(8, Side::Outlet);
+        let fluid = crate::Simulation::new(problem.clone()).unwrap().fluid;
+        let mut particle = fluid[0];
+        particle.velocity = [0.4, 0.0].into();
+        let pressure = (GAMMA - 1.0) * particle.density * particle.energy;
+        let place = Place {
+            axis: 0,
+            end: 1,
+            face: 1.0,
+            part: None,
+        };
+        let outlet = HeldOutlet::new(Held::new(&problem, place, pressure, Some(0.25)), None);
+        let behind = [0.85, 0.95].map(|x| {
+            let mut other = particle;
+            other.position = [x, 0.4].into();
+            other.density = 0.25 * particle.density;
+            other.energy = 4.0 * particle.energy;
+            other
+        });
+        particle.position = [1.02, 0.4].into();
+        let mut gone = [OpenParticle::of_lattice(particle, 1, None)];
+        outlet.go_on(&problem, &behind, &mut gone, &[], [0.0, 0.01]);
+        let left = &gone[0].particle;
+        assert_relative_eq!(left.velocity[0], 0.4, epsilon = 1e-12);
+        assert_relative_eq!(left.density, particle.density, epsilon = 1e-12);
+        assert_relative_eq!(left.energy, particle.energy, epsilon = 1e-12);
     }
 
     /// Who leaves brings another speed at the pressure that is held; what comes in is what came in there before, and goes on from that.

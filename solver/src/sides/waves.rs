@@ -46,6 +46,11 @@ impl Along {
         }
     }
 
+    /// Speed, and the pressure as what the speed of sound rises with in gas of one entropy, `p^((gamma - 1) / (2 gamma))`.
+    pub fn speed_and_rise(&self, gamma: f64) -> [f64; 2] {
+        [self.speed, self.pressure.powf(0.5 * (gamma - 1.0) / gamma)]
+    }
+
     /// As waves.
     pub fn waves(&self, gamma: f64) -> Waves {
         let sound = 2.0 * self.sound(gamma) / (gamma - 1.0);

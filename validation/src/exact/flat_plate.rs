@@ -39,6 +39,8 @@ pub struct Layer {
     pub wall: f64,
     /// `(T_w - T) / (T_0 - T)`: of a wall that no heat goes through, the recovery factor.
     pub recovery: f64,
+    /// `q_w sqrt(Re_x) / (rho u c_p T)`, by the stream: heat into the wall.
+    pub heat: f64,
 }
 
 /// `f`, `f'`, `C f''`, `T`, `C T' / Pr`.
@@ -118,6 +120,7 @@ impl FlatPlate {
             friction: f64::sqrt(2.0) * guess[0],
             wall,
             recovery: (wall - 1.0) / kinetic,
+            heat: self.wall.map_or(0.0, |_| guess[1] / f64::sqrt(2.0)),
         }
     }
 }
@@ -148,6 +151,16 @@ mod tests {
             let found = air(mach, Some(220.0)).friction;
             assert!((found - friction).abs() < 1e-4, "{mach}: {found}");
         }
+        // By Reynolds' analogy within two per cent: c_f / 2 Pr^(-2/3) (T_r - T_w) / T, with the recovery of a wall that no heat goes through.
+        let cold = air(3.0, Some(220.0));
+        let rise = 0.4 * 0.5 * 9.0 * air(3.0, None).recovery;
+        let alike = 0.5 * cold.friction * 0.72_f64.powf(-2.0 / 3.0) * rise;
+        assert!(
+            (cold.heat / alike - 1.0).abs() < 0.02,
+            "{} {alike}",
+            cold.heat
+        );
+        assert_eq!(air(3.0, None).heat, 0.0);
         let recoveries = [0.1, 3.0].map(|mach| air(mach, None).recovery);
         assert!((recoveries[0] - 0.8477).abs() < 1e-4, "{recoveries:?}");
         assert!((recoveries[1] - 0.8435).abs() < 1e-4, "{recoveries:?}");

@@ -278,3 +278,25 @@ fn walls_before_a_ramp_that_pushes_its_shock_ahead_feel_it() {
     let nearest = walls.iter().min_by(|a, b| a[0].total_cmp(&b[0])).unwrap();
     assert!(nearest[1] > 2.0, "{nearest:?}");
 }
+
+/// The bottom of a half wedge lies along the stream, and nothing below it knows of the fan at the bend of its top: through the body that made three times
+/// the pressure there.
+#[test]
+fn no_fan_acts_through_a_body() {
+    let corners = [[-0.5, 0.0], [0.5, 0.0], [0.5, 0.1], [0.1, 0.1]];
+    let wedge = bodies::polygon(&corners.map(Vector::<2>::from)).unwrap();
+    let bounds = [[-0.7, -0.5], [0.7, 0.6]];
+    let mut flow = FixedSimulation::new(stream(4.0, bounds, 0.025, vec![Arc::new(wedge)])).unwrap();
+    assert!(flow.net.blocks.iter().any(|block| !block.bends.is_empty()));
+    flow.settle(400).unwrap();
+    let surface = flow.surface();
+    let mut seen = 0;
+    for (foot, pressure) in surface.position.iter().zip(&surface.pressure) {
+        if foot[1] < 1e-6 && foot[0].abs() < 0.45 {
+            seen += 1;
+            let over = pressure * 1.4;
+            assert!((over - 1.0).abs() < 5e-3, "{foot:?} {over}");
+        }
+    }
+    assert!(seen > 30);
+}

@@ -6,7 +6,7 @@ use aero_geometry::{Bounds, Vector, bodies};
 
 use super::lattice::problem;
 use crate::fixed::FixedSimulation;
-use crate::method::{FixedPoints, Method, Refine};
+use crate::method::{FixedPoints, Method, Refine, Time};
 use crate::problem::{Initial, Problem, Side, State};
 use crate::tests::slip_body;
 
@@ -106,4 +106,30 @@ fn what_comes_in_outlives_points_and_runs() {
     }
     assert_eq!(flow.frame(), resumed.frame());
     assert_eq!(flow.waves(), resumed.waves());
+}
+
+/// A duct that begins at Mach 0.2 between a reservoir and the pressure of Mach 0.1 has settled when its gas is as slow as that, and not as soon as it
+/// hardly changes from one iteration to the next.
+#[test]
+fn a_duct_has_not_settled_before_its_gas_is_as_fast_as_its_ends_ask_for() {
+    let outlet = Side::HeldOutlet {
+        // (1 + 0.2 * 0.1^2)^-3.5 of the total pressure, (1 + 0.2 * 0.2^2)^3.5 / 1.4.
+        pressure: (1.008_f64 / 1.002).powf(3.5) / 1.4,
+        relaxation: 0.25,
+    };
+    let sides = [Side::Reservoir { relaxation: None }, outlet];
+    let mut duct = problem([60], 0.05, [sides]);
+    duct.free_stream.velocity = [0.2].into();
+    duct.method = Method::Fixed(FixedPoints {
+        time: Time::Settle,
+        ..FixedPoints::default()
+    });
+    let mut flow = FixedSimulation::new(duct).unwrap();
+    let settled = flow.settle(5000).unwrap();
+    assert!(settled.is_settled, "{settled:?}");
+    // Of the speed of sound at rest, sqrt(1.008).
+    let exact = 0.1 * (1.008_f64 / 1.002).sqrt();
+    for state in &flow.columns.states {
+        assert!((state.velocity[0] / exact - 1.0).abs() < 5e-3, "{state:?}");
+    }
 }

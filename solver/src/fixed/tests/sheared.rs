@@ -1,6 +1,8 @@
 //! Viscous gas that slides past walls and past itself.
 
-use aero_geometry::Vector;
+use std::sync::Arc;
+
+use aero_geometry::{Bounds, Placed, Placement, Shape, Vector, bodies};
 
 use super::jumps::around;
 use super::lattice::{field, lattice, problem};
@@ -9,7 +11,8 @@ use super::{Scene, domain};
 use crate::fixed::FixedSimulation;
 use crate::gas::{Gas, IdealGas, Transport, Viscosity};
 use crate::method::{FixedPoints, Method, Time};
-use crate::problem::{Side, State, WallHeat};
+use crate::problem::{NoSlip, Side, Slide, State, WallHeat, WallKind};
+use crate::tests::slip_body;
 
 /// Air between a wall at 300 K and one that slides at a Mach number, both of this temperature or the sliding one adiabatic: shear over
 /// `mu_w U / H`, and temperature of the sliding wall.
@@ -117,4 +120,75 @@ fn a_shear_neither_gathers_nor_thins_where_two_spacings_meet() {
         }
     }
     assert!(seen > 150);
+}
+
+/// Gas that is sheared alike along a wall which cuts cells askew gets no faster and no slower anywhere, and is warmed by its friction alone: sheared gas takes
+/// momentum through faces askew to it that the gas at their middles does not.
+#[test]
+fn a_shear_along_a_wall_askew_to_the_lattice_goes_on() {
+    const VISCOSITY: f64 = 0.02;
+    const SHEAR: f64 = 0.8;
+    for degrees in [0.0_f64, 20.0, 45.0, 67.0] {
+        let (sin, cos) = degrees.to_radians().sin_cos();
+        let [along, up] = [[cos, sin], [-sin, cos]].map(Vector::from);
+        let surface = Vector::<2>::new(0.0, 0.013);
+        let mut problem = problem::<2>([1; 2], 0.1, [[Side::FreeStream; 2]; 2]);
+        problem.domain.bounds = Bounds::new([-1.0; 2].into(), [1.0; 2].into());
+        problem.gas = gas(VISCOSITY, 0.72);
+        let place = Placement::<2>::default()
+            .rotated(degrees.to_radians())
+            .moved(surface - up);
+        let block = Arc::new(bodies::rectangle(8.0, 2.0, 0.0).unwrap()) as Arc<dyn Shape<2>>;
+        let mut body = slip_body(Arc::new(Placed::new(block, place)));
+        body.wall = WallKind::NoSlip(NoSlip {
+            heat: WallHeat::Adiabatic,
+            slide: Slide::default(),
+        });
+        problem.bodies = vec![body];
+        problem.initial = field(move |x: &Vector<2>| State {
+            density: 1.0,
+            velocity: along * (SHEAR * (x - surface).dot(&up)),
+            pressure: 1.0,
+        });
+        let mut flow = FixedSimulation::new(problem.clone()).unwrap();
+        flow.find_slopes();
+        flow.exchange(|_, part, gains| part.before.copy_from_slice(&gains.cells));
+        let walls = flow.net.blocks.iter().flat_map(|block| &block.walls);
+        let mut seen: Vec<usize> = walls.map(|wall| wall.i as usize).collect();
+        seen.retain(|&i| is_inside(&problem, &flow.points[i], 3.0));
+        assert!(seen.len() > 10, "{degrees}: {}", seen.len());
+        for (i, gain) in flow.columns.before.iter().enumerate() {
+            if !is_inside(&problem, &flow.points[i], 3.0) {
+                continue;
+            }
+            let [mass, x, y, energy] = [gain.mass, gain.momentum[0], gain.momentum[1], gain.energy]
+                .map(|gain| gain / flow.net.cell(i).volume);
+            let more = energy - VISCOSITY * SHEAR * SHEAR;
+            let most = [mass, x, y, more].map(f64::abs);
+            let place = flow.points[i];
+            assert!(most.iter().all(|m| *m < 1e-8), "{degrees} {place} {most:?}");
+        }
+    }
+}
+
+/// Gas between a hot and a cold wall comes to rest with all of its mass: `p = rho R (T_2 - T_1) / ln(T_2 / T_1)` where temperatures lie on a line.
+#[test]
+fn gas_that_is_closed_in_settles_with_the_mass_that_it_began_with() {
+    let [cold, hot] = [0.6, 1.8];
+    let walls = [cold, hot].map(|temperature| sticky(WallHeat::Temperature(temperature), 0.0));
+    let mut problem = problem([2, 24], 1.0 / 24.0, [[Side::Periodic; 2], walls]);
+    problem.gas = gas(0.02, 0.72);
+    problem.method = Method::Fixed(FixedPoints {
+        time: Time::Settle,
+        ..FixedPoints::default()
+    });
+    let mut flow = FixedSimulation::on(lattice(&problem), problem).unwrap();
+    let (before, _) = flow.mass_and_centre();
+    assert!(flow.settle(20_000).unwrap().is_settled);
+    let (after, _) = flow.mass_and_centre();
+    assert!((after / before - 1.0).abs() < 1e-12, "{before} {after}");
+    let pressure = (hot - cold) / (hot / cold).ln();
+    for state in &flow.columns.states {
+        assert!((state.pressure / pressure - 1.0).abs() < 2e-3, "{state:?}");
+    }
 }

@@ -51,7 +51,7 @@ impl<const D: usize> Source<D> for Push<D> {
     }
 }
 
-/// What viscosity and heat conduction give each cell per volume: the gains with them less those without.
+/// What viscosity and heat conduction give each cell per volume: the gains with twice as much of both less those with what `problem` has.
 fn rubbed<const D: usize>(problem: &Problem<D>) -> (Vec<Vector<D>>, Vec<Conserved<D>>) {
     let gains = |problem: &Problem<D>| {
         let cells = lattice(problem);
@@ -64,11 +64,17 @@ fn rubbed<const D: usize>(problem: &Problem<D>) -> (Vec<Vector<D>>, Vec<Conserve
         });
         (flow.points.clone(), flow.columns.before.clone())
     };
-    let (points, with) = gains(problem);
-    let mut without = problem.clone();
-    without.gas = Gas::ideal(1.4);
-    let (_, without) = gains(&without);
-    let rubbed = with.iter().zip(&without).map(|(a, b)| a.plus(-1.0, b));
+    let mut thicker = problem.clone();
+    if let Gas::Ideal(IdealGas {
+        transport: Some(Transport { viscosity, .. }),
+        ..
+    }) = &mut thicker.gas
+    {
+        *viscosity = Viscosity::Constant(2.0 * viscosity.at(1.0));
+    }
+    let (points, once) = gains(problem);
+    let (_, twice) = gains(&thicker);
+    let rubbed = twice.iter().zip(&once).map(|(a, b)| a.plus(-1.0, b));
     (points, rubbed.collect())
 }
 

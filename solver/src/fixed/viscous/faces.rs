@@ -2,10 +2,12 @@
 
 use aero_geometry::Vector;
 
+use super::super::cells::RADIAL;
 use super::super::gains::Gains;
 use super::super::net::{Block, Net};
 use super::super::slopes::Flow;
 use super::super::state::{Conserved, dot};
+use super::uneven::uneven;
 use super::{Gradient, Viscous, WallShare, around, radius};
 
 /// What there is to know of a viscous flow beside its states and slopes.
@@ -53,10 +55,14 @@ impl<const D: usize> Rubbing<'_, D> {
             let mut velocity = a.velocity;
             for k in 0..D {
                 velocity[k] += 0.5 * rise[k];
+                for axis in 0..D {
+                    velocity[k] += shape.skew[axis] * at.velocity[axis][k];
+                }
             }
             let mut divergence = at.divergence();
             if self.is_axisymmetric {
-                let middle = 0.5 * (radius(&self.points[i]) + radius(&self.points[j]));
+                let between = 0.5 * (radius(&self.points[i]) + radius(&self.points[j]));
+                let middle = between + shape.skew[RADIAL.min(D - 1)];
                 divergence += around(&velocity, middle);
             }
             let viscosity = 0.5 * (self.viscosities[i] + self.viscosities[j]);
@@ -67,6 +73,8 @@ impl<const D: usize> Rubbing<'_, D> {
                 momentum: stress,
                 energy: dot(&velocity, &stress) + conducted,
             };
+            let slopes = [&flow.slopes[i], &flow.slopes[j]];
+            let gain = gain.plus(-1.0, &uneven(self.viscous.gamma, [a, b], slopes, shape));
             for (number, sign) in [(i, 1.0), (j, -1.0)] {
                 if let Some(cell) = gains.cells.get_mut(number.wrapping_sub(start)) {
                     *cell = cell.plus(sign, &gain);

@@ -6,6 +6,7 @@
 mod boundaries;
 mod faces;
 mod stick;
+mod uneven;
 
 use super::cells::RADIAL;
 use super::net::Net;
