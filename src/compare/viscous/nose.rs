@@ -2,6 +2,7 @@
 
 use aero_solver::frame::PanelFrame;
 use aero_validation::exact::fay_riddell::Nose;
+use aero_validation::metrics::nose::at_nose;
 use aero_validation::table::{Check, Subject};
 
 use super::{GAMMA, GAS_CONSTANT, NAME};
@@ -9,7 +10,10 @@ use crate::compare::context::{CompareError, Context};
 use crate::compare::scenes::{Source, scene};
 
 const SCENE: Source = scene!("hemisphere-viscous");
-const SOURCE: &str = "Fay & Riddell 1958, eq. 63";
+/// A sphere that gas slides along: how fast it goes away from the nose.
+const SMOOTH: Source = scene!("sphere-axisymmetric");
+const SOURCE: &str = "Fay & Riddell 1958, eq. 63, with the velocity gradient of a slip wall";
+const LEES: &str = "Lees 1956";
 /// As in the scene.
 const NOSE: Nose = Nose {
     radius: 0.1,
@@ -21,51 +25,105 @@ const NOSE: Nose = Nose {
     gamma: GAMMA,
     prandtl: 0.72,
 };
-/// Degrees around the nose that are read: over them the heat falls by a few parts in a hundred, its mean by one.
-const CAP: f64 = 10.0;
-/// Per cent.
-const ALLOWED: f64 = 10.0;
+/// Degrees around the nose that heat and pressure are fitted over.
+const CAP: f64 = 30.0;
+const SMALL_CAP: f64 = 23.0;
+/// Degrees from the nose at which heat is looked at as well, and around there.
+const ASIDE: f64 = 45.0;
+const AROUND: f64 = 3.0;
+/// Per cent, by halvings of the spacing: of the heat into the nose, and of that aside over it.
+const RUNS: [(u32, f64, f64); 2] = [(2, 10.0, 12.0), (3, 4.0, 8.0)];
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let smooth = [
+        "free_stream.mach=6.0".to_owned(),
+        "spacing=0.03125".to_owned(),
+    ];
+    let attempt = SMOOTH.attempt(&smooth, context)?;
+    let outcome = attempt.outcome();
+    let bend = outcome.and_then(|outcome| Around::new(&outcome.panels).pressure());
+    let exact = bend.map_or_else(|| NOSE.heat_flux(), |bend| NOSE.heat_flux_where(bend));
+    let part = NOSE.part_at(ASIDE.to_radians());
     let mut checks = Vec::new();
-    for (cells, refine, is_judged) in [(256, 2, false), (512, 3, true)] {
-        let what = format!(
-            "hemisphere, M 6, Re_R 1e4, 300 K, {cells} cells to the radius: heat into the nose, W/m^2"
-        );
-        let subject = Subject::new(NAME, &what, SOURCE);
+    let mut errors = Vec::new();
+    for (refine, allowed, allowed_aside) in RUNS {
+        let cells = 64 << refine;
+        let label = format!("hemisphere, M 6, Re_R 1e4, 300 K, {cells} cells to the radius: heat");
+        let names = [
+            format!("{label} into the nose, W/m^2"),
+            format!("{label} {ASIDE} degrees off the nose over that"),
+        ];
+        let [nose, aside] = [(&names[0], SOURCE), (&names[1], LEES)]
+            .map(|(what, source)| Subject::new(NAME, what, source));
         let attempt = SCENE.attempt(&[format!("scheme.refine={refine}")], context)?;
-        let exact = NOSE.heat_flux();
-        checks.push(match attempt.outcome() {
-            None => subject.unmeasured(exact),
-            Some(outcome) if is_judged => subject.relative(heat(&outcome.panels), exact, ALLOWED),
-            Some(outcome) => subject.informs(heat(&outcome.panels), exact),
-        });
+        let found = attempt
+            .outcome()
+            .and_then(|outcome| Around::new(&outcome.panels).heat());
+        let Some([heat, beside]) = found else {
+            checks.extend([nose.unmeasured(exact), aside.unmeasured(part)]);
+            continue;
+        };
+        errors.push((heat / exact - 1.0).abs());
+        checks.extend([
+            nose.relative(heat, exact, allowed),
+            aside.relative(beside / heat, part, allowed_aside),
+        ]);
+    }
+    if let [coarse, fine] = errors[..] {
+        let what = "hemisphere, M 6: error of the heat into the nose on 512 cells over that on 256";
+        checks.push(Subject::new(NAME, what, SOURCE).at_most(fine / coarse, 1.0));
     }
     Ok(checks)
 }
 
-/// Mean heat into the wall around the nose; cut cells scatter it by a tenth from panel to panel.
-fn heat(panels: &PanelFrame) -> f64 {
-    let corners = panels.corners.max(1);
-    let around = (0..panels.body.len()).filter(|&n| {
-        let own = &panels.points[n * corners..(n + 1) * corners];
-        let middle = |axis: usize| own.iter().map(|at| at[axis]).sum::<f64>();
-        middle(1).atan2(-middle(0)).abs().to_degrees() < CAP
-    });
-    let (heat, area) = around.fold((0.0, 0.0), |(heat, area), n| {
-        let own = panels.area[n];
-        (heat - panels.heat_flux[n] * own, area + own)
-    });
-    heat / area
+/// Panels of a sphere by their angles from the nose.
+struct Around<'a> {
+    panels: &'a PanelFrame,
+    /// Radians.
+    angles: Vec<f64>,
+}
+
+impl<'a> Around<'a> {
+    fn new(panels: &'a PanelFrame) -> Self {
+        let corners = panels.corners.max(1);
+        let angle = |n: usize| {
+            let own = &panels.points[n * corners..(n + 1) * corners];
+            let sum = |axis: usize| own.iter().map(|at| at[axis]).sum::<f64>();
+            sum(1).atan2(-sum(0)).abs()
+        };
+        let angles = (0..panels.body.len()).map(angle).collect();
+        Self { panels, angles }
+    }
+
+    /// How the pressure falls off the nose, see [`Nose::heat_flux_where`].
+    fn pressure(&self) -> Option<f64> {
+        let reach = SMALL_CAP.to_radians();
+        let nose = at_nose(&self.angles, &self.panels.pressure, reach).ok()?;
+        Some(nose.bend)
+    }
+
+    /// Heat into the nose, and its mean aside.
+    fn heat(&self) -> Option<[f64; 2]> {
+        let into: Vec<f64> = self.panels.heat_flux.iter().map(|flux| -flux).collect();
+        let nose = at_nose(&self.angles, &into, CAP.to_radians()).ok()?;
+        let is_aside = |angle: f64| (angle.to_degrees() - ASIDE).abs() < AROUND;
+        let pairs = self.angles.iter().zip(&into);
+        let aside: Vec<f64> = pairs
+            .filter(|(angle, _)| is_aside(**angle))
+            .map(|(_, heat)| *heat)
+            .collect();
+        let mean = aside.iter().sum::<f64>() / aside.len() as f64;
+        mean.is_finite().then_some([nose.value, mean])
+    }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
-    /// Panels of a degree each around the nose, as large as their rings: the inner five take 80, the outer five 100, all others give heat.
+    /// Panels of a degree each around the nose: what they take falls as the square of the angle, and what they are pressed with twice as fast.
     #[test]
-    fn heat_is_the_mean_over_the_rings_around_the_nose() {
+    fn heat_is_read_at_the_nose_and_aside() {
         let mut panels = PanelFrame {
             corners: 2,
             ..PanelFrame::default()
@@ -77,12 +135,16 @@ mod tests {
             };
             let from = f64::from(k);
             panels.points.extend([at(from), at(from + 1.0)]);
-            panels.area.push((from + 0.5).to_radians().sin());
-            let taken = if k < 5 { 80.0 } else { 100.0 };
-            panels.heat_flux.push(if k < 10 { -taken } else { 1e6 });
+            let square = (from + 0.5).to_radians().powi(2);
+            panels.heat_flux.push(-80.0 * (1.0 - 0.6 * square));
+            panels.pressure.push(3.0 * (1.0 - 1.2 * square));
             panels.body.push(0);
         }
-        // The inner half of the degrees has a quarter of the area.
-        assert!((heat(&panels) - 95.0).abs() < 0.05, "{}", heat(&panels));
+        let around = Around::new(&panels);
+        let [heat, aside] = around.heat().unwrap();
+        assert!((heat - 80.0).abs() < 1e-6, "{heat}");
+        let expected = 80.0 * (1.0 - 0.6 * 45_f64.to_radians().powi(2));
+        assert!((aside - expected).abs() < 0.05, "{aside} {expected}");
+        assert!((around.pressure().unwrap() - 1.2).abs() < 1e-6);
     }
 }

@@ -3,6 +3,8 @@
 //! Source: Fay & Riddell, J. Aeronaut. Sci. 25 (1958) 73-85, eq. 63, without dissociation:
 //! `q = 0.763 Pr^-0.6 (rho_e mu_e)^0.4 (rho_w mu_w)^0.1 sqrt(du_e/dx) (h_0e - h_w)`, edge `e` at rest behind a normal shock, wall `w` at the
 //! same pressure; `du_e/dx = sqrt(2 (p_e - p) / rho_e) / R`, Newton's pressure on a sphere.
+//!
+//! How it falls off the nose of a sphere: Lees, Jet Propulsion 26 (1956) 259-269, with the same pressure.
 
 use super::couette::air_viscosity;
 use super::isentropic::temperature_ratio;
@@ -30,12 +32,19 @@ pub struct Nose {
 }
 
 impl Nose {
-    /// Heat into the stagnation point, W/m^2.
+    /// Heat into the stagnation point, W/m^2, by Newton's pressure.
     pub fn heat_flux(&self) -> f64 {
+        let pitot = pitot_pressure_ratio(self.mach, self.gamma);
+        self.heat_flux_where(1.0 - 1.0 / pitot)
+    }
+
+    /// The same where the pressure of gas without viscosity falls off the nose by this part of itself over the square of the angle from there, in radians:
+    /// the gas goes away from the nose as `du_e/dx = sqrt(2 bend p_e / rho_e) / R`.
+    pub fn heat_flux_where(&self, bend: f64) -> f64 {
         let pressure = self.pressure * pitot_pressure_ratio(self.mach, self.gamma);
         let edge = self.temperature * temperature_ratio(self.mach, self.gamma);
         let density = |temperature: f64| pressure / (self.gas_constant * temperature);
-        let gradient = (2.0 * (pressure - self.pressure) / density(edge)).sqrt() / self.radius;
+        let gradient = (2.0 * bend * pressure / density(edge)).sqrt() / self.radius;
         let heat_capacity = self.gamma / (self.gamma - 1.0) * self.gas_constant;
         let product = |temperature: f64| density(temperature) * air_viscosity(temperature);
         0.763
@@ -45,6 +54,17 @@ impl Nose {
             * gradient.sqrt()
             * heat_capacity
             * (edge - self.wall)
+    }
+
+    /// Heat at this angle from the nose, in radians, over that at the nose.
+    pub fn part_at(&self, angle: f64) -> f64 {
+        let least = 1.0 / (self.gamma * self.mach * self.mach);
+        let (sin, cos) = angle.sin_cos();
+        let shape = |k: f64| angle * angle - angle * (k * angle).sin() * 2.0 / k;
+        let near = shape(4.0) + (1.0 - (4.0 * angle).cos()) / 8.0;
+        let far = shape(2.0) + (1.0 - (2.0 * angle).cos()) / 2.0;
+        let grown = (1.0 - least) * near + 4.0 * least * far;
+        2.0 * angle * sin * ((1.0 - least) * cos * cos + least) / grown.sqrt()
     }
 }
 
@@ -71,6 +91,17 @@ mod tests {
             "{}",
             NOSE.heat_flux()
         );
+    }
+
+    /// Worked out beforehand: 0.976, 0.831, 0.435 at 10.5, 28.5 and 55.5 degrees.
+    #[test]
+    fn heat_falls_off_the_nose_as_worked_out_beforehand() {
+        for (degrees, part) in [(10.5_f64, 0.976), (28.5, 0.831), (55.5, 0.435)] {
+            let found = NOSE.part_at(degrees.to_radians());
+            assert!((found - part).abs() < 1e-3, "{degrees}: {found}");
+        }
+        let steeper = NOSE.heat_flux_where(4.0) / NOSE.heat_flux_where(1.0);
+        assert!((steeper - 2.0_f64.sqrt()).abs() < 1e-12);
     }
 
     /// It falls with the root of the radius and grows with that of the pressure, and there is none where the wall is as hot as gas at rest.

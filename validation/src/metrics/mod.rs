@@ -14,6 +14,7 @@ pub mod invariants;
 mod kernel;
 mod least_squares;
 pub mod line;
+pub mod nose;
 pub mod order;
 pub mod plateau;
 pub mod profile;
