@@ -8,6 +8,7 @@ use aero_geometry::parallel::prelude::*;
 
 mod particle;
 mod start;
+mod vessel;
 
 pub use particle::{ByPressure, Particle, Rates, Spared};
 pub use start::start;

@@ -4,6 +4,7 @@
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
 
+use super::vessel;
 use super::{ByPressure, Particle, Particles, Spared};
 use crate::lattice;
 use crate::problem::{Body, Domain, Initial, Problem, State};
@@ -106,6 +107,8 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
     let drift = Vector::zeros();
     let (first, last) = buffers.sides.lattice_range(&drift);
     let id = buffers.set_aside(lattice::count(&first, &last));
+    let is_shut_in = vessel::is_shut_in(problem);
+    let mut placed = vessel::Placed::default();
     for (id, index) in (id..).zip(lattice::points(first, last)) {
         let position = rows.position(&index, &drift);
         let zone = buffers.sides.zone(&position);
@@ -124,9 +127,16 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
             let shift = lattice::displacement(&index) * disorder;
             if let Some(particle) = born(problem, (position, shift), zone, id)? {
                 let particle = particle.of_share(rows.share());
+                let number = fluid.len();
                 place(particle, zone, &mut fluid, &mut buffers);
+                if is_shut_in && fluid.len() > number {
+                    placed.insert(index, number);
+                }
             }
         }
+    }
+    if is_shut_in {
+        vessel::fill(problem, &rows, [first, last], &placed, &mut fluid);
     }
     if problem.starts_calm() {
         let buffered = buffers.particles_mut().iter_mut();

@@ -20,7 +20,7 @@ mod rarefied;
 mod reference;
 mod rest;
 mod rings;
-mod seam;
+pub(crate) mod seam;
 mod shifting;
 mod sources;
 mod steps;
