@@ -8,7 +8,7 @@ use super::cloud::{Cloud, NOBODY, Place};
 use super::cut_cell::CutCell;
 use super::nearby::Nearby;
 use super::plot::Plot;
-use super::voronoi::Voronoi;
+use super::voronoi::{Voronoi, shifts};
 
 /// The same with the cells that were cut `before`, of another cloud, taken over where no point near them came or went.
 pub fn rebuilt<const D: usize>(
@@ -28,7 +28,7 @@ pub fn rebuilt<const D: usize>(
 impl<const D: usize> Builder<'_, D> {
     /// The cells that are not plain, in order, and which cell of the earlier cloud each cell of this one is the same as.
     ///
-    /// A cell is decided by the points within its reach: where none of them came or went it is the same, to the last bit.
+    /// A cell is decided by the points within its reach, across periodic sides too: where none of them came or went it is the same, to the last bit.
     fn cut_again(
         &self,
         positions: &[Vector<D>],
@@ -56,6 +56,7 @@ impl<const D: usize> Builder<'_, D> {
         let gone = gone.map(|(place, _)| place.position);
         let changed: Vec<Vector<D>> = gone.chain(come.map(|(place, _)| place.position)).collect();
         let nearby = Nearby::new(&changed);
+        let shifts = shifts(self.plot.domain);
         let mut place_of = vec![NOBODY; old.len()];
         for (k, cell) in before.iter().enumerate() {
             place_of[cell.number as usize] = k as u32;
@@ -78,7 +79,10 @@ impl<const D: usize> Builder<'_, D> {
                 .and_then(Option::as_ref);
             near.clear();
             if let Some(known) = known {
-                nearby.within(&positions[number], known.reach * (1.0 + 1e-6), &mut near);
+                for shift in &shifts {
+                    let place = positions[number] - shift;
+                    nearby.within(&place, known.reach * (1.0 + 1e-6), &mut near);
+                }
             }
             if known.is_none() || !near.is_empty() {
                 kept.push(None);

@@ -7,7 +7,7 @@ use super::cloud::Cloud;
 use super::nearby::Nearby;
 use super::plot::Plot;
 use super::polytope::Polytope;
-use crate::problem::Side;
+use crate::problem::{Domain, Side};
 
 /// Half of the first box, in spacings.
 const BOX: f64 = 6.0;
@@ -43,28 +43,33 @@ pub struct Voronoi<'a, const D: usize> {
 /// A candidate for a neighbour: distance squared, number, and its image.
 type Candidate = (f64, u32, u32);
 
+/// Where the periodic images of a place are from it, the place itself first.
+pub fn shifts<const D: usize>(domain: &Domain<D>) -> Vec<Vector<D>> {
+    let size = domain.bounds.size();
+    let mut shifts = vec![Vector::<D>::zeros()];
+    for k in 0..D {
+        if domain.sides[k][0] != Side::Periodic {
+            continue;
+        }
+        for known in shifts.clone() {
+            for sign in [-1.0, 1.0] {
+                let mut shift = known;
+                shift[k] = sign * size[k];
+                shifts.push(shift);
+            }
+        }
+    }
+    shifts
+}
+
 impl<'a, const D: usize> Voronoi<'a, D> {
     /// Of the cloud, whose `positions` are listed once more.
     pub fn new(plot: Plot<'a, D>, cloud: &'a Cloud<D>, positions: &'a [Vector<D>]) -> Self {
-        let size = plot.domain.bounds.size();
-        let mut shifts = vec![Vector::<D>::zeros()];
-        for k in 0..D {
-            if plot.domain.sides[k][0] != Side::Periodic {
-                continue;
-            }
-            for known in shifts.clone() {
-                for sign in [-1.0, 1.0] {
-                    let mut shift = known;
-                    shift[k] = sign * size[k];
-                    shifts.push(shift);
-                }
-            }
-        }
         Self {
             plot,
             cloud,
             nearby: Nearby::new(positions),
-            shifts,
+            shifts: shifts(plot.domain),
         }
     }
 

@@ -152,11 +152,25 @@ fn cells_that_are_taken_over_are_those_that_are_cut_afresh() {
     let body: Arc<dyn Shape<2>> = Arc::new(bodies::circle(0.3).unwrap());
     let bodies = vec![body, slender([-0.41, 0.53])];
     let scene = Scene::new(domain([-1.0, -1.0], [1.0, 1.0]), bodies, 0.125);
+    are_taken_over_as_cut(&scene, [[-0.4, 0.1], [-0.2, 0.25], [0.1, 0.4]]);
+}
+
+/// Points come on one side of the seam, and the cells of walls on the other side are neighbours of theirs.
+#[test]
+fn cells_are_cut_afresh_where_points_come_beyond_a_periodic_side() {
+    let mut domain = domain([-1.0, -1.0], [1.0, 1.0]);
+    domain.sides = [[Side::Periodic; 2]; 2];
+    let near_the_seam = [slender([0.3, -0.88]), slender([-0.6, 0.1])];
+    let scene = Scene::new(domain, near_the_seam.to_vec(), 0.125);
+    are_taken_over_as_cut(&scene, [[0.2, 0.95], [0.4, 0.9], [-0.95, 0.1]]);
+}
+
+/// Compares the cells of clouds with points around one place after another, each made from the one before and alone.
+fn are_taken_over_as_cut(scene: &Scene<2>, places: [[f64; 2]; 3]) {
     let plot = scene.plot();
-    let places = [[-0.4, 0.1], [-0.2, 0.25], [0.1, 0.4]];
     let mut known: Option<(Cloud<2>, super::super::build::Built<2>)> = None;
     for place in places {
-        let levels = around(&scene, Vector::<2>::from(place), 2, 2);
+        let levels = around(scene, Vector::<2>::from(place), 2, 2);
         let earlier = known.as_ref().map(|(cloud, _)| cloud);
         let cloud = Cloud::lattice_after(&plot, &levels, 0.0, earlier);
         let fresh = built(&plot, &Cloud::lattice(&plot, &levels, 0.0));

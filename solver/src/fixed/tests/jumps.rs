@@ -13,7 +13,7 @@ pub(super) fn around<const D: usize>(
     most: u8,
     around: i32,
 ) -> Levels<D> {
-    let mut levels = Levels::default();
+    let mut levels = Levels::on(&scene.plot());
     for _ in 0..most {
         let cloud = Cloud::lattice(&scene.plot(), &levels, 0.0);
         let wishes: Vec<Wish> = cloud
