@@ -77,6 +77,19 @@ fn a_body_through_a_free_stream_side_is_refused() {
 }
 
 #[test]
+fn a_body_through_both_symmetry_planes_leaves_no_gap_to_them() {
+    let mirrors = "y_min = \"symmetry\"\ny_max = \"symmetry\"";
+    let slanted = "[[body]]\nname = \"row\"\nshape = { polygon = { points = [[0.0, -1.0], [0.6, 2.0], [-0.2, 2.0]] } }\n";
+    let place = Workplace::new();
+    place.write("scene.toml", scene(mirrors, slanted));
+    let answer = place.aero(&["check", "scene.toml"]);
+    answer.succeeds();
+    assert!(!answer.out.contains("leaves a gap"), "{}", answer.out);
+    // Across it reaches from one plane to the other.
+    assert!(answer.out.contains("area 1, "), "{}", answer.out);
+}
+
+#[test]
 fn gas_that_bodies_enclose_is_refused() {
     let walls = [
         block("left", [-0.4, -0.2], [-0.1, 0.5]),

@@ -14,6 +14,9 @@ const OUTWARD: f64 = 0.7;
 /// Beyond a side by less than this, in spacings, is on it.
 const ON_IT: f64 = 0.25;
 
+/// Corners of panels that a side has cut lie this near to it, in spacings.
+const CUT: f64 = 1e-6;
+
 /// A free stream that crosses a side by less than this part of its speed goes along it.
 const ALONG: f64 = 0.1;
 
@@ -85,10 +88,21 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
             if !past.is_empty() || (side == Side::Body) || side.is_periodic() {
                 continue;
             }
-            let inside = own
-                .iter()
-                .filter(|panel| domain.bounds.contains(&panel.centre));
-            let nearest = inside
+            let inside = || {
+                let own = own.iter();
+                own.filter(|panel| domain.bounds.contains(&panel.centre))
+            };
+            // Panels end at closed sides, the body that runs through them does not.
+            let extent = body.shape.bounds();
+            let goes_on = [face - extent.min[axis], extent.max[axis] - face][end] > 0.0;
+            let meets = |panel: &&Panel<D>| {
+                let mut corners = panel.corners.iter();
+                corners.any(|corner| depth(corner).abs() < CUT * spacing)
+            };
+            if goes_on && inside().any(|panel| meets(&panel)) {
+                continue;
+            }
+            let nearest = inside()
                 .filter(|panel| [-1.0, 1.0][end] * panel.normal[axis] > 0.0)
                 .map(|panel| -depth(&panel.centre))
                 .fold(f64::INFINITY, f64::min);

@@ -4,17 +4,19 @@ use aero_geometry::{Bounds, Vector};
 
 use aero_solver::problem::{Domain, Side};
 
-/// The part of a body that forces are reported for: what the domain holds of it, and its image
-/// behind symmetry planes that cut it.
+/// The part of a body that forces are reported for: what the domain holds of it, and its image behind the axis and symmetry
+/// planes that halve it.
 pub(super) fn modelled_part<const D: usize>(bounds: &Bounds<D>, domain: &Domain<D>) -> Bounds<D> {
     let mut part = bounds.intersection(&domain.bounds);
     for k in 0..D {
-        let [low, high] = domain.sides[k].map(Side::is_mirror);
-        let (plane_low, plane_high) = (domain.bounds.min[k], domain.bounds.max[k]);
-        if low && bounds.min[k] < plane_low {
-            part.min[k] = 2.0 * plane_low - part.max[k];
-        } else if high && bounds.max[k] > plane_high {
-            part.max[k] = 2.0 * plane_high - part.min[k];
+        let plane = match domain.sides[k][0] {
+            Side::Axis => (bounds.min[k] < domain.face(k, 0)).then_some((0, domain.face(k, 0))),
+            _ => domain.plane_through(k, bounds),
+        };
+        match plane {
+            Some((0, plane)) => part.min[k] = 2.0 * plane - part.max[k],
+            Some((_, plane)) => part.max[k] = 2.0 * plane - part.min[k],
+            None => {}
         }
     }
     part
@@ -70,6 +72,13 @@ mod tests {
             modelled_part(&unit, &domain([Side::Symmetry, Side::FreeStream])),
             unit
         );
+    }
+
+    #[test]
+    fn a_body_through_both_planes_of_an_axis_counts_as_far_as_it_is_inside() {
+        let tall = Bounds::new(Vector::<2>::repeat(-9.0), Vector::<2>::repeat(9.0));
+        let part = modelled_part(&tall, &domain([Side::Symmetry; 2]));
+        assert_eq!((part.min[1], part.max[1]), (0.0, 3.0));
     }
 
     #[test]

@@ -69,6 +69,21 @@ impl<const D: usize> Domain<D> {
         (place[axis] - self.face(axis, end)) * way
     }
 
+    /// End and place of the symmetry plane across `axis` that halves a body of this `extent`; none where a body goes on through both
+    /// planes of the axis: with its images that is a row without end, and no plane has the half of it.
+    pub fn plane_through(&self, axis: usize, extent: &Bounds<D>) -> Option<(usize, f64)> {
+        let cuts = |&end: &usize| {
+            let plane = self.face(axis, end);
+            let is_plane = self.sides[axis][end] == Side::Symmetry;
+            is_plane && extent.min[axis] < plane && plane < extent.max[axis]
+        };
+        let mut ends = [0, 1].into_iter().filter(cuts);
+        match (ends.next(), ends.next()) {
+            (Some(end), None) => Some((end, self.face(axis, end))),
+            _ => None,
+        }
+    }
+
     /// Axis, end, kind and face of every side.
     pub fn each_side(&self) -> impl Iterator<Item = (usize, usize, Side, f64)> {
         let ends = (0..D).flat_map(|axis| [(axis, 0), (axis, 1)]);

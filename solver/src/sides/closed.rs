@@ -70,19 +70,17 @@ pub fn bring_back<const D: usize>(domain: &Domain<D>, fluid: &mut [Particle<D>])
 }
 
 /// Maps `x' = sign x + shift` that make the whole of a body of the part that `domain` holds: mirrored across the symmetry planes
-/// that cut its `extent`. What has none is mirrored nowhere.
+/// that halve its `extent` ([`Domain::plane_through`]). What has none is mirrored nowhere.
 pub fn reflections<const D: usize>(
     domain: &Domain<D>,
     extent: Option<&Bounds<D>>,
 ) -> Vec<(Vector<D>, Vector<D>)> {
-    let is_cut = |axis: usize, plane: f64| {
-        extent.is_some_and(|extent| extent.min[axis] < plane && plane < extent.max[axis])
-    };
     let mut maps = vec![(Vector::repeat(1.0), Vector::zeros())];
-    for (axis, _, side, plane) in domain.each_side() {
-        if side != Side::Symmetry || !is_cut(axis, plane) {
+    for axis in 0..D {
+        let plane = extent.and_then(|extent| domain.plane_through(axis, extent));
+        let Some((_, plane)) = plane else {
             continue;
-        }
+        };
         let mirrored: Vec<_> = maps
             .iter()
             .map(|(sign, shift): &(Vector<D>, Vector<D>)| {
@@ -95,4 +93,32 @@ pub fn reflections<const D: usize>(
         maps.extend(mirrored);
     }
     maps
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_body_through_one_plane_of_an_axis_is_half_a_body_and_through_both_a_row() {
+        let domain = Domain::<3> {
+            bounds: Bounds::new(Vector::repeat(-1.0), Vector::repeat(1.0)),
+            sides: [
+                [Side::Inlet, Side::Outlet],
+                [Side::Symmetry, Side::FreeStream],
+                [Side::Symmetry; 2],
+            ],
+            openings: Vec::new(),
+        };
+        let images = |low: [f64; 3], high: [f64; 3]| {
+            let extent = Bounds::new(Vector::from(low), Vector::from(high));
+            reflections(&domain, Some(&extent)).len()
+        };
+        assert_eq!(images([-0.5; 3], [0.5; 3]), 1);
+        assert_eq!(images([-0.5, -1.5, -0.5], [0.5; 3]), 2);
+        assert_eq!(images([-0.5, -1.5, -1.5], [0.5; 3]), 4);
+        assert_eq!(images([-0.5, -0.5, -1.5], [0.5, 0.5, 1.5]), 1);
+        assert_eq!(images([-0.5, -1.5, -1.5], [0.5, 0.5, 1.5]), 2);
+        assert_eq!(reflections(&domain, None).len(), 1);
+    }
 }
