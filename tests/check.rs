@@ -76,6 +76,32 @@ fn a_body_through_a_free_stream_side_is_refused() {
     );
 }
 
+/// What lies beyond a period comes in at the other side as a body of its own alone; what runs through both sides is a wall along them.
+#[test]
+fn a_body_across_a_periodic_side_is_refused_without_its_copy_and_taken_with_it() {
+    const PERIODIC: &str = "y_min = \"periodic\"\ny_max = \"periodic\"";
+    let post = block("post", [0.0, 0.2], [0.8, 1.2]);
+    let said = refusal(&scene(PERIODIC, &post));
+    for words in [
+        "body `post`: crosses the periodic side `y_max` near (0.",
+        ", 1.0000), and what lies beyond does not come in at `y_min`",
+        "moved by [0.0, -1.0]",
+    ] {
+        assert!(said.contains(words), "`{words}` in {said}");
+    }
+    assert_eq!(said.matches("crosses").count(), 1, "{said}");
+    let other = block("other", [0.4, 0.6], [-0.2, 0.2]);
+    let said = refusal(&scene(PERIODIC, &(post.clone() + &other)));
+    assert_eq!(said.matches("crosses").count(), 2, "{said}");
+    let copy = block("copy", [0.0, 0.2], [-0.2, 0.2]);
+    let through = block("wall", [0.0, 0.2], [-0.5, 1.5]);
+    for bodies in [post + &copy, through] {
+        let place = Workplace::new();
+        place.write("scene.toml", scene(PERIODIC, &bodies));
+        place.aero(&["check", "scene.toml"]).succeeds();
+    }
+}
+
 #[test]
 fn a_body_through_both_symmetry_planes_leaves_no_gap_to_them() {
     let mirrors = "y_min = \"symmetry\"\ny_max = \"symmetry\"";

@@ -5,6 +5,7 @@ mod contact;
 mod describe;
 mod gaps;
 mod layer;
+mod periods;
 mod pockets;
 mod ringing;
 mod shock;
@@ -72,6 +73,7 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
         warnings: warnings(&problem.bodies),
     };
     sides::look(problem, &panels, &mut found);
+    periods::look(problem, &panels, &mut found);
     sound::look(problem, &mut found);
     ringing::look(problem, &mut found);
     warmth::look(problem, &mut found);
