@@ -17,6 +17,7 @@ mod progress;
 mod reach;
 mod recorder;
 mod same;
+mod section;
 mod settle;
 mod shown;
 mod stagnation;

@@ -7,10 +7,11 @@ use std::path::Path;
 use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Vector};
 
+use super::section::{Part, parts};
 use super::views::Job;
 use crate::case::{Probe, Reach};
 use crate::output::{self, OutputError, Reference, Rows};
-use crate::sample::{Gas, Lattice, Scale, Solids, State};
+use crate::sample::{Gas, Scale, Solids, State};
 use aero_solver::Flow;
 
 /// So far around a probe gas is asked, in spacings: particles may be further apart than they were.
@@ -97,9 +98,13 @@ impl<const D: usize> Probes<D> {
                 }
                 Reach::Line(..) => {}
                 Reach::Section(axis, lattice) => {
-                    let states = read(flow, &probe.reach.places());
+                    let bodies = &flow.problem().bodies;
+                    let solids = Solids::new(bodies, |number| flow.pose(number));
+                    let parts = parts(&solids, *axis, lattice);
+                    let places: Vec<Vector<D>> = parts.iter().map(|part| part.middle).collect();
+                    let states = read(flow, &places);
                     let is_round = flow.problem().domain.is_axisymmetric();
-                    for value in flows(&self.scale, (*axis, lattice), is_round, &states) {
+                    for value in flows(&self.scale, *axis, is_round, (&parts, &states)) {
                         let _ = write!(row, ",{value:?}");
                     }
                 }
@@ -149,22 +154,16 @@ fn read<const D: usize>(flow: &Flow<D>, places: &[Vector<D>]) -> Vec<Option<Stat
 /// `H = gamma / (gamma - 1) p / rho + u^2 / 2`, and means over its area. About an axis all around it; what points away from it cancels.
 fn flows<const D: usize>(
     scale: &Scale,
-    (axis, lattice): (usize, &Lattice<D>),
+    axis: usize,
     is_round: bool,
-    states: &[Option<State>],
+    (parts, states): (&[Part<D>], &[Option<State>]),
 ) -> [f64; 8] {
-    let others = (0..D).filter(|&k| k != axis);
-    let flat: f64 = others.map(|k| lattice.spacing[k]).product();
     let [mut area, mut mass, mut enthalpy, mut pressure, mut mach] = [0.0; 5];
     let mut momentum = [0.0; 3];
-    for (n, state) in states.iter().enumerate() {
+    for (part, state) in parts.iter().zip(states) {
         let Some(state) = state else { continue };
-        let around = if is_round {
-            TAU * lattice.place(n)[1]
-        } else {
-            1.0
-        };
-        let share = flat * around;
+        let around = if is_round { TAU * part.middle[1] } else { 1.0 };
+        let share = part.area * around;
         let flux = share * state.density * state.velocity[axis];
         let square = state.velocity.iter().map(|u| u * u).sum::<f64>();
         let heat = scale.gas(state).enthalpy(state.density, state.pressure);
