@@ -21,6 +21,27 @@ fn the_wedge_settles_on_the_force_that_theory_has() {
     assert!(error.abs() < 0.005, "{error}");
 }
 
+/// Nothing in it changes by a twentieth from cell to cell; a bend asks for one halving.
+#[test]
+fn a_flow_too_slow_for_points_to_be_added_is_told_so() {
+    let rest = box_with(
+        "density = 0.125, pressure = 0.1",
+        "density = 1.0, pressure = 1.0",
+    );
+    let rod = "shape = { circle = { radius = 0.15 } }\nplace = { translate = [0.5, 0.25] }";
+    let scene = format!("{rest}\n[[body]]\nname = \"rod\"\n{rod}\n");
+    let told = "`scheme.refine = 2` was asked for, and no point has a smaller spacing than 0.025:";
+    let place = Workplace::new();
+    let settings = ["scheme.motion=fixed", "scheme.refine=2"];
+    let settings = settings.map(|setting| ["--set", setting]).concat();
+    let answer = place.run(&scene, &settings);
+    answer.succeeds();
+    assert!(answer.out.contains(told), "{}", answer.out);
+    let summary = place.json("results/summary.json");
+    let warnings = summary["warnings"].to_string();
+    assert!(warnings.contains(told), "{warnings}");
+}
+
 #[test]
 fn any_number_of_threads_and_a_run_in_two_parts_give_the_same_bits() {
     let march = [

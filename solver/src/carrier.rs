@@ -136,6 +136,14 @@ impl<const D: usize> Carrier<D> {
         }
     }
 
+    /// True where points have been added since the start because the flow asked for them; never among particles.
+    pub fn has_refined(&self) -> bool {
+        match self {
+            Self::WithTheGas(_) => false,
+            Self::Fixed(flow) => flow.has_refined(),
+        }
+    }
+
     /// Counts and extremes.
     pub fn statistics(&self) -> Statistics {
         of_either!(self, flow => flow.statistics())

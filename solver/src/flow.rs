@@ -137,6 +137,11 @@ impl<const D: usize> Flow<D> {
         self.0.points_per_level()
     }
 
+    /// True where points have been added since the start because the flow asked for them.
+    pub fn has_refined(&self) -> bool {
+        self.0.has_refined()
+    }
+
     /// Counts and extremes.
     pub fn statistics(&self) -> Statistics {
         compiled::statistics(&self.0)

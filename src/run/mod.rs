@@ -16,6 +16,7 @@ mod probes;
 mod progress;
 mod reach;
 mod recorder;
+mod refined;
 mod same;
 mod section;
 mod settle;

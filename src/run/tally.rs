@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use super::{far_field, leaks, outlets, reach, shown, stagnation, warmth};
+use super::{far_field, leaks, outlets, reach, refined, shown, stagnation, warmth};
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
@@ -239,6 +239,7 @@ impl Tally {
                 .unwrap_or_else(|| warnings(&problem.bodies))
                 .into_iter()
                 .chain(leaks::warnings(simulation))
+                .chain(refined::warnings(simulation))
                 .chain(far_field::warnings(problem, &loads))
                 .chain(outlets::warnings(problem, &frame))
                 .chain(warmth::warnings(problem, &frame))

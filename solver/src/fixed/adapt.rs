@@ -141,7 +141,7 @@ impl<const D: usize> FixedSimulation<D> {
             ground.cut = cut;
         }
         ground.cloud = cloud;
-        ground.levels = levels;
+        ground.take(levels);
         Ok(new)
     }
 
@@ -186,6 +186,12 @@ impl<const D: usize> FixedSimulation<D> {
             counts[usize::from(ground.level(point))] += 1;
         }
         counts
+    }
+
+    /// True where points have been added because the flow asked for them.
+    pub fn has_refined(&self) -> bool {
+        let ground = self.ground.as_ref();
+        ground.is_some_and(|ground| ground.has_refined())
     }
 
     /// Spacing of the points around one of them.

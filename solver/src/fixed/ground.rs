@@ -50,6 +50,8 @@ pub struct Ground<const D: usize> {
     pub cut: Vec<CutCell<D>>,
     /// What bodies ask for, which stays.
     kept: Levels<D>,
+    /// True where more has been split than that.
+    has_refined: bool,
     adaption: Adaption,
     /// How often cells may be split, be it for the flow or for bodies.
     deepest: u8,
@@ -96,6 +98,7 @@ impl<const D: usize> Ground<D> {
         let (cloud, levels) = earlier.unwrap_or_else(|| (cloud, kept.clone()));
         let built = built(&plot, &cloud);
         let ground = Self {
+            has_refined: levels != kept,
             kept,
             starts_settled,
             cut: if keeps_cells::<D>(settles) && most > 0 {
@@ -146,13 +149,26 @@ impl<const D: usize> Ground<D> {
     #[must_use]
     pub fn with_numbers(mut self, problem: &Problem<D>, numbers: &[i32]) -> (Self, Cells<D>) {
         let plot = plot(problem, &self.solids, self.cloud.corner);
-        self.levels = Levels::on(&plot).with_numbers(numbers);
-        self.cloud = Cloud::lattice(&plot, &self.levels, problem.disorder);
-        let built = built(&plot, &self.cloud);
+        let levels = Levels::on(&plot).with_numbers(numbers);
+        let cloud = Cloud::lattice(&plot, &levels, problem.disorder);
+        let built = built(&plot, &cloud);
+        self.take(levels);
+        self.cloud = cloud;
         if self.keeps_cells() {
             self.cut = built.cut;
         }
         (self, built.cells)
+    }
+
+    /// Splits what `levels` have split from here on.
+    pub fn take(&mut self, levels: Levels<D>) {
+        self.has_refined |= levels != self.kept;
+        self.levels = levels;
+    }
+
+    /// True where the flow has had more split than bodies ask for.
+    pub fn has_refined(&self) -> bool {
+        self.has_refined
     }
 
     /// How often the cell of each point was split.
