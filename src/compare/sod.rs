@@ -49,9 +49,11 @@ pub const SOD: Comparison<Moment> = Comparison {
         let of = |change: fn(Variant<Moment>) -> Variant<Moment>| {
             MOMENTS.map(|moment| change(Variant::new(500, moment)))
         };
+        let [early, late] = MOMENTS.map(|moment| Variant::new(500, moment).wm());
         [
             of(Variant::both),
-            of(|v| v.wm().both()),
+            // Before the shock has met the wall mirrors there change nothing.
+            [early, late.both()],
             of(|v| v.marched().cells(200).both()),
             of(Variant::paper),
             of(|v| v.wm().paper()),

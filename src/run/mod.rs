@@ -8,6 +8,7 @@ mod coefficients;
 mod destination;
 mod error;
 mod far_field;
+mod inlets;
 mod lately;
 mod leaks;
 mod outcome;

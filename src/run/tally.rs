@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use super::{far_field, leaks, outlets, reach, refined, shown, stagnation, warmth};
+use super::{far_field, inlets, leaks, outlets, reach, refined, shown, stagnation, warmth};
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
@@ -241,6 +241,7 @@ impl Tally {
                 .chain(leaks::warnings(simulation))
                 .chain(refined::warnings(simulation))
                 .chain(far_field::warnings(problem, &loads))
+                .chain(inlets::warnings(problem, &frame))
                 .chain(outlets::warnings(problem, &frame))
                 .chain(warmth::warnings(problem, &frame))
                 .chain(stagnation::warnings(problem, &frame))

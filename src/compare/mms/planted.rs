@@ -49,7 +49,7 @@ pub fn compare(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, Comp
     // Steps are as short as the square of the spacing.
     let cells: &[u32] = match (context.level, scheme.is_of_points()) {
         (Level::Quick, true) => &[8, 16],
-        (Level::Quick, false) => &[16, 32],
+        (Level::Quick, false) => &[12, 24],
         (Level::Full, _) => &[16, 32, 64],
     };
     for (equation, term) in VISCOUS {
