@@ -99,7 +99,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
                 let mut corners = panel.corners.iter();
                 corners.any(|corner| depth(corner).abs() < CUT * spacing)
             };
-            if goes_on && inside().any(|panel| meets(&panel)) {
+            if goes_on && inside().any(meets) {
                 continue;
             }
             let nearest = inside()

@@ -117,7 +117,7 @@ mod tests {
         let ball = bodies::sphere(0.7).unwrap();
         let solids = Solids::section(&ball as &dyn Shape<3>);
         for shift in [0.0, 0.003, 0.011, 0.017] {
-            let region = Bounds::new(Vector::<2>::new(0.2, shift), Vector::new(0.2, 1.0));
+            let region = Bounds::new(Vector::<2>::new(0.2, shift), Vector::<2>::new(0.2, 1.0));
             let parts = parts(&solids, 0, &Lattice::middles(&region, 0.025));
             let length: f64 = parts.iter().map(|part| part.area).sum();
             let wall = (0.7_f64.powi(2) - 0.2_f64.powi(2)).sqrt();
@@ -134,7 +134,7 @@ mod tests {
         let solids = Solids::<3>::section(&ball as &dyn Shape<3>);
         let region = Bounds::new(
             Vector::<3>::new(0.2, -1.0, -1.0),
-            Vector::new(0.2, 1.0, 1.0),
+            Vector::<3>::new(0.2, 1.0, 1.0),
         );
         let parts = parts(&solids, 0, &Lattice::middles(&region, 0.1));
         let area: f64 = parts.iter().map(|part| part.area).sum();
@@ -144,7 +144,7 @@ mod tests {
 
     #[test]
     fn without_a_wall_parts_are_whole() {
-        let region = Bounds::new(Vector::<2>::new(0.2, 0.0), Vector::new(0.2, 1.0));
+        let region = Bounds::new(Vector::<2>::new(0.2, 0.0), Vector::<2>::new(0.2, 1.0));
         let lattice = Lattice::middles(&region, 0.1);
         let parts = parts(&Solids::none(), 0, &lattice);
         for (n, part) in parts.iter().enumerate() {

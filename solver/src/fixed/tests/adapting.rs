@@ -160,9 +160,10 @@ fn cells_that_are_taken_over_are_those_that_are_cut_afresh() {
 fn cells_are_cut_afresh_where_points_come_beyond_a_periodic_side() {
     let mut domain = domain([-1.0, -1.0], [1.0, 1.0]);
     domain.sides = [[Side::Periodic; 2]; 2];
-    let near_the_seam = [slender([0.3, -0.88]), slender([-0.6, 0.1])];
-    let scene = Scene::new(domain, near_the_seam.to_vec(), 0.125);
-    are_taken_over_as_cut(&scene, [[0.2, 0.95], [0.4, 0.9], [-0.95, 0.1]]);
+    let place = Placement::default().moved(Vector::<2>::new(0.3, -0.6));
+    let near_the_seam = bodies::circle(0.3).unwrap().placed(&place);
+    let scene = Scene::new(domain, vec![Arc::new(near_the_seam)], 0.125);
+    are_taken_over_as_cut(&scene, [[-0.5, -0.2], [0.3, 0.7], [-0.5, -0.2]]);
 }
 
 /// Compares the cells of clouds with points around one place after another, each made from the one before and alone.
