@@ -54,6 +54,7 @@ mod lines;
 pub mod liquid;
 pub mod manufactured;
 mod method;
+mod mirror;
 mod motion;
 pub mod number;
 mod openings;
@@ -88,7 +89,8 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::case::{AnyCase, Case, RunPlan, Stop};
-use aero_solver::problem::{Problem, Source};
+use aero_solver::method::Method;
+use aero_solver::problem::{Domain, Problem, Source, State};
 use aero_solver::scheme::Viscosity;
 use file::SceneFile;
 use manufactured::Manufactured;
@@ -221,24 +223,54 @@ impl Scene {
         case.ok_or_else(|| self.other_dimension(D))
     }
 
-    /// The case of a scene of `D` dimensions.
-    fn made<const D: usize>(&self) -> Result<Case<D>, SceneError> {
+    /// Refuses a stream that does not go with the sides of the domain; looks at no body.
+    ///
+    /// # Errors
+    /// What is wrong with the stream or the domain.
+    pub fn check_stream(&self) -> Result<(), SceneError> {
+        match self.dimension() {
+            1 => self.streamed::<1>(self.solution()?.as_ref()).map(drop),
+            2 => self.streamed::<2>(self.solution()?.as_ref()).map(drop),
+            _ => self.streamed::<3>(self.solution()?.as_ref()).map(drop),
+        }
+    }
+
+    /// When the run ends.
+    fn stop(&self) -> Stop {
+        self.file.stop.map_or(Stop::EndTime, Into::into)
+    }
+
+    /// The domain, the stream in it and what carries the gas.
+    fn streamed<const D: usize>(
+        &self,
+        solution: Option<&Manufactured<D>>,
+    ) -> Result<(Domain<D>, State<D>, Method), SceneError> {
         let file = &self.file;
-        let spacing = file.spacing.get();
         let equation = transport::equation_of_state(file);
         if equation.liquid().is_some() {
             liquid::check(file)?;
         }
         let mut domain = domain::domain(file)?;
-        let solution = self.solution()?;
-        let free_stream = flow::free_stream(file, &domain, solution.as_ref())?;
-        let stop = file.stop.map_or(Stop::EndTime, Into::into);
-        let method = method::method(&file.scheme, stop)?;
+        let free_stream = flow::free_stream(file, &domain, solution)?;
+        let method = method::method(&file.scheme, self.stop())?;
         openings::open(file, &mut domain, &free_stream, method)?;
         flow::check_inlets(&domain, &free_stream)?;
         flow::check_reservoir(&domain, &free_stream, &equation)?;
         transport::check_sides(&equation, &domain)?;
         axis::check(&domain, &free_stream)?;
+        if solution.is_none() {
+            mirror::check(&domain, &free_stream, self.starts_in_the_free_stream())?;
+        }
+        Ok((domain, free_stream, method))
+    }
+
+    /// The case of a scene of `D` dimensions.
+    fn made<const D: usize>(&self) -> Result<Case<D>, SceneError> {
+        let file = &self.file;
+        let spacing = file.spacing.get();
+        let solution = self.solution()?;
+        let stop = self.stop();
+        let (domain, free_stream, method) = self.streamed(solution.as_ref())?;
         let initial = flow::initial(file, &self.folder, &domain, &free_stream)?;
         let initial = solution.as_ref().map_or(initial, Manufactured::initial);
         let end_time = flow::end_time(file, stop, &domain, &free_stream)?;

@@ -67,7 +67,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
     let scene = flown::scene(args, points.len())?;
     let out = folder(args.out.as_ref(), &format!("{}-sweep", scene.name()));
     let stated = scene.stream();
-    // All scenes are read before the first runs: a typing error shows at once.
+    // All scenes are read before the first runs: a typing error shows at once, and so does a stream that a side does not go with.
     let scenes = points
         .iter()
         .map(|point| at(&scene, point))
@@ -173,6 +173,9 @@ fn at(scene: &Scene, point: &Point) -> Result<Scene, CommandError> {
             scene.set(&setting).map_err(CommandError::wrong)?;
         }
     }
+    scene
+        .check_stream()
+        .map_err(|error| CommandError::wrong(format!("point {}: {error}", name(point))))?;
     Ok(scene)
 }
 
