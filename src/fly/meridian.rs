@@ -4,6 +4,8 @@ use std::f64::consts::TAU;
 
 use aero_geometry::{Shape, Vector};
 
+use super::round::Turned;
+
 /// Stations along the axis where the corners of the triangles do not give fewer.
 const STATIONS: usize = 300;
 
@@ -29,7 +31,8 @@ pub fn meridian(shape: &dyn Shape<3>) -> Option<Vec<[f64; 2]>> {
         .fold(0.0, f64::max);
     let aside = ASIDE * length;
     let mut found: Vec<[f64; 2]> = Vec::new();
-    for x in stations(shape, low, high) {
+    let (places, apart) = stations(shape, low, high);
+    for x in places {
         for x in [x - aside, x + aside] {
             if x <= low || x >= high {
                 continue;
@@ -58,11 +61,19 @@ pub fn meridian(shape: &dyn Shape<3>) -> Option<Vec<[f64; 2]>> {
         line.push([high, last[1]]);
     }
     line.push([high, 0.0]);
-    Some(thinned(&line, STRAIGHT * reach))
+    let turned = Turned {
+        line: &line,
+        apart: apart + 2.0 * aside,
+        reach,
+    };
+    turned
+        .is_all_of(shape)
+        .then(|| thinned(&line, STRAIGHT * reach))
 }
 
-/// Places along the axis where corners lie, or evenly spread ones where those are many.
-fn stations(shape: &dyn Shape<3>, low: f64, high: f64) -> Vec<f64> {
+/// Places along the axis where corners lie, or evenly spread ones where those are many; and how far a corner may be from its nearest neighbours
+/// among them.
+fn stations(shape: &dyn Shape<3>, low: f64, high: f64) -> (Vec<f64>, f64) {
     let facets = shape.facets(f64::INFINITY, &shape.bounds());
     let mut places: Vec<f64> = facets.iter().flatten().map(|corner| corner[0]).collect();
     places.sort_by(f64::total_cmp);
@@ -74,8 +85,9 @@ fn stations(shape: &dyn Shape<3>, low: f64, high: f64) -> Vec<f64> {
         places = (0..=STATIONS)
             .map(|k| low + (high - low) * 0.5 * (1.0 - (part(k) * 0.5 * TAU).cos()))
             .collect();
+        return (places, (high - low) * 0.25 * TAU / STATIONS as f64);
     }
-    places
+    (places, 0.0)
 }
 
 /// Distance from the axis at which the body, solid inside of it, ends: by bisection, because a ray may graze the surface.

@@ -18,6 +18,7 @@ mod pictures;
 mod polar_point;
 mod read;
 mod report;
+mod round;
 mod section;
 mod silhouette;
 mod skins;
