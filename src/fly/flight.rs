@@ -15,6 +15,7 @@ use super::estimate::Costs;
 use super::meridian::meridian;
 use super::silhouette;
 use crate::scene::atmosphere::{self, GAS_CONSTANT};
+use crate::scene::number::Name;
 use crate::scene::shapes::{StlEntry, Unit};
 
 /// Ratio of specific heats of air.
@@ -124,7 +125,8 @@ impl Flight {
                 domain::LEAST_MACH
             )));
         }
-        let name = files::body_name(&wishes.body);
+        let name = Name::like(&files::body_name(&wishes.body));
+        let name = name.as_str().to_owned();
         let body =
             |error: &dyn std::fmt::Display| FlyError::Body(format!("body `{name}`: {error}"));
         let entry = StlEntry {

@@ -29,11 +29,7 @@ impl Flight {
             text.push_str(line);
             text.push('\n');
         };
-        say(&format!(
-            "title = \"{} at Mach {}\"",
-            self.name.replace(['"', '\\'], ""),
-            w.mach
-        ));
+        say(&format!("title = \"{} at Mach {}\"", self.name, w.mach));
         say(&format!(
             "dimension = {}\nspacing = {spacing:?}",
             self.dimension()
@@ -81,12 +77,9 @@ impl Flight {
             }
         }
         if let Some(frame) = frame {
-            say(&format!(
-                "\n[initial]\nframe = {:?}",
-                frame.display().to_string()
-            ));
+            say(&format!("\n[initial]\nframe = {}", quoted(frame)));
         }
-        say(&format!("\n[[body]]\nname = {:?}", self.name));
+        say(&format!("\n[[body]]\nname = \"{}\"", self.name));
         say(&self.scene_shape()?);
         let zeros = &[0.0; 2][..self.dimension() - 1];
         let centre = [&[self.centre()][..], zeros].concat();
@@ -124,11 +117,16 @@ impl Flight {
                     Some(Unit::In) => ", unit = \"in\"".into(),
                 };
                 Ok(format!(
-                    "shape = {{ stl = {{ file = {:?}{unit} }} }}\nplace = {}",
-                    file.display().to_string(),
+                    "shape = {{ stl = {{ file = {}{unit} }} }}\nplace = {}",
+                    quoted(&file),
                     self.attitude.scene_place()
                 ))
             }
         }
     }
+}
+
+/// A path as a scene has it.
+fn quoted(path: &Path) -> toml::Value {
+    toml::Value::String(path.display().to_string())
 }

@@ -132,16 +132,34 @@ impl Name {
     pub fn as_str(&self) -> &str {
         &self.0
     }
+
+    /// The name that is most like `text`: what cannot be in one becomes `_`, and digits alone follow a word.
+    pub fn like(text: &str) -> Self {
+        let good = |c: char| if is_of_name(c) { c } else { '_' };
+        let like: String = text.trim().chars().map(good).collect();
+        if like.chars().all(|c| c.is_ascii_digit() || c == '_') {
+            return Self(
+                format!("body-{like}")
+                    .trim_end_matches(['-', '_'])
+                    .to_owned(),
+            );
+        }
+        Self(like)
+    }
+}
+
+/// True of what may be in a name.
+fn is_of_name(c: char) -> bool {
+    c.is_alphanumeric() || c == '-' || c == '_'
 }
 
 impl TryFrom<String> for Name {
     type Error = String;
 
     fn try_from(text: String) -> Result<Self, String> {
-        let good = |c: char| c.is_alphanumeric() || c == '-' || c == '_';
         // A name that is a number could not be told from an index in `--set body.0...`.
         let number = text.chars().all(|c| c.is_ascii_digit());
-        if number || !text.chars().all(good) {
+        if number || !text.chars().all(is_of_name) {
             return Err(format!(
                 "`{text}` is not a name; use letters, digits, `-` and `_`, at least one of them not a digit"
             ));
@@ -174,5 +192,23 @@ mod tests {
         assert!(Name::try_from("7".to_owned()).is_err());
         assert!(Name::try_from(String::new()).is_err());
         assert!(Name::try_from("stage-2".to_owned()).is_ok());
+    }
+
+    #[test]
+    fn any_text_has_a_name_like_it() {
+        for (text, name) in [
+            ("stage-2", "stage-2"),
+            ("my body", "my_body"),
+            ("v1.2", "v1_2"),
+            ("Rocket (1)", "Rocket__1_"),
+            ("c\u{f4}ne 15", "c\u{f4}ne_15"),
+            ("123", "body-123"),
+            ("", "body"),
+            ("...", "body"),
+        ] {
+            let like = Name::like(text);
+            assert_eq!(like.as_str(), name);
+            assert_eq!(Name::try_from(name.to_owned()), Ok(like));
+        }
     }
 }
