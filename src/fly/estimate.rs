@@ -66,8 +66,11 @@ impl Costs {
         1.0 / (0..=finer as i32).map(|n| step.powi(n)).sum::<f64>()
     }
 
-    /// Factor on the spacing of the coarsest, which takes `first` seconds, with which the family fits `budget` seconds.
+    /// Factor on the spacing of the coarsest, which takes `first` seconds, with which the family fits `budget` seconds: endless where nothing is left.
     pub fn fit(self, first: f64, budget: f64) -> f64 {
+        if budget <= 0.0 {
+            return f64::INFINITY;
+        }
         (self.of_family(first) / (PLANNED * budget)).powf(1.0 / self.power)
     }
 
@@ -108,6 +111,7 @@ mod tests {
         let factor = costs.fit(2.0, 600.0);
         let first = 2.0 * factor.powf(-costs.power);
         assert!((costs.of_family(first) - PLANNED * 600.0).abs() < 1e-6);
+        assert_eq!(costs.fit(2.0, -17.0), f64::INFINITY);
     }
 
     #[test]

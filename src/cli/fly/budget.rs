@@ -17,17 +17,14 @@ const CLOSING_MOST: f64 = 20.0;
 pub(super) struct Room {
     /// As it is shared out.
     pub(super) seconds: f64,
-    /// All that is left.
-    pub(super) most: f64,
-    /// No other has come through.
+    /// No other has come through: without it there is nothing to tell.
     pub(super) is_first: bool,
 }
 
 impl Room {
     /// True where a run ends that has taken so many seconds and iterations: the first is let on until it can be told from.
     pub(super) fn is_over(self, seconds: f64, steps: u64) -> bool {
-        let is_let_on = self.is_first && steps < UNDER_WAY;
-        seconds >= if is_let_on { self.most } else { self.seconds }
+        seconds >= self.seconds && !(self.is_first && steps < UNDER_WAY)
     }
 }
 
@@ -76,11 +73,13 @@ mod tests {
     fn the_first_run_is_let_on_until_it_tells_something() {
         let mut room = Room {
             seconds: 2.0,
-            most: 20.0,
             is_first: true,
         };
         assert!(!room.is_over(3.0, UNDER_WAY - 1) && room.is_over(3.0, UNDER_WAY));
-        assert!(room.is_over(20.0, 1));
+        // Even where nothing was left for it.
+        room.seconds = -17.0;
+        assert!(!room.is_over(0.0, UNDER_WAY - 1) && room.is_over(0.0, UNDER_WAY));
+        room.seconds = 2.0;
         room.is_first = false;
         assert!(room.is_over(3.0, 1) && !room.is_over(1.0, 1));
     }

@@ -27,6 +27,9 @@ const MOST_RUNS: usize = 8;
 const TRIES: usize = 4;
 const ANOTHER: f64 = 0.93;
 
+/// Most spacings of the look in the coarsest: more leave a box of fewer cells than flows around bodies need.
+const COARSEST: f64 = 4.0;
+
 /// Seconds that the look may take, as a part of the budget.
 const LOOKING: f64 = 0.02;
 
@@ -83,6 +86,16 @@ impl<'a> Trip<'a> {
         for_runs(self.budget) - self.begun.elapsed().as_secs_f64()
     }
 
+    /// What is said where nothing is left before the first run.
+    fn is_spent(&self) -> Option<String> {
+        (self.left() <= 0.0).then(|| {
+            format!(
+                "reading and looking at the body took all of {}: one coarse run is made all the same; give more --minutes",
+                minutes(self.budget)
+            )
+        })
+    }
+
     fn scene_at(
         &self,
         spacing: f64,
@@ -122,7 +135,7 @@ impl<'a> Trip<'a> {
         );
         let first = match asked {
             Some(first) => first,
-            None => (look * self.costs.fit(took, self.left()))
+            None => (look * self.costs.fit(took, self.left()).min(COARSEST))
                 .max(self.flight.spacing_of(MOST_CELLS) * coarser),
         };
         let family = Family {
@@ -149,7 +162,9 @@ impl<'a> Trip<'a> {
             Some(thin) if thin < size => format!("{} across the thinnest part", across(thin)),
             _ => format!("{} across the body", across(size)),
         };
-        let most = if self.budget.is_finite() {
+        let most = if let Some(words) = self.is_spent() {
+            format!("; {words}")
+        } else if self.budget.is_finite() {
             format!(", at most {}", minutes(self.left()))
         } else if is_long(seconds) {
             "; --minutes N beside --spacing ends it after N minutes, --minutes alone finds the spacings that fit into them".into()
@@ -173,7 +188,7 @@ impl<'a> Trip<'a> {
         interrupt: &Interrupt,
     ) -> Result<(Vec<Level>, Vec<String>), CommandError> {
         let mut levels: Vec<Level> = Vec::new();
-        let mut failures = Vec::new();
+        let mut failures: Vec<String> = self.is_spent().into_iter().collect();
         let mut spacing = family.first;
         let mut finest_took = 0.0;
         let most = if family.is_fixed { FAMILY } else { MOST_RUNS };
@@ -183,8 +198,6 @@ impl<'a> Trip<'a> {
             let is_finest = levels.last().is_none_or(|last| spacing < last.spacing);
             let room = Room {
                 seconds: may_take(self.costs, self.left(), to_come),
-                // Without the first there is nothing to tell.
-                most: self.left(),
                 is_first: levels.is_empty(),
             };
             let folder = out.join(format!("spacing-{number}"));
