@@ -2,7 +2,8 @@
 
 use std::path::{Path, PathBuf};
 
-use aero::fly::{Air, Axes, Wishes};
+use aero::fly::{Air, Axes, Centre, Wishes};
+use aero::scene::number::{Altitude, StreamAngle};
 use aero::scene::shapes::Unit;
 use clap::{Args, ValueEnum};
 
@@ -33,9 +34,10 @@ pub struct BodyArgs {
     /// Reference length, m; the body's length unless given
     #[arg(long, value_name = "M", value_parser = positive)]
     length: Option<f64>,
-    /// Point of the moments, m behind the nose; the middle unless given
-    #[arg(long, value_name = "M", allow_hyphen_values = true)]
-    centre: Option<f64>,
+    /// Point of the moments, m behind the nose, above the middle of the body's box and to the left of it; half the length and the middle of the volume
+    /// unless given
+    #[arg(long, value_name = "X[,Y,Z]", allow_hyphen_values = true)]
+    centre: Option<Centre>,
     /// Time that it may take; 10 unless this or a spacing is given
     #[arg(long, value_name = "N", value_parser = positive)]
     pub minutes: Option<f64>,
@@ -88,6 +90,26 @@ pub fn angle(text: &str) -> Result<f64, String> {
     }
 }
 
+/// An angle of the stream, in degrees.
+pub fn stream_angle(text: &str) -> Result<f64, String> {
+    let angle: f64 = text.parse().map_err(|_| "is no number of degrees")?;
+    StreamAngle::try_from(angle).map(StreamAngle::get)
+}
+
+/// A Mach number.
+pub fn mach(text: &str) -> Result<f64, String> {
+    positive(text).map_err(|_| "is no Mach number, which is above zero".into())
+}
+
+/// True of a file of triangles.
+pub fn is_body(path: &Path) -> bool {
+    let name = path.to_string_lossy().to_lowercase();
+    let name = name.strip_suffix(".gz").unwrap_or(&name);
+    [".stl", ".obj", ".ply"]
+        .iter()
+        .any(|end| name.ends_with(end))
+}
+
 fn positive(text: &str) -> Result<f64, String> {
     let number = text.parse::<f64>().ok();
     let number = number.filter(|x| x.is_finite() && *x > 0.0);
@@ -107,8 +129,8 @@ fn height(text: &str) -> Result<f64, String> {
         let number = text.trim().strip_suffix(unit)?.trim();
         Some(number.parse::<f64>().ok()? * metres)
     });
-    read.filter(|height| height.is_finite())
-        .ok_or_else(|| "is no height; write 12km, 12000 or 40kft".into())
+    let height = read.ok_or("is no height; write 12km, 12000 or 40kft")?;
+    Altitude::try_from(height).map(Altitude::get)
 }
 
 #[cfg(test)]
@@ -126,6 +148,31 @@ mod tests {
         ] {
             assert!((height(text).unwrap() - metres).abs() < 1e-9, "{text}");
         }
-        assert!(height("high").is_err());
+        for (text, words) in [("high", "no height"), ("nan", "86000"), ("300km", "86000")] {
+            let refused = height(text).unwrap_err();
+            assert!(refused.contains(words), "{refused}");
+        }
+    }
+
+    #[test]
+    fn what_no_stream_has_is_refused() {
+        assert_eq!(stream_angle("-5"), Ok(-5.0));
+        for text in ["100", "-90", "nan", "up"] {
+            assert!(
+                stream_angle(text).unwrap_err().contains("degrees"),
+                "{text}"
+            );
+        }
+        for text in ["-2", "0", "nan", "inf"] {
+            assert!(mach(text).is_err(), "{text}");
+        }
+    }
+
+    #[test]
+    fn bodies_are_known_by_their_names() {
+        for name in ["a.stl", "b.STL.gz", "c/d.obj", "e.ply"] {
+            assert!(is_body(Path::new(name)), "{name}");
+        }
+        assert!(!is_body(Path::new("stl.toml")));
     }
 }

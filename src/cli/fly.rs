@@ -154,10 +154,10 @@ pub fn words(flight: &Flight) -> Vec<String> {
         sizes.join(" x ")
     ));
     lines.push(format!(
-        "area {:.5e} m2, length {:.4} m, moments about {:.4} m behind the nose",
+        "area {:.5e} m2, length {:.4} m, {}",
         flight.area,
         flight.reference_length(),
-        flight.centre()
+        flight.centre_words()
     ));
     lines
 }

@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 use std::path::{Path, PathBuf};
+use std::str::FromStr;
 use std::sync::Arc;
 
 use aero_geometry::{Bounds, Placed, Shape, Vector, Watch, files};
@@ -12,6 +13,7 @@ use super::attitude::{Attitude, Axes};
 use super::domain;
 use super::error::FlyError;
 use super::estimate::Costs;
+use super::likeness::{Likeness, likeness};
 use super::meridian::meridian;
 use super::silhouette;
 use crate::scene::atmosphere::{self, GAS_CONSTANT};
@@ -27,12 +29,6 @@ const THICK: f64 = 5.0;
 /// Cells behind a body before the end of the box: of fewer the outlet feels the body.
 const BEHIND: f64 = 2.5;
 
-/// A mirrored corner may be off the surface by this part of the body's least extent: facets around a round body need not match.
-const MIRROR: f64 = 5e-3;
-
-/// Corners that are mirrored, at most.
-const CORNERS: usize = 4000;
-
 /// The state of the stream at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Air {
@@ -40,6 +36,45 @@ pub enum Air {
     Altitude(f64),
     /// Pressure in Pa and temperature in K.
     State(f64, f64),
+}
+
+impl Air {
+    /// Pressure in Pa and temperature in K.
+    fn at_rest(self) -> [f64; 2] {
+        match self {
+            Self::Altitude(height) => {
+                let air = atmosphere::Air::at(height);
+                [air.pressure, air.temperature]
+            }
+            Self::State(pressure, temperature) => [pressure, temperature],
+        }
+    }
+}
+
+/// A point that moments are about.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Centre {
+    /// Behind the nose, m.
+    pub behind: f64,
+    /// Above the middle of the body's box and to the left of it, m; as the body's volume lies if none.
+    pub across: Option<[f64; 2]>,
+}
+
+impl FromStr for Centre {
+    type Err = String;
+
+    fn from_str(text: &str) -> Result<Self, String> {
+        let refused =
+            || format!("`{text}` is no point; write X or X,Y,Z in m, as 1.2 or 1.2,0,0.1");
+        let number = |part: &str| part.trim().parse().ok().filter(|x: &f64| x.is_finite());
+        let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
+        let (behind, across) = match numbers.as_deref() {
+            Some(&[x]) => (x, None),
+            Some(&[x, y, z]) => (x, Some([y, z])),
+            _ => return Err(refused()),
+        };
+        Ok(Self { behind, across })
+    }
 }
 
 /// What is asked for.
@@ -67,8 +102,8 @@ pub struct Wishes {
     pub area: Option<f64>,
     /// Reference length; the body's if none.
     pub length: Option<f64>,
-    /// Moment centre, m behind the nose; the middle if none.
-    pub centre: Option<f64>,
+    /// Moment centre; the middle if none.
+    pub centre: Option<Centre>,
 }
 
 /// What of the flow is computed.
@@ -95,6 +130,10 @@ pub struct Flight {
     pub bounds: Bounds<3>,
     /// What is computed.
     pub extent: Extent,
+    /// Axes across which it is its own mirror image but for so much, m.
+    pub nearly: Vec<(usize, f64)>,
+    /// Where the middle of its volume lies, above the middle of the box and to the left of it.
+    axis: [f64; 2],
     /// Its frontal area.
     front: f64,
     /// What coefficients refer to: the same, or what was given.
@@ -141,7 +180,7 @@ impl Flight {
         let attitude = Attitude::new(solid.shape.as_ref(), wishes.axes, wishes.roll)?;
         let shape: Arc<dyn Shape<3>> = Arc::new(Placed::new(solid.shape, attitude.placement()?));
         let bounds = box_of(shape.as_ref());
-        let extent = extent(shape.as_ref(), &bounds, &wishes);
+        let (extent, nearly) = extent(shape.as_ref(), &bounds, &wishes);
         let front = match &extent {
             Extent::Meridian(line) => {
                 let widest = line.iter().map(|[_, radius]| *radius).fold(0.0, f64::max);
@@ -163,7 +202,9 @@ impl Flight {
             region,
             front,
             area,
+            axis: axis(shape.as_ref(), &bounds, &extent),
             extent,
+            nearly,
             bounds,
             shape,
             attitude,
@@ -171,6 +212,14 @@ impl Flight {
             name,
             wishes,
         })
+    }
+
+    /// The same body and box in a stream of another Mach number, incidence and sideslip.
+    pub fn in_stream(&self, [mach, incidence, sideslip]: [f64; 3]) -> Self {
+        let mut other = self.clone();
+        let wishes = &mut other.wishes;
+        (wishes.mach, wishes.incidence, wishes.sideslip) = (mach, incidence, sideslip);
+        other
     }
 
     /// Number of dimensions that are computed.
@@ -240,7 +289,28 @@ impl Flight {
 
     /// Moment centre, behind the nose.
     pub fn centre(&self) -> f64 {
-        self.wishes.centre.unwrap_or_else(|| 0.5 * self.length())
+        let given = self.wishes.centre.map(|centre| centre.behind);
+        given.unwrap_or_else(|| 0.5 * self.length())
+    }
+
+    /// The same above the middle of the box, and to the left of it: on the axis of the volume, which the tips of fins do not shift.
+    pub fn centre_across(&self) -> [f64; 2] {
+        self.wishes
+            .centre
+            .and_then(|centre| centre.across)
+            .unwrap_or(self.axis)
+    }
+
+    /// Where moments are about, in words.
+    pub fn centre_words(&self) -> String {
+        let mut words = format!("moments about {:.4} m behind the nose", self.centre());
+        let [up, left] = self.centre_across();
+        if up != 0.0 || left != 0.0 {
+            words += &format!(
+                ", {up:.4} m above the middle of the box and {left:.4} m to the left of it"
+            );
+        }
+        words
     }
 
     /// The part of the box that is computed.
@@ -269,22 +339,22 @@ impl Flight {
         (room / cells).powf(1.0 / dimension as f64)
     }
 
+    /// Dynamic pressure of the stream, Pa.
+    pub fn dynamic_pressure(&self) -> f64 {
+        let ([pressure, _], mach) = (self.wishes.air.at_rest(), self.wishes.mach);
+        0.5 * GAMMA * pressure * mach * mach
+    }
+
     /// The stream, in words: what is not asked for is air at sea level.
     pub fn stream_words(&self) -> String {
-        let (place, pressure, temperature) = match self.wishes.air {
-            Air::Altitude(height) => {
-                let air = atmosphere::Air::at(height);
-                (
-                    format!(", {height} m above the sea"),
-                    air.pressure,
-                    air.temperature,
-                )
-            }
-            Air::State(pressure, temperature) => (String::new(), pressure, temperature),
+        let place = match self.wishes.air {
+            Air::Altitude(height) => format!(", {height} m above the sea"),
+            Air::State(..) => String::new(),
         };
+        let [pressure, temperature] = self.wishes.air.at_rest();
         let mach = self.wishes.mach;
         let speed = mach * (GAMMA * GAS_CONSTANT * temperature).sqrt();
-        let dynamic = 0.5 * GAMMA * pressure * mach * mach;
+        let dynamic = self.dynamic_pressure();
         format!(
             "Mach {mach}{place}: {pressure:.5e} Pa, {temperature:.2} K, {speed:.1} m/s, dynamic pressure {dynamic:.4e} Pa"
         )
@@ -328,28 +398,84 @@ fn box_of(shape: &dyn Shape<3>) -> Bounds<3> {
     }
 }
 
-fn extent(shape: &dyn Shape<3>, bounds: &Bounds<3>, wishes: &Wishes) -> Extent {
-    let level = wishes.incidence == 0.0 && wishes.sideslip == 0.0;
+/// What is computed, and across which axes half of it would be left out if the body were not off its mirror image by so much.
+fn extent(
+    shape: &dyn Shape<3>,
+    bounds: &Bounds<3>,
+    wishes: &Wishes,
+) -> (Extent, Vec<(usize, f64)>) {
+    // Moments about a point off the axis are not the same around it.
+    let is_off =
+        (wishes.centre.and_then(|centre| centre.across)).is_some_and(|across| across != [0.0; 2]);
+    let level = wishes.incidence == 0.0 && wishes.sideslip == 0.0 && !is_off;
     if level && let Some(line) = meridian(shape) {
-        return Extent::Meridian(line);
+        return (Extent::Meridian(line), Vec::new());
     }
-    let still = [(1, wishes.incidence == 0.0), (2, wishes.sideslip == 0.0)];
-    let mirrors = still
-        .into_iter()
-        .filter(|(axis, along)| *along && is_mirrored(shape, bounds, *axis));
-    Extent::Space(mirrors.map(|(axis, _)| axis).collect())
+    let (mut mirrors, mut nearly) = (Vec::new(), Vec::new());
+    for (axis, is_along) in [(1, wishes.incidence == 0.0), (2, wishes.sideslip == 0.0)] {
+        if !is_along {
+            continue;
+        }
+        match likeness(shape, bounds, axis) {
+            Likeness::Same => mirrors.push(axis),
+            Likeness::Near(off) => nearly.push((axis, off)),
+            Likeness::Other => {}
+        }
+    }
+    (Extent::Space(mirrors), nearly)
 }
 
-/// True where the images of the corners, across the plane through the middle, lie on the surface.
-fn is_mirrored(shape: &dyn Shape<3>, bounds: &Bounds<3>, axis: usize) -> bool {
-    let near = MIRROR * bounds.size().min();
-    let facets = shape.facets(f64::INFINITY, bounds);
-    let every = (3 * facets.len()).div_ceil(CORNERS).max(1);
-    facets.iter().flatten().step_by(every).all(|corner| {
-        let mut image = *corner;
-        image[axis] = -image[axis];
-        let off = |p: &Vector<3>| shape.signed_distance(p).abs();
-        // Corners that other parts hide are off the surface themselves.
-        off(&image) < near || off(corner) > near
+/// Where the middle of the volume lies across the body, as far as its planes of symmetry leave that open.
+fn axis(shape: &dyn Shape<3>, bounds: &Bounds<3>, extent: &Extent) -> [f64; 2] {
+    /// Less, in parts of the length, is round-off of files.
+    const LEAST: f64 = 1e-4;
+    let Extent::Space(mirrors) = extent else {
+        return [0.0; 2];
+    };
+    let (mut volume, mut sum) = (0.0, Vector::<3>::zeros());
+    for [a, b, c] in shape.facets(f64::INFINITY, bounds) {
+        // Of the tetrahedron over the triangle, from the origin, six times.
+        let six = a.dot(&b.cross(&c));
+        volume += six;
+        sum += (a + b + c) * (0.25 * six);
+    }
+    [1, 2].map(|k| {
+        let place = sum[k] / volume;
+        let is_there = place.abs() > LEAST * bounds.size()[0] && !mirrors.contains(&k);
+        if is_there && place.abs() < 0.5 * bounds.size()[k] {
+            place
+        } else {
+            0.0
+        }
     })
+}
+
+#[cfg(test)]
+mod tests {
+    use aero_geometry::{Mesh, bodies};
+
+    use super::*;
+
+    #[test]
+    fn a_fin_does_not_shift_the_axis_much_and_a_centre_is_one_number_or_three() {
+        let body = bodies::sphere(0.5).unwrap().tessellate(24);
+        let fin = bodies::sphere(0.05).unwrap().tessellate(12);
+        let fin = fin
+            .into_iter()
+            .map(|f| f.map(|p| p + Vector::<3>::new(0.0, 0.52, 0.0)));
+        let mesh = Mesh::from_facets(body.into_iter().chain(fin).collect()).unwrap();
+        let shifted = Placed::new(
+            mesh,
+            aero_geometry::Placement::default().moved(Vector::<3>::new(0.0, -0.035, 0.0)),
+        );
+        let bounds = box_of(&shifted);
+        let [up, left] = axis(&shifted, &bounds, &Extent::Space(vec![2]));
+        assert!((up + 0.035).abs() < 2e-3 && left == 0.0, "{up} {left}");
+        let read = |text: &str| text.parse::<Centre>();
+        assert_eq!(read("1.5").unwrap().across, None);
+        assert_eq!(read("1.5,0,-0.1").unwrap().across, Some([0.0, -0.1]));
+        for text in ["1,2", "nan", "", "1,2,3,4"] {
+            assert!(read(text).unwrap_err().contains("X,Y,Z"), "{text}");
+        }
+    }
 }

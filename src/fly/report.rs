@@ -29,6 +29,8 @@ pub struct Report {
     pub reference_length: f64,
     /// Point of the moments, m behind the nose.
     pub moment_centre: f64,
+    /// The same above the middle of the body's box, and to the left of it.
+    pub moment_centre_across: [f64; 2],
     /// The runs, coarse to fine.
     pub levels: Vec<Level>,
     /// What the user should know.
@@ -98,6 +100,7 @@ impl Report {
             reference_area: flight.area,
             reference_length: flight.reference_length(),
             moment_centre: flight.centre(),
+            moment_centre_across: flight.centre_across(),
             levels,
             warnings,
             thickness,
@@ -222,7 +225,7 @@ fn page(flight: &Flight, report: &Report, folder: &Path) -> Result<String, FlyEr
         // Writing to a string cannot fail.
         let _ = write!(page, "<h2>{heading}</h2>{content}");
     };
-    part("Coefficients", &table(report));
+    part("Coefficients", &table(flight, report));
     let warnings: Vec<String> = report
         .warnings
         .iter()
@@ -279,7 +282,7 @@ fn abreast(figures: &[String]) -> String {
     format!("<div class=\"two\">{}</div>", figures.concat())
 }
 
-fn table(report: &Report) -> String {
+fn table(flight: &Flight, report: &Report) -> String {
     let mut text = "<table><tr><th></th><th>value</th><th>±</th><th>spacing</th><th>settling</th><th>packing</th><th>model</th><th>order</th></tr>".to_owned();
     for (name, b) in report.rows() {
         let order = b.order.map_or("–".into(), |order| format!("{order:.1}"));
@@ -298,9 +301,11 @@ fn table(report: &Report) -> String {
     }
     let _ = write!(
         text,
-        "</table><p>Of gauge pressure; area {:.5e} m², length {:.4} m, moments about {:.4} m behind the nose. An inviscid base has no exact \
+        "</table><p>Of gauge pressure; area {:.5e} m², length {:.4} m, {}. An inviscid base has no exact \
          answer: its model band is half of what lies between no drag and a vacuum.</p>",
-        report.reference_area, report.reference_length, report.moment_centre
+        report.reference_area,
+        report.reference_length,
+        flight.centre_words()
     );
     text
 }

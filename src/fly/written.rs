@@ -81,8 +81,8 @@ impl Flight {
         }
         say(&format!("\n[[body]]\nname = \"{}\"", self.name));
         say(&self.scene_shape()?);
-        let zeros = &[0.0; 2][..self.dimension() - 1];
-        let centre = [&[self.centre()][..], zeros].concat();
+        let [up, left] = self.centre_across();
+        let centre = &[self.centre(), up, left][..self.dimension()];
         say(&format!(
             "reference_area = {:?}\nreference_length = {:?}\nmoment_centre = {centre:?}",
             self.area,

@@ -39,7 +39,7 @@ pub(super) fn tell_rest(costs: Costs, seconds: f64, to_come: usize) {
 }
 
 /// What of the flight as a whole is to be told.
-pub(super) fn warnings(flight: &Flight) -> Vec<String> {
+pub fn warnings(flight: &Flight) -> Vec<String> {
     let mut warnings = Vec::new();
     if flight.attitude.is_guess {
         warnings.push(format!(
@@ -47,6 +47,16 @@ pub(super) fn warnings(flight: &Flight) -> Vec<String> {
             flight.attitude.nose, flight.attitude.up
         ));
     }
+    warnings.extend(flight.nearly.iter().map(|(axis, off)| {
+        let halves = match axis {
+            1 => "upper and lower half",
+            _ => "left and right half",
+        };
+        format!(
+            "{halves} of the body are mirror images but for {off:.2e} m: both are computed; if they were meant to be the same, mend the file, and \
+             half the points will do"
+        )
+    }));
     if let Extent::Meridian(_) = flight.extent
         && flight.wishes.roll != 0.0
     {
