@@ -3,7 +3,7 @@
 mod budget;
 mod closer;
 mod family;
-mod telling;
+pub mod telling;
 pub mod trip;
 
 use std::path::PathBuf;

@@ -9,6 +9,7 @@ use serde::Serialize;
 use super::error::FlyError;
 use super::flight::Flight;
 use super::lee::Lee;
+use super::polar_point::centre;
 use super::read::{self, Cells};
 use crate::output::Summary;
 
@@ -32,6 +33,12 @@ pub struct Coefficients {
     pub cl: f64,
     /// Moment, positive nose up.
     pub cm: f64,
+    /// Force to the right of the body, `-z`, over that of the dynamic pressure on the reference area.
+    pub cy: f64,
+    /// Moment about the body's own axis upwards, positive nose right.
+    pub cn_yaw: f64,
+    /// Moment about the body's own length, positive right side down.
+    pub cl_roll: f64,
 }
 
 /// A run at one spacing.
@@ -64,9 +71,9 @@ pub struct Level {
     pub open: f64,
     /// Area of the base, over the reference area.
     pub base_area: f64,
-    /// How far off the line of the moments the middle of the base lies, over the reference length.
+    /// How far off the line of the moments the middle of the base lies, up and aside, over the reference length.
     #[serde(skip)]
-    pub base_arm: f64,
+    pub base_arms: [f64; 2],
     /// Warnings of the run.
     #[serde(skip)]
     pub warnings: Vec<String>,
@@ -83,14 +90,11 @@ impl Level {
         spacing: f64,
         summary: &Summary,
     ) -> Result<Self, FlyError> {
-        let missing =
-            |what: &str| FlyError::Files(format!("`{}` holds no {what}", folder.display()));
         let body = summary
             .bodies
             .get(&flight.name)
-            .ok_or_else(|| missing("loads"))?;
-        let path = read::last(folder, "surface-").ok_or_else(|| missing("surface"))?;
-        let parts = parts(flight, &read::surface(&path)?);
+            .ok_or_else(|| FlyError::Files(format!("`{}` holds no loads", folder.display())))?;
+        let parts = parts_of_run(flight, folder)?;
         let history = read::history(&folder.join("history.csv"))?;
         let swing = |key: &str| {
             let rows = history.get(&format!("{}.{key}", flight.name));
@@ -108,6 +112,13 @@ impl Level {
                 value.unwrap_or(f64::NAN)
             }
         };
+        // Nose upstream along -x, right side along -z, down along -y: the usual axes of a body.
+        let scale = -1.0 / (flight.dynamic_pressure() * flight.area);
+        let has_sides = !level && !flight.mirrors().contains(&2);
+        let aside = |axis: usize, load: &[f64; 3]| {
+            if has_sides { scale * load[axis] } else { 0.0 }
+        };
+        let turn = |axis: usize, load: &[f64; 3]| aside(axis, load) / flight.reference_length();
         let finest = summary.points_per_level.len().saturating_sub(1);
         let swing_cd = swing("cd");
         Ok(Self {
@@ -124,13 +135,12 @@ impl Level {
             coefficients: Coefficients {
                 cd: mean,
                 cd_forebody,
-                cd_base: if parts.base_area > 0.0 {
-                    mean - cd_forebody
-                } else {
-                    0.0
-                },
+                cd_base: parts.base_of(mean),
                 cl: or_none(body.cl_mean.or(body.cl)),
                 cm: or_none(body.cm_mean.or(body.cm)),
+                cy: aside(2, &body.force_gauge),
+                cn_yaw: turn(1, &body.moment_gauge),
+                cl_roll: turn(0, &body.moment_gauge),
             },
             swing: Coefficients {
                 cd: swing_cd,
@@ -142,21 +152,74 @@ impl Level {
                 cd_base: swing_cd,
                 cl: if level { 0.0 } else { swing("cl") },
                 cm: if level { 0.0 } else { swing("cm") },
+                cy: aside(2, &[0.0, 0.0, swing("fz")]),
+                cn_yaw: turn(1, &[0.0, swing("my"), 0.0]),
+                cl_roll: turn(0, &[swing("mx"), 0.0, 0.0]),
             },
             open: parts.open,
             base_area: parts.base_area,
-            base_arm: parts.base_arm,
+            base_arms: parts.base_arms,
             warnings: summary.warnings.iter().map(ToString::to_string).collect(),
         })
     }
+}
+
+/// Drag of forebody and base, and where the force across the body stands, of one run.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Shares {
+    /// Drag of what does not face away from the stream.
+    pub cd_forebody: f64,
+    /// Drag of what does.
+    pub cd_base: f64,
+    /// Behind the nose, in lengths of the body; none without a force across it.
+    pub centre_of_pressure: Option<f64>,
+}
+
+impl Shares {
+    /// Of drag, lift and moment of the run whose files are in `folder`.
+    ///
+    /// # Errors
+    /// Files that are not there.
+    pub fn read(flight: &Flight, folder: &Path, [cd, cl, cm]: [f64; 3]) -> Result<Self, FlyError> {
+        let parts = parts_of_run(flight, folder)?;
+        let whole = Coefficients {
+            cd,
+            cl,
+            cm,
+            ..Coefficients::default()
+        };
+        Ok(Self {
+            cd_forebody: parts.forebody,
+            cd_base: parts.base_of(cd),
+            centre_of_pressure: centre(flight, &whole),
+        })
+    }
+}
+
+/// What is summed over the last surface in `folder`.
+fn parts_of_run(flight: &Flight, folder: &Path) -> Result<Parts, FlyError> {
+    let path = read::last(folder, "surface-")
+        .ok_or_else(|| FlyError::Files(format!("`{}` holds no surface", folder.display())))?;
+    Ok(parts(flight, &read::surface(&path)?))
 }
 
 /// What is summed over a surface.
 struct Parts {
     forebody: f64,
     base_area: f64,
-    base_arm: f64,
+    base_arms: [f64; 2],
     open: f64,
+}
+
+impl Parts {
+    /// What the base has of the drag `cd`.
+    fn base_of(&self, cd: f64) -> f64 {
+        if self.base_area > 0.0 {
+            cd - self.forebody
+        } else {
+            0.0
+        }
+    }
 }
 
 /// Drag of the forebody, area of the base, and what normals leave.
@@ -171,8 +234,9 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
     );
     let body = column("body");
     let images = f64::from(1_u32 << flight.mirrors().len());
-    let (mut forebody, mut base_area, mut base_height) = (0.0, 0.0, 0.0);
+    let (mut forebody, mut base_area, mut base_moments) = (0.0, 0.0, [0.0; 2]);
     let (mut sum, mut total) = (0.0, 0.0);
+    let across = flight.centre_across();
     let steep = BASE.to_radians().sin();
     let lee = Lee::new(flight.shape.as_ref(), way, steep);
     let normal_of = |n: usize| Vector::<3>::from_fn(|k, _| normal[3 * n + k]);
@@ -191,7 +255,10 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
         if is_open[n] {
             let part = images * area[n] * along / flight.area;
             base_area += part;
-            base_height += part * middle(&surface.corners[n])[1];
+            let middle = middle(&surface.corners[n]);
+            for (k, moment) in base_moments.iter_mut().enumerate() {
+                *moment += part * (middle[k + 1] - across[k]);
+            }
         } else {
             forebody -= images * cp[n] * along * area[n] / flight.area;
         }
@@ -199,16 +266,18 @@ fn parts(flight: &Flight, surface: &Cells) -> Parts {
         total += normal[3 * n].abs() * area[n];
     }
     // What is mirrored, or turned about the axis, has its middle there.
-    let is_on_axis = flight.dimension() == 2 || flight.mirrors().contains(&1);
-    let base_arm = if is_on_axis || base_area == 0.0 {
-        0.0
-    } else {
-        (base_height / (base_area * flight.reference_length())).abs()
-    };
+    let base_arms = [1, 2].map(|axis| {
+        let is_on_axis = flight.dimension() == 2 || flight.mirrors().contains(&axis);
+        if is_on_axis || base_area == 0.0 {
+            0.0
+        } else {
+            (base_moments[axis - 1] / (base_area * flight.reference_length())).abs()
+        }
+    });
     Parts {
         forebody,
         base_area,
-        base_arm,
+        base_arms,
         open: (sum / f64::max(total, f64::MIN_POSITIVE)).abs(),
     }
 }

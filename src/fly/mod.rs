@@ -33,4 +33,4 @@ pub use flight::{Air, Centre, Extent, Flight, Wishes};
 pub use level::{BASE, Coefficients, Level, Shares};
 pub use polar_point::{Banded, Bands, Point};
 pub use read::last as last_file;
-pub use report::{Report, write_report};
+pub use report::{Report, thin_warning, write_report};

@@ -64,6 +64,18 @@ pub struct Point {
     pub cm: f64,
     /// Half width of its band.
     pub cm_band: f64,
+    /// Force to the right of the body.
+    pub cy: f64,
+    /// Half width of its band.
+    pub cy_band: f64,
+    /// Moment about the body's axis upwards, positive nose right.
+    pub cn_yaw: f64,
+    /// Half width of its band.
+    pub cn_yaw_band: f64,
+    /// Moment about the body's length, positive right side down.
+    pub cl_roll: f64,
+    /// Half width of its band.
+    pub cl_roll_band: f64,
     /// Behind the nose, in lengths of the body; none without a force across it.
     pub centre_of_pressure: Option<f64>,
     /// Half width of its band.
@@ -93,6 +105,12 @@ pub struct Bands {
     pub cl: Banded,
     /// Of the moment.
     pub cm: Banded,
+    /// Of the force to the right.
+    pub cy: Banded,
+    /// Of the moment nose right.
+    pub cn_yaw: Banded,
+    /// Of the moment about the length.
+    pub cl_roll: Banded,
 }
 
 impl Point {
@@ -139,7 +157,10 @@ impl Point {
                 |c| c.cl,
                 model * flight.wishes.incidence.to_radians().tan().abs(),
             ),
-            cm: banded(|c| c.cm, model * last.base_arm),
+            cm: banded(|c| c.cm, model * last.base_arms[0]),
+            cy: banded(|c| c.cy, 0.0),
+            cn_yaw: banded(|c| c.cn_yaw, model * last.base_arms[1]),
+            cl_roll: banded(|c| c.cl_roll, 0.0),
         };
         let centres: Vec<(f64, f64)> = told
             .iter()
@@ -161,6 +182,12 @@ impl Point {
             cl_band: bands.cl.band,
             cm: bands.cm.value,
             cm_band: bands.cm.band,
+            cy: bands.cy.value,
+            cy_band: bands.cy.band,
+            cn_yaw: bands.cn_yaw.value,
+            cn_yaw_band: bands.cn_yaw.band,
+            cl_roll: bands.cl_roll.value,
+            cl_roll_band: bands.cl_roll.band,
             centre_of_pressure: centre.map(|found| found.value),
             centre_of_pressure_band: centre.map(|found| found.band),
             lift_to_drag: has_lift.then(|| bands.cl.value / bands.cd.value),
@@ -209,7 +236,7 @@ fn doubting(part: f64, runs: &[(f64, f64)]) -> Extrapolated {
 }
 
 /// Where the force across the body would have to stand, behind the nose, in lengths: `x / L = (x_m - c_m L_ref / c_n) / L`.
-fn centre(flight: &Flight, c: &Coefficients) -> Option<f64> {
+pub(super) fn centre(flight: &Flight, c: &Coefficients) -> Option<f64> {
     /// Less is noise.
     const LEAST: f64 = 1e-3;
     if flight.dimension() == 2 {
@@ -273,11 +300,14 @@ mod tests {
                 cd_base: 0.0,
                 cl: value,
                 cm: value,
+                cy: value,
+                cn_yaw: value,
+                cl_roll: value,
             },
             swing: Coefficients::default(),
             open: 0.0,
             base_area: 0.5,
-            base_arm: 0.1,
+            base_arms: [0.1, 0.2],
             warnings: Vec::new(),
         }
     }
@@ -294,16 +324,19 @@ mod tests {
             cd_forebody,
             cl,
             cm,
+            cy,
+            cn_yaw,
             ..
         } = Point::new(&flight, &runs, 0.0).unwrap().bands;
         let least = 0.2 * 0.05 / f64::from(1 << flight.halvings()) / flight.front_radius();
-        for banded in [cd, cd_forebody, cl, cm] {
+        for banded in [cd, cd_forebody, cl, cm, cy] {
             assert!((banded.spacing - least).abs() < 1e-3 * least, "{banded:?}");
         }
         let model = 0.5 / (1.4 * 4.0);
         assert!((cd.model - model).abs() < 1e-12 && cd_forebody.model == 0.0);
         assert!((cl.model - model * 10_f64.to_radians().tan()).abs() < 1e-12);
         assert!((cm.model - 0.1 * model).abs() < 1e-12);
+        assert!((cn_yaw.model - 0.2 * model).abs() < 1e-12 && cy.model == 0.0);
     }
 
     #[test]

@@ -14,6 +14,23 @@ use super::polar_point::{Banded, EDGES, Point, UNSEEN};
 use super::{curves, pictures, skins};
 use crate::output::write_json;
 
+/// What is said where a body is thinner than two of the `finest` cells behind a part of its surface that is more than edges.
+fn thin_words(thin: f64, finest: f64) -> Option<String> {
+    (thin > EDGES).then(|| {
+        format!(
+            "behind {:.0} % of the surface the body is thinner than two of the finest cells, {finest:.2e} m each: give more --minutes, or a \
+             smaller --spacing",
+            100.0 * thin
+        )
+    })
+}
+
+/// The same of a flight whose finest cells are so wide.
+pub fn thin_warning(flight: &Flight, finest: f64) -> Option<String> {
+    let [thin, _] = skins::thin_parts(&skins::by_thickness(flight, finest));
+    thin_words(thin, finest)
+}
+
 /// What came of a flight.
 #[derive(Clone, Debug, Serialize)]
 pub struct Report {
@@ -65,18 +82,14 @@ impl Report {
                 .into_iter()
                 .flat_map(|level| level.warnings.clone()),
         );
-        if let Some(level) = levels.last().filter(|_| thin > EDGES) {
+        let finest = levels.last().map_or(0.0, |level| level.finest);
+        if let Some(words) = thin_words(thin, finest) {
             let wide = if thin > UNSEEN {
                 "; bands are three times what all runs differ by, for none of them has seen its shape"
             } else {
                 "; bands are the wider for it"
             };
-            warnings.push(format!(
-                "behind {:.0} % of the surface the body is thinner than two of the finest cells, {:.2e} m each: give more --minutes, or a \
-                 smaller --spacing{wide}",
-                100.0 * thin,
-                level.finest
-            ));
+            warnings.push(words + wide);
         }
         for level in &levels {
             if !level.settled {
@@ -171,6 +184,11 @@ impl Report {
         if point.bands.cl.value != 0.0 || point.bands.cm.value != 0.0 {
             rows.push(("cl, lift", point.bands.cl));
             rows.push(("cm, nose up", point.bands.cm));
+        }
+        if point.bands.cy.value != 0.0 {
+            rows.push(("cy, to the right", point.bands.cy));
+            rows.push(("cn_yaw, nose right", point.bands.cn_yaw));
+            rows.push(("cl_roll, right side down", point.bands.cl_roll));
         }
         rows
     }

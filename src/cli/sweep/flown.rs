@@ -3,24 +3,26 @@
 use std::path::Path;
 use std::time::Instant;
 
-use aero::fly::minutes;
+use aero::fly::{Flight, minutes, thin_warning};
 use aero::scene::Scene;
 
 use super::SweepArgs;
 use super::values::Values;
 use crate::cli::CommandError;
-use crate::cli::body::BodyArgs;
+use crate::cli::body::{BodyArgs, is_body};
+use crate::cli::fly::telling::warnings;
 use crate::cli::fly::trip::Trip;
 use crate::cli::fly::{prepared, words};
 
 /// Minutes of a whole sweep where nothing is given.
 const MINUTES: f64 = 10.0;
 
-/// The scene that is swept in so many points.
-pub fn scene(args: &SweepArgs, points: usize) -> Result<Scene, CommandError> {
+/// The scene that is swept in so many points, and the flight of a body.
+pub fn scene(args: &SweepArgs, points: usize) -> Result<(Scene, Option<Flight>), CommandError> {
     let path = &args.scene.scene;
     if is_body(path) {
-        return args.scene.overridden(scene_of_body(args, points)?);
+        let (scene, flight) = scene_of_body(args, points)?;
+        return Ok((args.scene.overridden(scene)?, Some(flight)));
     }
     if args.how != BodyArgs::default() {
         return Err(CommandError::wrong(format!(
@@ -29,20 +31,11 @@ pub fn scene(args: &SweepArgs, points: usize) -> Result<Scene, CommandError> {
             path.display()
         )));
     }
-    args.scene.load()
-}
-
-/// True of a file of triangles.
-fn is_body(path: &Path) -> bool {
-    let name = path.to_string_lossy().to_lowercase();
-    let name = name.strip_suffix(".gz").unwrap_or(&name);
-    [".stl", ".obj", ".ply"]
-        .iter()
-        .any(|end| name.ends_with(end))
+    Ok((args.scene.load()?, None))
 }
 
 /// One box for all points, as wide as the slowest and the most inclined ask for, at the spacing that the minutes hold.
-fn scene_of_body(args: &SweepArgs, points: usize) -> Result<Scene, CommandError> {
+fn scene_of_body(args: &SweepArgs, points: usize) -> Result<(Scene, Flight), CommandError> {
     let begun = Instant::now();
     let Some(Values(machs)) = &args.mach else {
         return Err(CommandError::wrong(
@@ -70,20 +63,15 @@ fn scene_of_body(args: &SweepArgs, points: usize) -> Result<Scene, CommandError>
         family.finest(),
         minutes(points as f64 * family.seconds_of_finest())
     );
+    let finest = family.finest() / f64::from(1_u32 << flight.body_halvings());
+    for warning in warnings(&flight)
+        .into_iter()
+        .chain(thin_warning(&flight, finest))
+    {
+        say!("warning: {warning}");
+    }
     let text = flight.scene(family.finest(), None);
     let text = text.map_err(CommandError::wrong)?;
-    Scene::parse(&text, &flight.name, Path::new("")).map_err(CommandError::wrong)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn bodies_are_known_by_their_names() {
-        for name in ["a.stl", "b.STL.gz", "c/d.obj", "e.ply"] {
-            assert!(is_body(Path::new(name)), "{name}");
-        }
-        assert!(!is_body(Path::new("stl.toml")));
-    }
+    let scene = Scene::parse(&text, &flight.name, Path::new(""));
+    Ok((scene.map_err(CommandError::wrong)?, flight))
 }

@@ -64,7 +64,7 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
     }
     let interrupt = Interrupt::listen()?;
     let points = points(&lists);
-    let scene = flown::scene(args, points.len())?;
+    let (scene, flight) = flown::scene(args, points.len())?;
     let out = folder(args.out.as_ref(), &format!("{}-sweep", scene.name()));
     let stated = scene.stream();
     // All scenes are read before the first runs: a typing error shows at once, and so does a stream that a side does not go with.
@@ -98,7 +98,10 @@ pub fn sweep(args: &SweepArgs) -> Result<(), CommandError> {
                 fly(&scene, &folder, start, &interrupt)?
             };
             let known = std::array::from_fn(|k| point[k].or(stated[k]));
-            for row in polar::rows(known, &summary) {
+            for mut row in polar::rows(known, &summary) {
+                if let Some(flight) = &flight {
+                    row.part(flight, &folder)?;
+                }
                 let other = images.iter().position(|of| *of == Some(number));
                 rows.extend(other.map(|other| (other, row.mirrored(&name(point)))));
                 rows.push((number, row));

@@ -3,6 +3,7 @@
 use std::fmt::Write as _;
 use std::path::Path;
 
+use aero::fly::{Flight, Shares};
 use aero_validation::pictures::curves::{Curves, Panel, Series, Style};
 use serde::Serialize;
 use serde_json::Value;
@@ -29,6 +30,15 @@ pub struct Row {
     pub cl: Option<f64>,
     /// Moment coefficient, positive nose up.
     pub cm: Option<f64>,
+    /// Drag of what does not face away from the stream; of a body from its file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cd_forebody: Option<f64>,
+    /// Drag of what does; of a body from its file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cd_base: Option<f64>,
+    /// Behind the nose, in lengths; of a body from its file, where a force is across it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub centre_of_pressure: Option<f64>,
     /// Lift over drag.
     pub lift_to_drag: Option<f64>,
     /// True where the flow had become steady.
@@ -74,6 +84,9 @@ pub fn rows(point: Point, summary: &Value) -> Vec<Row> {
             cd,
             cl,
             cm: coefficient("cm"),
+            cd_forebody: None,
+            cd_base: None,
+            centre_of_pressure: None,
             lift_to_drag: cd.zip(cl).map(|(cd, cl)| cl / cd),
             settled,
             settled_percent: coefficient("settled_percent"),
@@ -87,6 +100,26 @@ pub fn rows(point: Point, summary: &Value) -> Vec<Row> {
 }
 
 impl Row {
+    /// Parts the drag into that of forebody and base, and finds where the force across the body stands, by what a run of `flight` has left in `folder`.
+    pub fn part(&mut self, flight: &Flight, folder: &Path) -> Result<(), CommandError> {
+        let w = &flight.wishes;
+        let stream = [
+            self.mach.unwrap_or(w.mach),
+            self.incidence.unwrap_or(w.incidence),
+            self.sideslip.unwrap_or(w.sideslip),
+        ];
+        let Some(cd) = self.cd else {
+            return Ok(());
+        };
+        let whole = [cd, self.cl.unwrap_or(0.0), self.cm.unwrap_or(0.0)];
+        let shares = Shares::read(&flight.in_stream(stream), folder, whole);
+        let shares = shares.map_err(CommandError::failed)?;
+        self.cd_forebody = Some(shares.cd_forebody);
+        self.cd_base = Some(shares.cd_base);
+        self.centre_of_pressure = shares.centre_of_pressure;
+        Ok(())
+    }
+
     /// The row of a stream that comes from the other side of a flow with a mirror across its lift, where this is that of the point `name`.
     pub fn mirrored(&self, name: &str) -> Self {
         let other = |value: Option<f64>| value.map(|value| 0.0 - value);
@@ -152,13 +185,13 @@ pub fn write(rows: &[Row], folder: &Path) -> Result<(), CommandError> {
 
 fn csv(rows: &[Row]) -> String {
     let mut text =
-        "mach,incidence,sideslip,body,cd,cl,cm,lift_to_drag,settled,settled_percent,points_or_particles,steps,cpu_seconds\n"
+        "mach,incidence,sideslip,body,cd,cl,cm,lift_to_drag,settled,settled_percent,points_or_particles,steps,cpu_seconds,cd_forebody,cd_base,centre_of_pressure\n"
             .to_owned();
     let number = |value: Option<f64>| value.map_or(String::new(), |value| value.to_string());
     for row in rows {
         let _ = writeln!(
             text,
-            "{},{},{},{},{},{},{},{},{},{},{},{},{}",
+            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
             number(row.mach),
             number(row.incidence),
             number(row.sideslip),
@@ -172,6 +205,9 @@ fn csv(rows: &[Row]) -> String {
             row.points_or_particles,
             row.steps,
             row.cpu_seconds,
+            number(row.cd_forebody),
+            number(row.cd_base),
+            number(row.centre_of_pressure),
         );
     }
     text
