@@ -148,6 +148,17 @@ fn a_body_is_swept_from_its_file() {
         assert!(row["settled"] == true && row["points_or_particles"].as_u64() > Some(500));
         row["cd"].as_f64().expect("a drag")
     });
+    for row in points.as_array().expect("rows") {
+        let number = |key: &str| row[key].as_f64().unwrap_or_else(|| panic!("{key}"));
+        assert!(
+            (number("cd_forebody") + number("cd_base") - number("cd")).abs() < 1e-12,
+            "{row}"
+        );
+        assert!(
+            number("cd_forebody") > 0.0 && number("cd_base") > 0.0,
+            "{row}"
+        );
+    }
     // Less of a faster stream, by cone and base alike.
     assert!(drags[0] > drags[1] && drags[1] > 0.3, "{drags:?}");
     sweep(&["--incidence", "0..4:2"]).refuses(&["--mach 1.5,2,3"]);
@@ -192,7 +203,7 @@ fn a_scene_holds_all_that_is_asked_of_a_flight_in_a_box_that_its_waves_leave() {
         let air = "--pressure 2e4 --temperature 250";
         let how = "--incidence 5 --sideslip 3 --unit mm --axis -z,+x --motion with-the-gas";
         let line = format!(
-            "fly cone.stl --mach {mach} --roll {roll} {air} {how} --spacing 1e-4 --minutes 0.2 --scene it.toml"
+            "fly cone.stl --mach {mach} --roll {roll} {air} {how} --spacing 1e-4 --minutes 0.2 --scene it.toml --overwrite"
         );
         let answer = place.aero(&line.split(' ').collect::<Vec<_>>());
         answer.succeeds();
@@ -269,7 +280,7 @@ fn a_spacing_far_below_the_body_is_halved_down_to_and_its_time_is_one_that_can_b
     place.write("cone.stl", cone(36));
     let told = |spacing: &str| {
         let asked = ["fly", "cone.stl", "--mach", "3", "--incidence", "2"];
-        let more = ["--spacing", spacing, "--scene", "it.toml"];
+        let more = ["--spacing", spacing, "--scene", "it.toml", "--overwrite"];
         let answer = place.aero(&[&asked[..], &more].concat());
         answer.succeeds();
         let scene = std::fs::read_to_string(place.path("it.toml")).expect("a scene");
@@ -316,4 +327,21 @@ fn what_cannot_be_flown_is_refused_with_the_mend() {
     place
         .aero(&["fly", "nothing.stl", "--mach", "2"])
         .refuses(&["nothing.stl"]);
+    place.write("it.toml", "mine");
+    for (path, word) in [
+        (".", "is a folder"),
+        ("it.toml", "--overwrite"),
+        ("none/it.toml", "its folder"),
+    ] {
+        fly(&["--mach", "2", "--scene", path]).refuses(&[path, word]);
+    }
+    assert_eq!(
+        std::fs::read_to_string(place.path("it.toml")).unwrap(),
+        "mine"
+    );
+    for command in ["run", "check", "converge"] {
+        place
+            .aero(&[command, "cone.stl"])
+            .refuses(&["aero fly cone.stl", "aero pack cone.stl"]);
+    }
 }

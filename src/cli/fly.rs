@@ -6,7 +6,7 @@ mod family;
 pub mod telling;
 pub mod trip;
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use aero::fly::{self, Flight, Report, Wishes, minutes};
@@ -14,7 +14,7 @@ use aero::output::make_folder;
 use clap::{Args, ValueEnum};
 
 use self::budget::for_runs;
-use super::body::{BodyArgs, angle};
+use super::body::{BodyArgs, mach, stream_angle};
 use super::interrupt::Interrupt;
 use super::scene::folder;
 use super::{CommandError, on_threads};
@@ -26,26 +26,26 @@ pub struct FlyArgs {
     /// STL, OBJ or PLY file, packed as .gz or not
     body: PathBuf,
     /// Mach number
-    #[arg(long, value_name = "M")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = mach)]
     mach: f64,
     /// Angle of attack, degrees: the stream comes from below
-    #[arg(long, value_name = "DEG", default_value_t = 0.0, allow_hyphen_values = true, value_parser = angle)]
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, allow_hyphen_values = true, value_parser = stream_angle)]
     incidence: f64,
     /// Sideslip, degrees
-    #[arg(long, value_name = "DEG", default_value_t = 0.0, allow_hyphen_values = true, value_parser = angle)]
+    #[arg(long, value_name = "DEG", default_value_t = 0.0, allow_hyphen_values = true, value_parser = stream_angle)]
     sideslip: f64,
     #[command(flatten)]
     how: BodyArgs,
     /// What carries the gas
     #[arg(long, value_enum, default_value_t = MotionWord::Fixed)]
     motion: MotionWord,
-    /// Write the scene to this file and stop
+    /// Write the scene to this file and stop; one that is there already is left, unless told `--overwrite`
     #[arg(long, value_name = "FILE")]
     scene: Option<PathBuf>,
     /// Folder for the results; `out/NAME-fly` unless given
     #[arg(long, value_name = "DIR")]
     out: Option<PathBuf>,
-    /// Write over the results of another flight
+    /// Write over the results of another flight, or another scene
     #[arg(long)]
     overwrite: bool,
     /// Number of threads; all processors unless given
@@ -82,9 +82,32 @@ pub fn prepared(
     Ok((flight, look))
 }
 
+/// Refuses a place for a scene where one cannot be written, or something is already.
+fn check_place(path: &Path, overwrite: bool) -> Result<(), CommandError> {
+    let refused = |why: &str| {
+        let path = path.display();
+        Err(CommandError::wrong(format!("`--scene {path}`: {why}")))
+    };
+    let folder = path
+        .parent()
+        .filter(|folder| !folder.as_os_str().is_empty());
+    if path.is_dir() {
+        refused("is a folder; give the name of a file in it")
+    } else if path.exists() && !overwrite {
+        refused("is there already; give another name, or `--overwrite`")
+    } else if folder.is_some_and(|folder| !folder.is_dir()) {
+        refused("its folder is not there; make it, or give another")
+    } else {
+        Ok(())
+    }
+}
+
 /// Flies a body.
 pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
     let begun = Instant::now();
+    if let Some(path) = &args.scene {
+        check_place(path, args.overwrite)?;
+    }
     let interrupt = Interrupt::listen()?;
     let wishes = Wishes {
         with_the_gas: args.motion == MotionWord::WithTheGas,
@@ -112,7 +135,9 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
             let text = flight
                 .scene(family.finest(), None)
                 .map_err(CommandError::wrong)?;
-            std::fs::write(path, text).map_err(CommandError::failed)?;
+            std::fs::write(path, text).map_err(|error| {
+                CommandError::wrong(format!("cannot write `{}`: {error}", path.display()))
+            })?;
             say!("wrote `{}`: aero run {0}", path.display());
             return Ok(());
         }

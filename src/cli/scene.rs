@@ -10,6 +10,7 @@ use aero::scene::Scene;
 use clap::Args;
 
 use super::CommandError;
+use super::body::is_body;
 use super::interrupt::Interrupt;
 use super::progress::Display;
 
@@ -29,6 +30,12 @@ pub struct SceneArgs {
 impl SceneArgs {
     /// The scene with its overrides.
     pub fn load(&self) -> Result<Scene, CommandError> {
+        if is_body(&self.scene) {
+            return Err(CommandError::wrong(format!(
+                "`{0}` is a body, not a scene: `aero fly {0} --mach 2` flies it, `aero pack {0}` packs it, `aero new body` writes a scene to put it in",
+                self.scene.display()
+            )));
+        }
         self.overridden(Scene::load(&self.scene).map_err(CommandError::wrong)?)
     }
 

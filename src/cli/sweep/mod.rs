@@ -19,7 +19,7 @@ use super::neighbour::{Neighbour, started};
 use super::scene::{SceneArgs, checked, folder, run_watched, tell};
 use super::{CommandError, on_threads};
 use polar::{Point, Row};
-use values::Values;
+use values::{Values, angles, machs};
 
 /// What `aero sweep` takes.
 #[derive(Args, Debug)]
@@ -32,13 +32,13 @@ pub struct SweepArgs {
     )]
     how: BodyArgs,
     /// Mach numbers: 1.5,2,3 or 1.5..3:0.5
-    #[arg(long, value_name = "LIST")]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = machs)]
     mach: Option<Values>,
     /// Angles of attack in degrees: -4..8:2
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = angles)]
     incidence: Option<Values>,
     /// Angles of sideslip in degrees
-    #[arg(long, value_name = "LIST", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LIST", allow_hyphen_values = true, value_parser = angles)]
     sideslip: Option<Values>,
     /// Folder for the results, in which points that are done are kept; `out/NAME-sweep` unless given
     #[arg(long, value_name = "DIR")]

@@ -2,6 +2,8 @@
 
 use std::str::FromStr;
 
+use crate::cli::body::{mach, stream_angle};
+
 /// More than anybody waits for.
 const MOST: usize = 1_000;
 
@@ -30,6 +32,25 @@ impl FromStr for Values {
         }
         Ok(Self(values))
     }
+}
+
+/// Mach numbers.
+pub fn machs(text: &str) -> Result<Values, String> {
+    each(text, mach)
+}
+
+/// Angles of a stream.
+pub fn angles(text: &str) -> Result<Values, String> {
+    each(text, stream_angle)
+}
+
+/// The numbers of `text`, each of which `check` lets pass.
+fn each(text: &str, check: fn(&str) -> Result<f64, String>) -> Result<Values, String> {
+    let values: Values = text.parse()?;
+    for value in &values.0 {
+        check(&value.to_string()).map_err(|error| format!("`{value}`: {error}"))?;
+    }
+    Ok(values)
 }
 
 fn number(text: &str) -> Result<f64, String> {
