@@ -215,6 +215,7 @@ impl Flight {
     }
 
     /// The same body and box in a stream of another Mach number, incidence and sideslip.
+    #[must_use]
     pub fn in_stream(&self, [mach, incidence, sideslip]: [f64; 3]) -> Self {
         let mut other = self.clone();
         let wishes = &mut other.wishes;
@@ -303,14 +304,12 @@ impl Flight {
 
     /// Where moments are about, in words.
     pub fn centre_words(&self) -> String {
-        let mut words = format!("moments about {:.4} m behind the nose", self.centre());
+        let behind = format!("moments about {:.4} m behind the nose", self.centre());
         let [up, left] = self.centre_across();
-        if up != 0.0 || left != 0.0 {
-            words += &format!(
-                ", {up:.4} m above the middle of the box and {left:.4} m to the left of it"
-            );
+        if [up, left] == [0.0; 2] {
+            return behind;
         }
-        words
+        format!("{behind}, {up:.4} m above the middle of the box and {left:.4} m to the left of it")
     }
 
     /// The part of the box that is computed.
