@@ -8,7 +8,11 @@ use super::vector::AXES;
 /// A part of the stream that round-off leaves across a mirror.
 const ROUND_OFF: f64 = 1e-9;
 
-/// Refuses a mirror that the free stream goes through, where the gas starts in it or it comes in somewhere.
+/// Part of the stream from which on it goes at the mirror, or away from it, rather than along: gas that two halves run into one another with, or part
+/// with.
+const AT_IT: f64 = 0.71;
+
+/// Refuses a mirror that the free stream goes along and through, where the gas starts in it or it comes in somewhere.
 pub(super) fn check<const D: usize>(
     domain: &Domain<D>,
     free_stream: &State<D>,
@@ -18,10 +22,11 @@ pub(super) fn check<const D: usize>(
         return Ok(());
     }
     let velocity = &free_stream.velocity;
-    let least = ROUND_OFF * velocity.norm();
+    let [least, most] = [ROUND_OFF, AT_IT].map(|part| part * velocity.norm());
     for (k, letter) in AXES.into_iter().enumerate().take(D) {
         for (end, word) in ["min", "max"].into_iter().enumerate() {
-            if domain.sides[k][end] == Side::Symmetry && velocity[k].abs() > least {
+            let through = velocity[k].abs();
+            if domain.sides[k][end] == Side::Symmetry && through > least && through < most {
                 return Err(SceneError::value(
                     format!("domain.sides.{letter}_{word}"),
                     format!(
@@ -86,5 +91,9 @@ mod tests {
         }
         assert_eq!(refusal(through, Side::WALL, false), None);
         assert_eq!(refusal([1.0, 1e-12], Side::FreeStream, true), None);
+        // Gas that meets its image, or parts from it.
+        for speed in [-0.6, 0.6] {
+            assert_eq!(refusal([0.0, speed], Side::FreeStream, true), None);
+        }
     }
 }
