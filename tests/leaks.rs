@@ -163,7 +163,7 @@ fn gas_on_both_sides_of_a_slab_of_long_facets_stays_apart() {
                  [domain.sides]\nx_min = \"inlet\"\nx_max = \"outlet\"\ny_min = \"free-stream\"\ny_max = \"free-stream\"\n\
                  z_min = \"symmetry\"\nz_max = \"symmetry\"\n\
                  [[body]]\nname = \"slab\"\nshape = { stl = { file = \"slab.stl\" } }\n\
-                 place = { rotate = { axis = [0.0, 0.0, 1.0], angle = -5.0 } }\nreference_area = 0.64\n";
+                 place = { rotate = { axis = [0.0, 0.0, 1.0], angle = -5.0 } }\nreference_area = 0.16\n";
     for spacings in [0.3, 1.0] {
         let place = Workplace::new();
         place.write("slab.stl", slab(0.04 * spacings));

@@ -58,8 +58,7 @@ fn slab(thickness: f64, scheme: Scheme, context: &Context<'_>) -> Result<Vec<Che
                 "body.plate.place={{ rotate = {{ axis = [0.0, 0.0, 1.0], angle = {:?} }} }}",
                 -INCIDENCE
             ),
-            // Loads of what two planes cut are those of it and its images beyond both.
-            format!("body.plate.reference_area={:?}", 4.0 * width),
+            format!("body.plate.reference_area={width:?}"),
         ]);
     trial.compare(context, |outcome| {
         let body = outcome.map(|o| &o.summary.bodies["plate"]);
