@@ -17,8 +17,8 @@ const MACH: f64 = 0.5;
 const LENGTH: f64 = 1.0;
 const END: f64 = 2.0;
 
-/// Drag coefficient, on the bump's length, that a spacing of one length would leave at most: it falls as the square of the spacing.
-const DRAG: f64 = 12.0;
+/// Drag coefficient, on the bump's length, that a spacing of one length would leave at most: it falls with the spacing.
+const DRAG: f64 = 0.3;
 
 pub const BUMP: Comparison = Comparison {
     case: "bump",
@@ -52,7 +52,7 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
             "drag coefficient, on the length",
             THEORY,
             drag.map_or(f64::NAN, f64::abs),
-            DRAG * (flow.spacing / LENGTH).powi(2),
+            DRAG * flow.spacing / LENGTH,
         ),
         Row::relative("mass that passes", THEORY, mass, MACH, 0.5),
         Row::at_most(
