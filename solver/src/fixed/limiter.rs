@@ -52,6 +52,12 @@ mod tests {
         assert_eq!(central(-1.0, -2.0), -1.5);
         assert_eq!(central(1.0, 9.0), 2.0);
         assert_eq!(central(-9.0, -1.0), -2.0);
+        // x^2 has the means 1, 4 and 9 and a twelfth around 1, 2 and 3, and is 6.25 half-way between the last two.
+        let face = 4.0 + 1.0 / 12.0 + 0.5 * third(3.0, 5.0);
+        assert!((face - 6.25_f64).abs() < 1e-14, "{face}");
+        assert_eq!(third(1.0, 9.0), 2.0);
+        assert_eq!(third(0.3, -0.1), 0.0);
+        assert_eq!(third(-9.0, -1.0), -2.0);
         assert_eq!(minmod(1.0, 3.0), 1.0);
         assert_eq!(minmod(-3.0, -1.0), -1.0);
     }

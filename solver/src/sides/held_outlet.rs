@@ -212,6 +212,45 @@ mod tests {
         assert_relative_eq!(left.energy, particle.energy, epsilon = 1e-12);
     }
 
+    /// Gas of one entropy whose pressure rises out of the domain: `dR+/dt = -c dR+/dn`.
+    #[test]
+    fn a_sound_on_its_way_out_goes_on_through_gas_that_left() {
+        const RISE: f64 = 0.3;
+        let problem = cube::<2>(8, Side::Outlet);
+        let mut particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
+        particle.position = [1.02, 0.4].into();
+        particle.velocity = [0.4, 0.0].into();
+        let gas = |particle: &Particle<2>| Along {
+            density: particle.density,
+            speed: particle.velocity[0],
+            pressure: (GAMMA - 1.0) * particle.density * particle.energy,
+        };
+        let behind = [0.85, 0.95].map(|x| {
+            let mut other = particle;
+            other.position = [x, 0.4].into();
+            // Of the speed of sound.
+            let part = 1.0 + RISE * (x - 1.02);
+            other.energy *= part * part;
+            other.density *= part.powf(2.0 / (GAMMA - 1.0));
+            other
+        });
+        let place = Place {
+            axis: 0,
+            end: 1,
+            face: 1.0,
+            part: None,
+        };
+        let before = gas(&particle);
+        let outlet = HeldOutlet::new(Held::new(&problem, place, 1.0, Some(0.25)), None);
+        let mut gone = [OpenParticle::of_lattice(particle, 1, None)];
+        outlet.go_on(&problem, &behind, &mut gone, &[], [0.0, 0.01]);
+        let after = gas(&gone[0].particle).waves(GAMMA).ahead;
+        let sound = before.sound(GAMMA);
+        let expected = -sound * 2.0 / (GAMMA - 1.0) * sound * RISE;
+        let change = (after - before.waves(GAMMA).ahead) / 0.01;
+        assert_relative_eq!(change, expected, max_relative = 1e-9);
+    }
+
     /// Who leaves brings another speed at the pressure that is held; what comes in is what came in there before, and goes on from that.
     #[test]
     fn who_leaves_takes_on_the_wave_of_those_who_left_before() {

@@ -269,3 +269,28 @@ fn vortices_decay_as_fast_as_they_should() {
     println!("decay over exact {rate}");
     assert!((rate - 1.0).abs() < 0.02, "{rate}");
 }
+
+/// Temperatures of viscous gas that lie on a line are seen so, up to a wall at its end, whatever densities that makes.
+#[test]
+fn a_line_of_temperatures_is_one_beside_a_wall_too() {
+    const RISE: f64 = 4.0;
+    let wall = sticky(WallHeat::Temperature(1.0), 0.0);
+    let sides = [[Side::Periodic; 2], [wall, Side::FreeStream]];
+    let mut problem = problem::<2>([6, 8], 0.1, sides);
+    problem.gas = gas(0.02, 0.72);
+    problem.initial = field(|x: &Vector<2>| State {
+        density: 1.0 / (1.0 + RISE * x[1]),
+        velocity: Vector::zeros(),
+        pressure: 1.0,
+    });
+    let mut flow = FixedSimulation::on(lattice(&problem), problem).unwrap();
+    flow.find_slopes();
+    for (i, point) in flow.points.iter().enumerate() {
+        if point[1] < 0.6 {
+            let state = &flow.columns.states[i];
+            let [_, up] = flow.columns.slopes[i].along;
+            let rise = (up.pressure - state.heat() * up.density) / state.density;
+            assert_relative_eq!(rise, RISE, epsilon = 1e-10);
+        }
+    }
+}
