@@ -9,16 +9,22 @@ use crate::Failure;
 use crate::problem::Side;
 
 impl<const D: usize> FixedSimulation<D> {
+    /// Looks what mass closed-in gas begins with.
+    pub(super) fn remember_mass(&mut self) {
+        if self.settling.mass.is_none() && self.is_closed_in() {
+            self.settling.mass = Some(self.mass_and_centre().0);
+        }
+    }
+
     /// Gives closed-in gas the mass that it began with: each cell as much more of all that it holds, so that speeds and temperatures stay.
     ///
     /// # Errors
     /// A [`Failure`] where a cell's state makes no sense any more.
     pub(super) fn keep_mass(&mut self) -> Result<(), Failure> {
-        if !self.is_closed_in() {
+        let Some(first) = self.settling.mass else {
             return Ok(());
-        }
+        };
         let (mass, _) = self.mass_and_centre();
-        let first = *self.settling.mass.get_or_insert(mass);
         for held in &mut self.columns.held {
             *held = Conserved::ZERO.plus(first / mass, held);
         }

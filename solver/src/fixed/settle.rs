@@ -95,7 +95,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// A [`Failure`] where a cell's state makes no sense any more.
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
         self.turn_far_field();
-        self.keep_mass()?;
+        self.remember_mass();
         let courant = self.settling.pace.courant(self.settling.calm);
         let residual = self.implicit_step(courant)?;
         self.keep_mass()?;

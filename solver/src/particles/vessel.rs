@@ -9,21 +9,25 @@ use foldhash::fast::FixedState;
 use super::Particle;
 use crate::lattice;
 use crate::problem::{Problem, Side};
+use crate::scheme::Volume;
 use crate::sides::Rows;
 
 /// Places along each axis of a cell at which it is asked whether gas is there: in the plane, and in space.
-const PLACES: [i64; 2] = [16, 6];
+const PLACES: [i64; 2] = [16, 4];
 
 /// Particles of the fluid by their place in the lattice.
 pub type Placed<const D: usize> = HashMap<[i64; D], usize, FixedState>;
 
-/// True of gas that no side lets in or out, among bodies whose surface the lattice does not know.
+/// True of gas that no side lets in or out, among bodies whose surface the lattice does not know. Particles whose volume is the room that there
+/// is have equal masses.
 pub fn is_shut_in<const D: usize>(problem: &Problem<D>) -> bool {
     let is_bare = problem
         .bodies
         .iter()
         .all(|body| body.packed_fluid.is_none());
-    !problem.bodies.is_empty() && is_bare && !problem.domain.has(Side::is_open)
+    let may_differ = problem.scheme.operators.volume == Volume::OfDensity;
+    let is_closed = !problem.domain.has(Side::is_open);
+    !problem.bodies.is_empty() && is_bare && may_differ && is_closed
 }
 
 /// Gives those of the `fluid` next to walls the mass of all the gas that is nearest to them, of the lattice from `first` to before `last`.
@@ -43,6 +47,10 @@ pub fn fill<const D: usize>(
             continue;
         }
         let own = placed.get(&index);
+        if own.is_none() && clear >= 0.5 * problem.spacing {
+            // No wall left this place empty.
+            continue;
+        }
         if clear > whole {
             if let Some(&number) = own {
                 *shares.entry(number).or_default() += 1.0;
@@ -74,11 +82,13 @@ pub fn fill<const D: usize>(
     }
 }
 
-/// How far a place is from the nearest body; negative within one.
+/// How far a place is from the nearest body; negative within one, and endless far from all.
 fn clearance<const D: usize>(problem: &Problem<D>, place: &Vector<D>) -> f64 {
-    let bodies = problem.bodies.iter();
-    bodies
-        .map(|body| body.shape.signed_distance(place))
+    let near = problem.bodies.iter().filter(|body| {
+        let around = body.shape.bounds().grown(2.0 * problem.spacing);
+        around.contains(place)
+    });
+    near.map(|body| body.shape.signed_distance(place))
         .fold(f64::INFINITY, f64::min)
 }
 
@@ -136,8 +146,15 @@ mod tests {
             let shares = fluid.iter().map(|particle| particle.mass / own);
             assert!(shares.fold(0.0, f64::max) < 2.5);
         }
-        let mut open = cube::<2>(8, Side::FreeStream);
-        open.bodies = vec![slip_body(Arc::new(bodies::circle(0.2).unwrap()))];
-        assert!(!is_shut_in(&open));
+        let with_circle = |side: Side| {
+            let mut problem = cube::<2>(8, side);
+            problem.bodies = vec![slip_body(Arc::new(bodies::circle(0.2).unwrap()))];
+            problem
+        };
+        assert!(is_shut_in(&with_circle(Side::WALL)));
+        assert!(!is_shut_in(&with_circle(Side::FreeStream)));
+        let mut liquid = with_circle(Side::WALL);
+        liquid.scheme.operators.volume = Volume::Summed;
+        assert!(!is_shut_in(&liquid));
     }
 }
