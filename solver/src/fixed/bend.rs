@@ -99,6 +99,11 @@ impl<const D: usize> Bend<D> {
     }
 }
 
+/// How far `b` lies to the left of `a`, times the length of both.
+pub fn cross<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> f64 {
+    turned(a).dot(b)
+}
+
 /// A vector turned by a quarter to the left.
 pub fn turned<const D: usize>(vector: &Vector<D>) -> Vector<D> {
     let mut turned = Vector::zeros();

@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::bend::{Bend, Kink, turned};
+use super::bend::{Bend, Kink, cross, turned};
 use super::cells::Cells;
 use super::net::Net;
 use super::walls::Wall;
@@ -30,10 +30,6 @@ pub struct Chain<'a, const D: usize> {
     units: Vec<f64>,
     /// What follows each, and what goes before it.
     links: [Vec<Option<usize>>; 2],
-}
-
-fn cross<const D: usize>(a: &Vector<D>, b: &Vector<D>) -> f64 {
-    turned(a).dot(b)
 }
 
 impl<'a, const D: usize> Chain<'a, D> {

@@ -33,8 +33,8 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
             let [cold, hot] = self.sides(
                 first.heat(),
                 second.heat(),
-                warming(first, a),
-                warming(second, b),
+                first.warming(a),
+                second.warming(b),
             );
             [pressure[0] / cold, pressure[1] / hot]
         } else {
@@ -82,12 +82,6 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
         let careful = minmod(beyond, jump);
         careful + self.smooth * (self.even(beyond, jump) - careful)
     }
-}
-
-/// How much more `p / rho` is where a state has changed by `rise`, to first order.
-#[inline(always)]
-fn warming<R: Real, const D: usize>(state: &Primitive<D, R>, rise: &Primitive<D, R>) -> R {
-    (rise.pressure - state.heat() * rise.density) / state.density
 }
 
 /// Moves the states on both sides of a face from halfway between two cells to the face's middle, by the mean of the cells' `slopes`, so that

@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::bend::{Bend, turned};
+use super::bend::{Bend, cross, turned};
 use super::fan::farthest;
 use super::walls::Wall;
 
@@ -51,7 +51,6 @@ impl<'a, const D: usize> Sight<'a, D> {
 
 /// True of a wall that crosses the way to a place after this part of it.
 fn is_between<const D: usize>([start, end]: &[Vector<D>; 2], place: &Vector<D>, from: f64) -> bool {
-    let cross = |a: &Vector<D>, b: &Vector<D>| turned(a).dot(b);
     let wall = end - start;
     let scale = cross(place, &wall);
     if scale == 0.0 {

@@ -94,6 +94,12 @@ impl<const D: usize, R: Real> Primitive<D, R> {
         self.pressure / self.density
     }
 
+    /// How much more `p / rho` is where the state has changed by `rise`, to first order.
+    #[inline(always)]
+    pub fn warming(&self, rise: &Self) -> R {
+        (rise.pressure - self.heat() * rise.density) / self.density
+    }
+
     /// The same state seen in a mirror across the unit `normal`.
     #[inline(always)]
     pub fn mirrored(&self, normal: &[R; D]) -> Self {

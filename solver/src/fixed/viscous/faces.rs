@@ -48,7 +48,7 @@ impl<const D: usize> Rubbing<'_, D> {
             let shape = &net.face_shapes[face.shape as usize];
             let [a, b] = [&flow.states[i], &flow.states[j]];
             let rise = b.plus(-1.0, a).velocity;
-            let heat = b.pressure / b.density - a.pressure / a.density;
+            let heat = b.heat() - a.heat();
             let at = gradient(i)
                 .mean(&gradient(j))
                 .along(&shape.apart, &rise, heat);

@@ -96,14 +96,13 @@ impl<const D: usize> Gradient<D> {
     /// That in a cell.
     #[inline(always)]
     fn of(state: &Primitive<D>, slopes: &Slopes<D>) -> Self {
-        let heat = state.pressure / state.density;
         let mut gradient = Self {
             velocity: [[0.0; D]; D],
             heat: [0.0; D],
         };
         for (axis, slope) in slopes.along.iter().enumerate() {
             gradient.velocity[axis] = slope.velocity;
-            gradient.heat[axis] = (slope.pressure - heat * slope.density) / state.density;
+            gradient.heat[axis] = state.warming(slope);
         }
         gradient
     }
