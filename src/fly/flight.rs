@@ -1,24 +1,25 @@
 //! What is flown and how: the body in place, the stream, what of the flow is computed.
 
 use std::f64::consts::PI;
-use std::path::{Path, PathBuf};
-use std::str::FromStr;
+use std::path::Path;
 use std::sync::Arc;
 
 use aero_geometry::{Bounds, Placed, Shape, Vector, Watch, files};
 use aero_packer::thinnest_part;
 use aero_solver::method::Refine;
 
-use super::attitude::{Attitude, Axes};
+use super::attitude::Attitude;
+use super::centre::axis;
 use super::domain;
 use super::error::FlyError;
 use super::estimate::Costs;
 use super::likeness::{Likeness, likeness};
 use super::meridian::meridian;
 use super::silhouette;
-use crate::scene::atmosphere::{self, GAS_CONSTANT};
+use super::wishes::{Air, Wishes};
+use crate::scene::atmosphere::GAS_CONSTANT;
 use crate::scene::number::Name;
-use crate::scene::shapes::{StlEntry, Unit};
+use crate::scene::shapes::StlEntry;
 
 /// Ratio of specific heats of air.
 pub(super) const GAMMA: f64 = 1.4;
@@ -28,83 +29,6 @@ const THICK: f64 = 5.0;
 
 /// Cells behind a body before the end of the box: of fewer the outlet feels the body.
 const BEHIND: f64 = 2.5;
-
-/// The state of the stream at rest.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub enum Air {
-    /// Of the standard atmosphere, at a height in m.
-    Altitude(f64),
-    /// Pressure in Pa and temperature in K.
-    State(f64, f64),
-}
-
-impl Air {
-    /// Pressure in Pa and temperature in K.
-    fn at_rest(self) -> [f64; 2] {
-        match self {
-            Self::Altitude(height) => {
-                let air = atmosphere::Air::at(height);
-                [air.pressure, air.temperature]
-            }
-            Self::State(pressure, temperature) => [pressure, temperature],
-        }
-    }
-}
-
-/// A point that moments are about.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Centre {
-    /// Behind the nose, m.
-    pub behind: f64,
-    /// Above the middle of the body's box and to the left of it, m; as the body's volume lies if none.
-    pub across: Option<[f64; 2]>,
-}
-
-impl FromStr for Centre {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let refused =
-            || format!("`{text}` is no point; write X or X,Y,Z in m, as 1.2 or 1.2,0,0.1");
-        let number = |part: &str| part.trim().parse().ok().filter(|x: &f64| x.is_finite());
-        let numbers: Option<Vec<f64>> = text.split(',').map(number).collect();
-        let (behind, across) = match numbers.as_deref() {
-            Some(&[x]) => (x, None),
-            Some(&[x, y, z]) => (x, Some([y, z])),
-            _ => return Err(refused()),
-        };
-        Ok(Self { behind, across })
-    }
-}
-
-/// What is asked for.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Wishes {
-    /// File of the body.
-    pub body: PathBuf,
-    /// Its unit.
-    pub unit: Option<Unit>,
-    /// How it lies; as it looks if none.
-    pub axes: Option<Axes>,
-    /// Turn about its length, degrees.
-    pub roll: f64,
-    /// Mach number.
-    pub mach: f64,
-    /// Degrees.
-    pub incidence: f64,
-    /// Degrees.
-    pub sideslip: f64,
-    /// The air.
-    pub air: Air,
-    /// Particles rather than points.
-    pub with_the_gas: bool,
-    /// Reference area; the frontal one if none.
-    pub area: Option<f64>,
-    /// Reference length; the body's if none.
-    pub length: Option<f64>,
-    /// Moment centre; the middle if none.
-    pub centre: Option<Centre>,
-}
 
 /// What of the flow is computed.
 #[derive(Clone, Debug, PartialEq)]
@@ -422,59 +346,4 @@ fn extent(
         }
     }
     (Extent::Space(mirrors), nearly)
-}
-
-/// Where the middle of the volume lies across the body, as far as its planes of symmetry leave that open.
-fn axis(shape: &dyn Shape<3>, bounds: &Bounds<3>, extent: &Extent) -> [f64; 2] {
-    /// Less, in parts of the length, is round-off of files.
-    const LEAST: f64 = 1e-4;
-    let Extent::Space(mirrors) = extent else {
-        return [0.0; 2];
-    };
-    let (mut volume, mut sum) = (0.0, Vector::<3>::zeros());
-    for [a, b, c] in shape.facets(f64::INFINITY, bounds) {
-        // Of the tetrahedron over the triangle, from the origin, six times.
-        let six = a.dot(&b.cross(&c));
-        volume += six;
-        sum += (a + b + c) * (0.25 * six);
-    }
-    [1, 2].map(|k| {
-        let place = sum[k] / volume;
-        let is_there = place.abs() > LEAST * bounds.size()[0] && !mirrors.contains(&k);
-        if is_there && place.abs() < 0.5 * bounds.size()[k] {
-            place
-        } else {
-            0.0
-        }
-    })
-}
-
-#[cfg(test)]
-mod tests {
-    use aero_geometry::{Mesh, bodies};
-
-    use super::*;
-
-    #[test]
-    fn a_fin_does_not_shift_the_axis_much_and_a_centre_is_one_number_or_three() {
-        let body = bodies::sphere(0.5).unwrap().tessellate(24);
-        let fin = bodies::sphere(0.05).unwrap().tessellate(12);
-        let fin = fin
-            .into_iter()
-            .map(|f| f.map(|p| p + Vector::<3>::new(0.0, 0.52, 0.0)));
-        let mesh = Mesh::from_facets(body.into_iter().chain(fin).collect()).unwrap();
-        let shifted = Placed::new(
-            mesh,
-            aero_geometry::Placement::default().moved(Vector::<3>::new(0.0, -0.035, 0.0)),
-        );
-        let bounds = box_of(&shifted);
-        let [up, left] = axis(&shifted, &bounds, &Extent::Space(vec![2]));
-        assert!((up + 0.035).abs() < 2e-3 && left == 0.0, "{up} {left}");
-        let read = |text: &str| text.parse::<Centre>();
-        assert_eq!(read("1.5").unwrap().across, None);
-        assert_eq!(read("1.5,0,-0.1").unwrap().across, Some([0.0, -0.1]));
-        for text in ["1,2", "nan", "", "1,2,3,4"] {
-            assert!(read(text).unwrap_err().contains("X,Y,Z"), "{text}");
-        }
-    }
 }

@@ -4,6 +4,7 @@
 mod attitude;
 mod body_view;
 mod canvas;
+mod centre;
 mod curves;
 mod domain;
 mod error;
@@ -23,14 +24,17 @@ mod round;
 mod section;
 mod silhouette;
 mod skins;
+mod wishes;
 mod written;
 
 pub use attitude::Axes;
+pub use centre::Centre;
 pub use error::FlyError;
 pub use estimate::{Costs, FAMILY, minutes};
 pub use extrapolate::{Extrapolated, extrapolate};
-pub use flight::{Air, Centre, Extent, Flight, Wishes};
+pub use flight::{Extent, Flight};
 pub use level::{BASE, Coefficients, Level, Shares};
 pub use polar_point::{Banded, Bands, Point};
 pub use read::last as last_file;
 pub use report::{Report, thin_warning, write_report};
+pub use wishes::{Air, Wishes};

@@ -256,7 +256,7 @@ mod tests {
 
     use aero_geometry::{bodies, stl};
 
-    use super::super::flight::{Air, Wishes};
+    use super::super::wishes::{Air, Wishes};
 
     /// A sphere of radius one in space, 10 degrees to a stream of Mach 2.
     fn flight() -> Flight {

@@ -5,7 +5,8 @@ use std::path::Path;
 
 use super::domain;
 use super::error::FlyError;
-use super::flight::{Air, Extent, Flight};
+use super::flight::{Extent, Flight};
+use super::wishes::Air;
 use crate::scene::shapes::Unit;
 
 impl Flight {

@@ -2,11 +2,10 @@
 //! goes no farther, wherever it would stand.
 
 use aero_packer::{About, Warning};
-use aero_solver::frame::{Frame, Kind};
+use aero_solver::frame::Frame;
 use aero_solver::problem::Problem;
 
-/// Particles within so many of their spacings stand at a side.
-const NEAR: f64 = 1.2;
+use super::beside::beside;
 
 /// Part of the stream's pressure by which gas at the side is over it where a shock stands there.
 const SHOCKED: f64 = 0.2;
@@ -42,20 +41,9 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
 }
 
 /// Part of the gas at a side, by the area that it takes there, whose pressure is above that of the stream by more than no shock makes.
-fn shocked(
-    spacing: f64,
-    frame: &Frame,
-    (axis, end, plane): (usize, usize, f64),
-    pressure: f64,
-) -> f64 {
+fn shocked(spacing: f64, frame: &Frame, side: (usize, usize, f64), pressure: f64) -> f64 {
     let (mut all, mut over) = (0.0, 0.0);
-    for i in 0..frame.position.len() {
-        let own = frame.spacing.get(i).copied().unwrap_or(spacing);
-        let distance = [-1.0, 1.0][end] * (plane - frame.position[i][axis]);
-        if frame.kind[i] != Kind::Fluid as u8 || !(0.0..=NEAR * own).contains(&distance) {
-            continue;
-        }
-        let area = frame.volume[i] / own;
+    for (i, area) in beside(spacing, frame, side) {
         all += area;
         if frame.pressure[i] > (1.0 + SHOCKED) * pressure {
             over += area;
@@ -66,6 +54,8 @@ fn shocked(
 
 #[cfg(test)]
 mod tests {
+    use aero_solver::frame::Kind;
+
     use super::*;
 
     /// Five points beside the near end of a row, two of them behind a shock, and one that is far from there.

@@ -1,11 +1,10 @@
 //! Outlets that gas does not just leave through, at the end of a run: what is upstream of them depends on the side then.
 
 use aero_packer::{About, Warning};
-use aero_solver::frame::{Frame, Kind};
+use aero_solver::frame::Frame;
 use aero_solver::problem::{Problem, Side};
 
-/// Particles within so many of their spacings stand at a side.
-const NEAR: f64 = 1.2;
+use super::beside::beside;
 
 /// Parts of an outlet beyond which gas that comes back, and gas that leaves slower than sound, are worth a word.
 const BACK: f64 = 0.005;
@@ -44,13 +43,7 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
 fn shares(spacing: f64, frame: &Frame, axis: usize, end: usize, plane: f64) -> [f64; 2] {
     let outwards = [-1.0, 1.0][end];
     let (mut all, mut back, mut slow) = (0.0, 0.0, 0.0);
-    for i in 0..frame.position.len() {
-        let own = frame.spacing.get(i).copied().unwrap_or(spacing);
-        let distance = outwards * (plane - frame.position[i][axis]);
-        if frame.kind[i] != Kind::Fluid as u8 || !(0.0..=NEAR * own).contains(&distance) {
-            continue;
-        }
-        let area = frame.volume[i] / own;
+    for (i, area) in beside(spacing, frame, (axis, end, plane)) {
         let velocity = &frame.velocity[i];
         let speed = velocity.iter().map(|u| u * u).sum::<f64>().sqrt();
         let out = outwards * velocity[axis];
@@ -73,6 +66,8 @@ fn shares(spacing: f64, frame: &Frame, axis: usize, end: usize, plane: f64) -> [
 
 #[cfg(test)]
 mod tests {
+    use aero_solver::frame::Kind;
+
     use super::*;
 
     /// Four points at the far end of a row, one of which comes back and one of which is slow.
