@@ -118,7 +118,7 @@ fn slice(problem: &Problem<3>) -> f64 {
         } else {
             (domain.bounds.max[2], -0.5)
         };
-        return plane + way * problem.spacing;
+        return plane + way * problem.resolution.lattice();
     }
     let extents = problem.bodies.iter().map(|body| {
         let shown = body.shape.bounds().intersection(&domain.bounds);

@@ -25,7 +25,7 @@ fn standing<const D: usize>(case: Case<D>) -> Vec<Standing> {
     let domain = case.problem.domain.clone();
     let bodies = case.problem.bodies.iter();
     let spacings = bodies.map(|body| body.report.spacing);
-    let spacing = spacings.fold(case.problem.spacing, f64::min);
+    let spacing = spacings.fold(case.problem.resolution.lattice(), f64::min);
     let flow = Flow::new(case.problem).expect("a flow");
     let frame = flow.frame();
     let mut all: Vec<Standing> = (0..frame.kind.len())

@@ -52,7 +52,7 @@ impl<const D: usize> Problem<D> {
                 let distance = position[0] - diaphragm;
                 let share = if *smooth {
                     // Villodi & Ramachandran 2024, eq. 38.
-                    1.0 / (1.0 + (2.0 * distance / (3.0 * self.spacing)).exp())
+                    1.0 / (1.0 + (2.0 * distance / (3.0 * self.resolution.at(position))).exp())
                 } else if distance < 0.0 {
                     1.0
                 } else {

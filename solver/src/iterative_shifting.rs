@@ -3,6 +3,7 @@
 //! The flow does not move with them: `f(x + dx) = f(x) + dx.grad f` for velocity and density [Huang, Long, Li & Liu 2019, Eng. Anal. Bound.
 //! Elem. 106, 571-587; Negi & Ramachandran 2021, section II]. No pair exchanges what this changes.
 
+use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
 use aero_geometry::parallel::prelude::*;
 
@@ -70,12 +71,13 @@ pub fn move_apart<const D: usize>(
 
 /// By how much the most crowded particle has less room than its share.
 fn unevenness<const D: usize>(problem: &Problem<D>, fluid: &mut Particles<D>) -> f64 {
-    let share = problem.spacing.powi(D as i32);
+    let share = |x: &Vector<D>| problem.resolution.at(x).powi(D as i32);
     let Columns {
         state, densities, ..
     } = fluid.columns();
     let crowds = state.par_iter().zip(&*densities);
-    let crowds = crowds.map(|(particle, density)| density * share / particle.mass - 1.0);
+    let crowds =
+        crowds.map(|(particle, density)| density * share(&particle.position) / particle.mass - 1.0);
     crowds.reduce(|| 0.0, f64::max)
 }
 

@@ -7,19 +7,15 @@
 //!
 //! ```
 //! use aero_geometry::{Bounds, Vector};
-//! use aero_solver::problem::{Domain, Initial, Problem, Scheme, Side, State};
-//! use aero_solver::{Simulation, gas::Gas, method::Method};
+//! use aero_solver::problem::{Domain, Initial, Problem, Side, State};
+//! use aero_solver::{Simulation, gas::Gas};
 //!
 //! # fn main() -> Result<(), Box<dyn std::error::Error>> {
-//! let at_rest = |density, pressure| State { density, pressure, velocity: Vector::<1>::zeros() };
-//! let (left, right) = (at_rest(1.0, 1.0), at_rest(0.125, 0.1));
+//! let (left, right) = (State::at_rest(1.0, 1.0), State::at_rest(0.125, 0.1));
 //! let bounds = Bounds::new(Vector::<1>::new(-0.5), Vector::<1>::new(0.5));
-//! let mut tube = Simulation::new(Problem {
-//!     domain: Domain { bounds, sides: [[Side::Symmetry; 2]], openings: Vec::new() },
-//!     initial: Initial::Riemann { left, right, position: 0.0, smooth: false },
-//!     gas: Gas::ideal(1.4), second: None, free_stream: left, spacing: 0.005, disorder: 0.0, bodies: Vec::new(), source: None,
-//!     scheme: Scheme::default(), method: Method::default(),
-//! })?;
+//! let still = Problem::new(Gas::ideal(1.4), Domain::new(bounds, [[Side::Symmetry; 2]]), left, 0.005);
+//! let initial = Initial::Riemann { left, right, position: 0.0, smooth: false };
+//! let mut tube = Simulation::new(Problem { initial, ..still })?;
 //! while tube.time() < 0.1 { tube.step(0.1)?; }
 //! let frame = tube.frame();
 //! let behind = frame.position.iter().position(|x| (x[0] - 0.04).abs() < 0.01).expect("gas everywhere");

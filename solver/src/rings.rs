@@ -33,7 +33,7 @@ impl Rings {
     pub fn new<const D: usize>(problem: &Problem<D>) -> Self {
         let axisymmetric = problem.domain.is_axisymmetric();
         Self {
-            narrowest: axisymmetric.then_some(NARROWEST * problem.spacing),
+            narrowest: axisymmetric.then_some(NARROWEST * problem.resolution.finest()),
         }
     }
 

@@ -99,7 +99,7 @@ impl<const D: usize> Rounded<D> {
     /// Records yet to be written, in lengths of about the spacing of `problem`.
     pub fn new(problem: &Problem<D>) -> Self {
         Self {
-            length: problem.spacing.log2().floor().exp2(),
+            length: problem.resolution.lattice().log2().floor().exp2(),
             origin: problem.domain.bounds.min,
             velocity: problem.free_stream.velocity,
             ..Self::default()

@@ -44,7 +44,7 @@ fn shared<const D: usize>(problem: &Problem<D>, a: &Body<D>, b: &Body<D>) -> Opt
     if bounds.is_empty() {
         return None;
     }
-    let deepest = -DEEP * problem.spacing;
+    let deepest = -DEEP * problem.resolution.lattice();
     (0..ACROSS.pow(D as u32)).find_map(|number| {
         let mut rest = number;
         let point = Vector::<D>::from_fn(|k, _| {

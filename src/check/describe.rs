@@ -4,7 +4,7 @@ use aero_packer::thinnest_part;
 use aero_solver::gas::Gas;
 use aero_solver::method::Refine;
 use aero_solver::panels::Panels;
-use aero_solver::problem::{Opening, Problem};
+use aero_solver::problem::{AXES, Opening, Problem};
 
 use super::layer::reynolds_per_length;
 use super::{shortened, side_name};
@@ -60,7 +60,7 @@ fn description<const D: usize>(case: &Case<D>) -> Vec<String> {
     if let Some(per_length) = reynolds_per_length(problem) {
         lines.push(format!(
             "Reynolds number: {per_length:.5e} to a unit of length, {:.3e} to a spacing",
-            per_length * problem.spacing
+            per_length * problem.resolution.lattice()
         ));
     }
     for (axis, end, side, face) in problem.domain.each_side() {
@@ -159,7 +159,7 @@ fn opening<const D: usize>(problem: &Problem<D>, opening: &Opening<D>) -> String
 fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize) -> Vec<String> {
     let body = &problem.bodies[number];
     let extent = body.shape.bounds().intersection(&problem.domain.bounds);
-    let size = extent.size() / problem.spacing;
+    let size = extent.size() / problem.resolution.lattice();
     let across: Vec<String> = size.iter().map(|n| format!("{n:.1}")).collect();
     let mut lines = vec![format!(
         "body `{}`: {} spacings, {} ghosts, {} panels; area {}, length {}, moments about {}",
@@ -176,8 +176,8 @@ fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize)
         super::place(&body.moment_centre)
     )];
     let thin = thinnest_part(body.shape.as_ref(), &problem.domain.bounds);
-    if let Some(thin) = thin.filter(|thin| *thin < THIN * problem.spacing) {
-        let spacings = thin / problem.spacing;
+    if let Some(thin) = thin.filter(|thin| *thin < THIN * problem.resolution.lattice()) {
+        let spacings = thin / problem.resolution.lattice();
         let refine = problem.method.fixed().map(|points| points.refine);
         let finest = match refine {
             Some(Refine::Points(_)) | None => 0,
@@ -198,7 +198,7 @@ fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize)
             _ => "kg",
         };
         let axes = |held: [bool; 3]| -> String {
-            let free = ["x", "y", "z"].into_iter().zip(held);
+            let free = AXES.into_iter().zip(held);
             let free: Vec<_> = free
                 .filter(|(_, held)| !held)
                 .map(|(axis, _)| axis)
@@ -217,7 +217,7 @@ fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize)
             super::place(&body.motion.pivot)
         ));
     }
-    let near = TOUCHES * problem.spacing;
+    let near = TOUCHES * problem.resolution.lattice();
     let mut touched = Vec::new();
     for (axis, end, side, face) in problem.domain.each_side() {
         let reach = [extent.min[axis] - face, face - extent.max[axis]][end];

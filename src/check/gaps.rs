@@ -40,7 +40,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
                     other.name, body.name
                 )
             };
-            let spacing = shortened(width * problem.spacing_at(&panel.centre) / ACROSS);
+            let spacing = shortened(width * problem.resolution.at(&panel.centre) / ACROSS);
             found.warnings.push(Warning::new(
                 About::Scene,
                 format!(
@@ -60,7 +60,7 @@ fn narrowest<'a, const D: usize>(
     [first, second]: [usize; 2],
 ) -> Option<Gap<'a, D>> {
     let other = &problem.bodies[second].shape;
-    let reach = NARROW * problem.spacing;
+    let reach = NARROW * problem.resolution.lattice();
     let bounds = other.bounds().grown(reach);
     let is_seen = |panel: &&Panel<D>| {
         panel.owner as usize == first
@@ -84,7 +84,7 @@ fn width<const D: usize>(
     place: &Vector<D>,
     normal: &Vector<D>,
 ) -> f64 {
-    let spacing = problem.spacing_at(place);
+    let spacing = problem.resolution.at(place);
     let widths = HEIGHTS.map(|height| {
         let over = place + normal * (height * spacing);
         let seen = problem.bodies[other].shape.closest(&over);

@@ -38,7 +38,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
         _ => None,
     });
     let levels = problem.method.fixed().map_or(0, |p| p.refine.levels());
-    let finest = problem.spacing / f64::from(1_u32 << levels.min(20));
+    let finest = problem.resolution.lattice() / f64::from(1_u32 << levels.min(20));
     for (name, length) in bodies.chain(sides) {
         let reynolds = per_length * length;
         let thickness = (BLASIUS * length / reynolds.sqrt()).min(length);
@@ -52,7 +52,10 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
                  friction and heat ask for {LEAST}; take `spacing = {:.1e}`, or with points that stay `refine = {}`",
                 thickness / finest,
                 thickness / LEAST,
-                (problem.spacing * LEAST / thickness).log2().ceil().max(1.0)
+                (problem.resolution.lattice() * LEAST / thickness)
+                    .log2()
+                    .ceil()
+                    .max(1.0)
             ));
         }
         if reynolds > TURBULENT {

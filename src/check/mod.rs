@@ -13,6 +13,7 @@ mod sides;
 mod sound;
 mod warmth;
 
+use aero_solver::problem::side_name;
 use std::collections::BTreeSet;
 
 use aero_geometry::Vector;
@@ -94,9 +95,4 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
 fn place<const D: usize>(point: &Vector<D>) -> String {
     let numbers: Vec<String> = point.iter().map(|x| format!("{x:.4}")).collect();
     format!("({})", numbers.join(", "))
-}
-
-/// The name of a side.
-fn side_name(axis: usize, end: usize) -> String {
-    format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end])
 }

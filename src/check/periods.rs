@@ -31,7 +31,9 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
                 let mut copy = *place;
                 copy[axis] += period;
                 let mut shapes = problem.bodies.iter().map(|body| &body.shape);
-                shapes.all(|shape| shape.signed_distance(&copy) > ON_IT * problem.spacing)
+                shapes.all(|shape| {
+                    shape.signed_distance(&copy) > ON_IT * problem.resolution.lattice()
+                })
             };
             if let Some(point) = crossed.find(lacks_copy) {
                 let mut shift = Vector::<D>::zeros();
@@ -55,7 +57,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
 fn goes_on<const D: usize>(problem: &Problem<D>, body: &Body<D>, axis: usize, end: usize) -> bool {
     let extent = body.shape.bounds();
     let reaches = |corner: &Vector<D>| {
-        problem.domain.depth_within(axis, end, corner) < -ON_IT * problem.spacing
+        problem.domain.depth_within(axis, end, corner) < -ON_IT * problem.resolution.lattice()
     };
     reaches(&extent.min) || reaches(&extent.max)
 }
@@ -70,7 +72,7 @@ fn cut<'a, const D: usize>(
     let domain = &problem.domain;
     let is_inside = domain.bounds.contains(&panel.centre);
     let corners = panel.corners.iter().filter(move |_| is_inside);
-    corners
-        .copied()
-        .filter(move |corner| domain.depth_within(axis, end, corner).abs() < CUT * problem.spacing)
+    corners.copied().filter(move |corner| {
+        domain.depth_within(axis, end, corner).abs() < CUT * problem.resolution.lattice()
+    })
 }

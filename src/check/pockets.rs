@@ -16,7 +16,7 @@ const TOUCHES: f64 = 1.6;
 /// Looks for pockets between bodies, on the lattice of the gas.
 pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
     let bounds = &problem.domain.bounds;
-    let spacing = problem.spacing;
+    let spacing = problem.resolution.lattice();
     let still = problem.bodies.iter().all(|body| !body.motion.is_moving());
     let counts: [usize; D] =
         std::array::from_fn(|k| (bounds.size()[k] / spacing).round().max(1.0) as usize);

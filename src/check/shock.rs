@@ -60,7 +60,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>) -> 
             (true, _) => (0.5 * whole, ROUND),
             _ => (0.5 * whole, PLANE),
         };
-        if radius < SPOT * problem.spacing {
+        if radius < SPOT * problem.resolution.lattice() {
             continue;
         }
         let stand_off = radius * a * (b / (mach * mach)).exp();

@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 use aero_packer::{About, Warning};
 use aero_solver::layers::BUFFER;
 use aero_solver::panels::{Panel, Panels};
-use aero_solver::problem::{Problem, Side};
+use aero_solver::problem::{AXES, Problem, Side};
 
 use super::{Check, place, side_name};
 
@@ -29,7 +29,7 @@ pub(super) const NARROW: f64 = 2.0;
 /// Looks at each body and each side.
 pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, found: &mut Check) {
     let domain = &problem.domain;
-    let spacing = problem.spacing;
+    let spacing = problem.resolution.lattice();
     let speed = problem.free_stream.velocity.norm();
     let reach = (BUFFER as f64 + 1.0) * spacing;
     for (number, body) in problem.bodies.iter().enumerate() {
@@ -81,7 +81,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
                      carry it on past {} = {clear:.4}, or let it end inside the domain",
                     body.name,
                     place(&panel.centre),
-                    ["x", "y", "z"][axis],
+                    AXES[axis],
                 ));
                 continue;
             }

@@ -10,11 +10,7 @@ use super::{Check, side_name};
 pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
     let is_fixed = problem.method.fixed().is_some();
     // From a reservoir gas may become faster than sound on its way.
-    if is_fixed
-        && problem
-            .domain
-            .has(|side| matches!(side, Side::Reservoir { .. }))
-    {
+    if is_fixed && problem.domain.has(Side::is_reservoir) {
         return;
     }
     let stream = &problem.free_stream;

@@ -4,12 +4,12 @@ use aero::run::{Keep, Outcome};
 use aero_validation::exact::prandtl_meyer::expand;
 use aero_validation::table::Check;
 
-use super::comparison::Compare;
 use super::context::{CompareError, Context, Level};
 use super::row::{Heading, Row};
 use super::scenes::{Source, scene};
+use super::suite::Suite;
 use super::surface::{as_shape, prism};
-use super::variant::{Motion, Scheme};
+use super::variant::{Levels, Motion, Scheme};
 
 const CASE: &str = "expansion";
 const SCENE: Source = scene!("stress", "expansion-corner");
@@ -31,26 +31,24 @@ const SLIVER: f64 = 0.1;
 const MIDDLE: f64 = 0.16;
 
 /// Corners in space.
-pub struct Edges;
+pub const EDGES: Suite = Suite::of(&[(Levels::Both, compare)]);
 
-impl Compare for Edges {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let mut checks = Vec::new();
-        for sweep in SWEEPS {
-            let label =
-                format!("in space, M {MACH}, {ANGLE} deg, swept {sweep}, dx 1/20, points, settled");
-            let heading = Heading {
-                case: CASE,
-                label: &label,
-                only_informs: false,
-                is_quick: context.level == Level::Quick,
-            };
-            let outcome = SCENE.run(&settings(sweep, context)?, Keep::End, context)?;
-            let rows = rows(&outcome, sweep)?;
-            checks.extend(rows.into_iter().map(|row| row.check(heading)));
-        }
-        Ok(checks)
+fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let mut checks = Vec::new();
+    for sweep in SWEEPS {
+        let label =
+            format!("in space, M {MACH}, {ANGLE} deg, swept {sweep}, dx 1/20, points, settled");
+        let heading = Heading {
+            case: CASE,
+            label: &label,
+            only_informs: false,
+            is_quick: context.level == Level::Quick,
+        };
+        let outcome = SCENE.run(&settings(sweep, context)?, Keep::End, context)?;
+        let rows = rows(&outcome, sweep)?;
+        checks.extend(rows.into_iter().map(|row| row.check(heading)));
     }
+    Ok(checks)
 }
 
 fn settings(sweep: f64, context: &Context<'_>) -> Result<Vec<String>, CompareError> {

@@ -10,8 +10,9 @@ use aero::fly::extrapolate;
 use aero_validation::table::{Check, Subject};
 use serde_json::Value;
 
-use super::comparison::Compare;
 use super::context::{CompareError, Context, Level};
+use super::suite::Suite;
+use super::variant::Levels;
 use truth::{Known, Quantity, TWELVE};
 
 const NAME: &str = "fly";
@@ -27,50 +28,43 @@ const OUTSIDE: f64 = 1.0;
 const MIDDLE: f64 = 3.0;
 
 /// The flights.
-pub struct Flights;
+pub const FLIGHTS: Suite = Suite::alone(&[(Levels::Both, compare)]);
 
-impl Compare for Flights {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let folder = context.out.join(NAME);
-        let (known, finely) = match context.level {
-            Level::Quick => (QUICK.map(|n| TWELVE[n]).to_vec(), ["--spacing", SPACING]),
-            Level::Full => (TWELVE.to_vec(), ["--minutes", MINUTES]),
+fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let folder = context.out.join(NAME);
+    let (known, finely) = match context.level {
+        Level::Quick => (QUICK.map(|n| TWELVE[n]).to_vec(), ["--spacing", SPACING]),
+        Level::Full => (TWELVE.to_vec(), ["--minutes", MINUTES]),
+    };
+    let mut checks = Vec::new();
+    let mut flown = Vec::new();
+    for known in &known {
+        (context.announce)(&format!("{NAME}: {}", known.label));
+        let truth = known.truth()?;
+        let found = flight(known, &finely, &folder).and_then(|report| known.found(&report));
+        let judged = |what: &str, judge: &dyn Fn(Subject<'_>) -> Check| {
+            let what = format!("{}: {what}", known.label);
+            judge(Subject::new(NAME, &what, known.source))
         };
-        let mut checks = Vec::new();
-        let mut flown = Vec::new();
-        for known in &known {
-            (context.announce)(&format!("{NAME}: {}", known.label));
-            let truth = known.truth()?;
-            let found = flight(known, &finely, &folder).and_then(|report| known.found(&report));
-            let judged = |what: &str, judge: &dyn Fn(Subject<'_>) -> Check| {
-                let what = format!("{}: {what}", known.label);
-                judge(Subject::new(NAME, &what, known.source))
-            };
-            let quantity = known.quantity.name();
-            let Some([value, band]) = found else {
-                checks.push(judged(quantity, &|row| row.unmeasured(truth)));
-                continue;
-            };
-            let [off, width] = [(value - truth).abs() / band, 100.0 * band / truth];
-            flown.push([off, width]);
-            checks.extend([
-                judged(quantity, &|row| row.informs(value, truth)),
-                judged("distance from the truth, half widths of the band", &|row| {
-                    row.informs(off, 0.0)
-                }),
-                judged("half the width of the band, per cent", &|row| {
-                    row.informs(width, 0.0)
-                }),
-            ]);
-        }
-        checks.extend(together(&flown, known.len()));
-        Ok(checks)
+        let quantity = known.quantity.name();
+        let Some([value, band]) = found else {
+            checks.push(judged(quantity, &|row| row.unmeasured(truth)));
+            continue;
+        };
+        let [off, width] = [(value - truth).abs() / band, 100.0 * band / truth];
+        flown.push([off, width]);
+        checks.extend([
+            judged(quantity, &|row| row.informs(value, truth)),
+            judged("distance from the truth, half widths of the band", &|row| {
+                row.informs(off, 0.0)
+            }),
+            judged("half the width of the band, per cent", &|row| {
+                row.informs(width, 0.0)
+            }),
+        ]);
     }
-
-    /// Flights take threads of their own, and go by the clock.
-    fn wants_all_threads(&self) -> bool {
-        true
-    }
+    checks.extend(together(&flown, known.len()));
+    Ok(checks)
 }
 
 /// Of all bodies, with distance from the truth over half the width, and half the width in per cent.

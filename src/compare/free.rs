@@ -5,9 +5,10 @@ use std::f64::consts::PI;
 use aero::run::{Keep, Outcome};
 use aero_validation::table::{Check, Subject};
 
-use super::comparison::Compare;
 use super::context::{CompareError, Context, Level};
 use super::scenes::{Source, scene};
+use super::suite::Suite;
+use super::variant::Levels;
 
 const NAME: &str = "free";
 const SCENE: Source = scene!("pitching");
@@ -22,20 +23,18 @@ const MACH: f64 = 2.0;
 const GAMMA: f64 = 1.4;
 
 /// The swing.
-pub struct FreeBodies;
+pub const FREE_BODIES: Suite = Suite::of(&[(Levels::Both, compare)]);
 
-impl Compare for FreeBodies {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let cells: &[u32] = match context.level {
-            Level::Quick => &[40],
-            Level::Full => &[40, 80],
-        };
-        let mut checks = Vec::new();
-        for cells in cells {
-            checks.extend(swing(*cells, context)?);
-        }
-        Ok(checks)
+fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let cells: &[u32] = match context.level {
+        Level::Quick => &[40],
+        Level::Full => &[40, 80],
+    };
+    let mut checks = Vec::new();
+    for cells in cells {
+        checks.extend(swing(*cells, context)?);
     }
+    Ok(checks)
 }
 
 fn swing(cells: u32, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {

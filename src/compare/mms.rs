@@ -7,10 +7,10 @@ mod series;
 
 use aero_validation::table::{Check, Subject};
 
-use super::comparison::Compare;
 use super::context::{CompareError, Context, Level};
 use super::scenes::{Source, scene};
-use super::variant::{Motion, Scheme};
+use super::suite::Suite;
+use super::variant::{Levels, Motion, Scheme};
 use series::{QUANTITIES, Series};
 
 const NAME: &str = "mms";
@@ -26,21 +26,19 @@ const VISCOSITY: [&str; 2] = [
 ];
 
 /// Flows that sources keep to a solution made up beforehand.
-pub struct Manufactured;
+pub const MANUFACTURED: Suite = Suite::of(&[(Levels::Both, compare)]);
 
-impl Compare for Manufactured {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let mut checks = Vec::new();
-        for scheme in schemes(context) {
-            for study in studies(scheme, context.level) {
-                checks.extend(study.compare(context)?);
-            }
+fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let mut checks = Vec::new();
+    for scheme in schemes(context) {
+        for study in studies(scheme, context.level) {
+            checks.extend(study.compare(context)?);
         }
-        for scheme in schemes(context) {
-            checks.extend(planted::compare(scheme, context)?);
-        }
-        Ok(checks)
     }
+    for scheme in schemes(context) {
+        checks.extend(planted::compare(scheme, context)?);
+    }
+    Ok(checks)
 }
 
 /// How the particles or points lie.

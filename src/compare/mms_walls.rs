@@ -18,8 +18,9 @@ mod verdict;
 
 use aero_validation::table::{Check, Subject};
 
-use super::comparison::Compare;
 use super::context::{CompareError, Context, Level};
+use super::suite::Suite;
+use super::variant::Levels;
 use arrangement::{Arrangement, Form};
 use picture::{Lines, OWN};
 use published::printed;
@@ -44,38 +45,36 @@ const PUBLISHED: [u32; 3] = [50, 100, 200];
 const TABLE: [u32; 3] = [125, 250, 500];
 
 /// The treatments, wall by wall.
-pub struct Walls;
+pub const WALLS: Suite = Suite::of(&[(Levels::Both, compare)]);
 
-impl Compare for Walls {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let is_quick = context.level == Level::Quick;
-        let walls = if is_quick { 2 } else { ARRANGEMENTS.len() };
-        if !context.settings.is_empty() {
-            (context.announce)(&format!(
-                "{NAME}: has no scene, --set changes nothing of it"
-            ));
-        }
-        let mut checks = Vec::new();
-        for (form, is_packed) in &ARRANGEMENTS[..walls] {
-            let arrangement = Arrangement {
-                form: *form,
-                is_packed: *is_packed,
-                cells: 0,
-            };
-            let study = Study::new(arrangement, if is_quick { QUICK } else { FULL })?;
-            checks.extend(judge(&study, is_quick, context)?);
-            if !is_quick && *form == Form::Straight {
-                let planted = |condition| planted_row(&study, condition);
-                checks.extend(Condition::ALL.map(planted));
-            }
-            if !is_quick {
-                let has_table = (*form, *is_packed) == (Form::Concave, true);
-                let study = Study::new(arrangement, if has_table { TABLE } else { PUBLISHED })?;
-                checks.extend(repeat(&study, context));
-            }
-        }
-        Ok(checks)
+fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let is_quick = context.level == Level::Quick;
+    let walls = if is_quick { 2 } else { ARRANGEMENTS.len() };
+    if !context.settings.is_empty() {
+        (context.announce)(&format!(
+            "{NAME}: has no scene, --set changes nothing of it"
+        ));
     }
+    let mut checks = Vec::new();
+    for (form, is_packed) in &ARRANGEMENTS[..walls] {
+        let arrangement = Arrangement {
+            form: *form,
+            is_packed: *is_packed,
+            cells: 0,
+        };
+        let study = Study::new(arrangement, if is_quick { QUICK } else { FULL })?;
+        checks.extend(judge(&study, is_quick, context)?);
+        if !is_quick && *form == Form::Straight {
+            let planted = |condition| planted_row(&study, condition);
+            checks.extend(Condition::ALL.map(planted));
+        }
+        if !is_quick {
+            let has_table = (*form, *is_packed) == (Form::Concave, true);
+            let study = Study::new(arrangement, if has_table { TABLE } else { PUBLISHED })?;
+            checks.extend(repeat(&study, context));
+        }
+    }
+    Ok(checks)
 }
 
 /// Our solutions, with verdicts and a picture.

@@ -1,7 +1,7 @@
 //! Compares runs with theory: ties the application to the independent `validation` crate.
 //!
-//! One file per case, which declares a [`Comparison`](comparison::Comparison): scene, variants, rows,
-//! pictures. Exact solutions and metrics are not here.
+//! One file per case, which declares a [`Comparison`](comparison::Comparison), scene, variants, rows and pictures, or a
+//! [`Suite`](suite::Suite) of what shares no such frame. Exact solutions and metrics are not here.
 
 mod aerofoil;
 mod apollo;
@@ -37,6 +37,7 @@ mod square;
 mod stability;
 mod step;
 mod stress;
+mod suite;
 mod surface;
 mod two_gases;
 mod variant;
@@ -70,16 +71,16 @@ static CASES: [Case; 29] = [
     ("bump", &[&bump::BUMP]),
     ("intake", &[&intake::INTAKE]),
     ("sound", &[&sound::SOUND]),
-    ("mms", &[&mms::Manufactured]),
-    ("mms-walls", &[&mms_walls::Walls]),
-    ("outlets", &[&outlets::Outlets]),
-    ("viscous", &[&viscous::Viscous]),
+    ("mms", &[&mms::MANUFACTURED]),
+    ("mms-walls", &[&mms_walls::WALLS]),
+    ("outlets", &[&outlets::OUTLETS]),
+    ("viscous", &[&viscous::VISCOUS]),
     (
         "weakly-compressible",
-        &[&weakly_compressible::WeaklyCompressible],
+        &[&weakly_compressible::WEAKLY_COMPRESSIBLE],
     ),
-    ("real-gas", &[&real_gas::RealGas]),
-    ("two-gases", &[&two_gases::TwoGases]),
+    ("real-gas", &[&real_gas::REAL_GAS]),
+    ("two-gases", &[&two_gases::TWO_GASES]),
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),
@@ -88,11 +89,11 @@ static CASES: [Case; 29] = [
     ("cone", &[&cone::CONE]),
     ("cone-faceted", &[&faceted_cone::FACETED_CONE]),
     ("cone-incidence", &[&inclined_cone::INCLINED_CONE]),
-    ("expansion", &[&expansion::EXPANSION, &edge::Edges]),
-    ("free", &[&free::FreeBodies]),
+    ("expansion", &[&expansion::EXPANSION, &edge::EDGES]),
+    ("free", &[&free::FREE_BODIES]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),
-    ("fly", &[&fly::Flights]),
+    ("fly", &[&fly::FLIGHTS]),
 ];
 
 /// Cases that run only where they are named: they show where the method ends, and some of their rows
@@ -115,7 +116,7 @@ static ON_REQUEST: [Case; 8] = [
     ("stress-bodies", &[&stress::BODIES]),
     ("stress-slabs", &[&stress::SLABS]),
     ("stress-fins", &[&stress::FINS]),
-    ("stability", &[&stability::Stability]),
+    ("stability", &[&stability::STABILITY]),
 ];
 
 /// Runs the named cases, all but those on request where none is named, and returns their rows; the page

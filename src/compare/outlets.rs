@@ -19,8 +19,9 @@ mod wave;
 use aero_validation::table::Check;
 use rayon::prelude::*;
 
-use super::comparison::Compare;
 use super::context::{CompareError, Context, Level};
+use super::suite;
+use super::variant::Levels;
 use cases::{Case, DAMPING, Record, Suite, errors};
 use published::{DAMPINGS, VISCOSITIES};
 use treatments::ALL;
@@ -39,28 +40,26 @@ const QUICK: Sound = Sound {
 const CELLS: u32 = 100;
 
 /// The treatments, flow by flow.
-pub struct Outlets;
+pub const OUTLETS: suite::Suite = suite::Suite::of(&[(Levels::Both, compare)]);
 
-impl Compare for Outlets {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let is_quick = context.level == Level::Quick;
-        if !context.settings.is_empty() {
-            (context.announce)(&format!(
-                "{NAME}: has no scene, --set changes nothing of it"
-            ));
-        }
-        let mut checks = Vec::new();
-        for sound in sounds(is_quick) {
-            let Sound { mach, strength, .. } = sound;
-            (context.announce)(&format!("{NAME}: sound, M {mach}, {strength} c"));
-            checks.extend(echoes(&sound));
-        }
-        for suite in suites(is_quick) {
-            (context.announce)(&format!("{NAME}: {}", suite.name()));
-            checks.extend(run(&suite, context)?);
-        }
-        Ok(checks)
+fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let is_quick = context.level == Level::Quick;
+    if !context.settings.is_empty() {
+        (context.announce)(&format!(
+            "{NAME}: has no scene, --set changes nothing of it"
+        ));
     }
+    let mut checks = Vec::new();
+    for sound in sounds(is_quick) {
+        let Sound { mach, strength, .. } = sound;
+        (context.announce)(&format!("{NAME}: sound, M {mach}, {strength} c"));
+        checks.extend(echoes(&sound));
+    }
+    for suite in suites(is_quick) {
+        (context.announce)(&format!("{NAME}: {}", suite.name()));
+        checks.extend(run(&suite, context)?);
+    }
+    Ok(checks)
 }
 
 fn sounds(is_quick: bool) -> Vec<Sound> {

@@ -9,24 +9,20 @@ use aero_solver::gas::Air;
 use aero_validation::exact::hot_air::{Hot, HotAir};
 use aero_validation::table::{Check, Subject};
 
-use super::comparison::Compare;
-use super::context::{CompareError, Context};
+use super::context::CompareError;
+use super::suite::Suite;
+use super::variant::Levels;
 
 const NAME: &str = "real-gas";
 
 const THEORY: &str = "partition functions (Vincenti & Kruger 1965), Rankine-Hugoniot";
 
 /// All of them.
-pub struct RealGas;
-
-impl Compare for RealGas {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let mut checks = tube::compare(context)?;
-        checks.extend(wedge::compare(context)?);
-        checks.extend(hemisphere::compare(context)?);
-        Ok(checks)
-    }
-}
+pub const REAL_GAS: Suite = Suite::of(&[
+    (Levels::Both, tube::compare),
+    (Levels::Both, wedge::compare),
+    (Levels::Both, hemisphere::compare),
+]);
 
 /// Air at 60 km [U.S. Standard Atmosphere 1976].
 fn at_60_km() -> Result<Hot, CompareError> {

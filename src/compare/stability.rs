@@ -15,10 +15,10 @@ use aero_validation::table::{Check, Subject};
 
 use aero::run::Outcome;
 
-use super::comparison::Compare;
 use super::context::{CompareError, Context, Level};
 use super::scenes::Attempt;
-use super::variant::Scheme;
+use super::suite::Suite;
+use super::variant::{Levels, Scheme};
 use super::wedge::SCENE;
 
 const NAME: &str = "stability";
@@ -68,13 +68,7 @@ struct Finding {
 }
 
 /// The map: two pictures, a table of every run, and the counts as rows.
-pub struct Stability;
-
-impl Compare for Stability {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        compare(context)
-    }
-}
+pub const STABILITY: Suite = Suite::of(&[(Levels::Both, compare)]);
 
 /// Flies all wedges by all schemes.
 fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {

@@ -17,38 +17,26 @@ mod smooth;
 mod trial;
 mod tubes;
 
-use aero_validation::table::Check;
-
-use super::comparison::Compare;
-use super::context::{CompareError, Context};
-
-/// One family of flows of the suite.
-pub struct Family(fn(&Context<'_>) -> Result<Vec<Check>, CompareError>);
-
-impl Compare for Family {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        (self.0)(context)
-    }
-}
+use super::suite::Suite;
+use super::variant::Levels;
 
 /// The flows along a line.
-pub const TUBES: Family = Family(|context| {
-    let mut checks = line::compare(context)?;
-    checks.extend(line::convergence(context)?);
-    Ok(checks)
-});
+pub const TUBES: Suite = Suite::of(&[
+    (Levels::Both, line::compare),
+    (Levels::Both, line::convergence),
+]);
 
 /// The implosions and explosions.
-pub const BALLS: Family = Family(radial::compare);
+pub const BALLS: Suite = Suite::of(&[(Levels::Both, radial::compare)]);
 
 /// The flows without shocks.
-pub const SMOOTH: Family = Family(smooth::compare);
+pub const SMOOTH: Suite = Suite::of(&[(Levels::Both, smooth::compare)]);
 
 /// The flows around bodies.
-pub const BODIES: Family = Family(bodies::compare);
+pub const BODIES: Suite = Suite::of(&[(Levels::Both, bodies::compare)]);
 
 /// Thin plates in space.
-pub const SLABS: Family = Family(slab::compare);
+pub const SLABS: Suite = Suite::of(&[(Levels::Both, slab::compare)]);
 
 /// Thin fins on a body in space.
-pub const FINS: Family = Family(fins::compare);
+pub const FINS: Suite = Suite::of(&[(Levels::Both, fins::compare)]);

@@ -5,10 +5,9 @@ mod refraction;
 mod tube;
 
 use aero_solver::frame::Frame;
-use aero_validation::table::Check;
 
-use super::comparison::Compare;
-use super::context::{CompareError, Context};
+use super::suite::Suite;
+use super::variant::Levels;
 
 const NAME: &str = "two-gases";
 
@@ -23,16 +22,11 @@ mod bubble_gas {
 }
 
 /// All of them.
-pub struct TwoGases;
-
-impl Compare for TwoGases {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let mut checks = tube::compare(context)?;
-        checks.extend(refraction::compare(context)?);
-        checks.extend(bubble::compare(context)?);
-        Ok(checks)
-    }
-}
+pub const TWO_GASES: Suite = Suite::of(&[
+    (Levels::Both, tube::compare),
+    (Levels::Both, refraction::compare),
+    (Levels::Both, bubble::compare),
+]);
 
 /// Places of the second gas, or of the first, in the rows of particles that `is_near` finds.
 fn places(gas: &Frame, is_second: bool, is_near: impl Fn(&[f64; 3]) -> bool) -> Vec<usize> {

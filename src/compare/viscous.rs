@@ -12,10 +12,8 @@ mod shock;
 mod vortices;
 mod wake;
 
-use aero_validation::table::Check;
-
-use super::comparison::Compare;
-use super::context::{CompareError, Context, Level};
+use super::suite::Suite;
+use super::variant::Levels;
 
 const NAME: &str = "viscous";
 const GAMMA: f64 = 1.4;
@@ -23,22 +21,15 @@ const GAMMA: f64 = 1.4;
 const GAS_CONSTANT: f64 = 287.05;
 
 /// Flows of points that stay, and of particles.
-pub struct Viscous;
-
-impl Compare for Viscous {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let mut checks = shear::compare(context)?;
-        checks.extend(shock::compare(context)?);
-        checks.extend(vortices::compare(context)?);
-        checks.extend(particles::compare(context)?);
-        checks.extend(channel::compare(context)?);
-        checks.extend(cylinder::compare(context)?);
-        if context.level == Level::Full {
-            checks.extend(plate::compare(context)?);
-            checks.extend(reattachment::compare(context)?);
-            checks.extend(nose::compare(context)?);
-            checks.extend(wake::compare(context)?);
-        }
-        Ok(checks)
-    }
-}
+pub const VISCOUS: Suite = Suite::of(&[
+    (Levels::Both, shear::compare),
+    (Levels::Both, shock::compare),
+    (Levels::Both, vortices::compare),
+    (Levels::Both, particles::compare),
+    (Levels::Both, channel::compare),
+    (Levels::Both, cylinder::compare),
+    (Levels::Full, plate::compare),
+    (Levels::Full, reattachment::compare),
+    (Levels::Full, nose::compare),
+    (Levels::Full, wake::compare),
+]);

@@ -5,10 +5,8 @@ mod shear;
 mod tube;
 mod vortices;
 
-use aero_validation::table::Check;
-
-use super::comparison::Compare;
-use super::context::{CompareError, Context, Level};
+use super::suite::Suite;
+use super::variant::Levels;
 
 const NAME: &str = "weakly-compressible";
 
@@ -16,16 +14,9 @@ const NAME: &str = "weakly-compressible";
 const SCHEMES: [&str; 5] = ["L-IPST-C", "PE-IPST-C", "TV-C", "E-C", "EDAC"];
 
 /// Liquids by particles.
-pub struct WeaklyCompressible;
-
-impl Compare for WeaklyCompressible {
-    fn compare(&self, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
-        let mut checks = tube::compare(context)?;
-        checks.extend(vortices::compare(context)?);
-        checks.extend(shear::compare(context)?);
-        if context.level == Level::Full {
-            checks.extend(cavity::compare(context)?);
-        }
-        Ok(checks)
-    }
-}
+pub const WEAKLY_COMPRESSIBLE: Suite = Suite::of(&[
+    (Levels::Both, tube::compare),
+    (Levels::Both, vortices::compare),
+    (Levels::Both, shear::compare),
+    (Levels::Full, cavity::compare),
+]);

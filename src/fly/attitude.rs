@@ -1,5 +1,6 @@
 //! How a body of a file lies in the stream: which end meets it, which side is up.
 
+use aero_solver::problem::AXES;
 use std::fmt;
 use std::str::FromStr;
 
@@ -44,7 +45,7 @@ impl Way {
 impl fmt::Display for Way {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let sign = if self.is_negative { "-" } else { "+" };
-        write!(f, "{sign}{}", ["x", "y", "z"][self.axis])
+        write!(f, "{sign}{}", AXES[self.axis])
     }
 }
 
@@ -57,7 +58,7 @@ impl FromStr for Way {
             Some(rest) => (true, rest),
             None => (false, text.strip_prefix('+').unwrap_or(text)),
         };
-        let axis = ["x", "y", "z"].iter().position(|name| *name == letter);
+        let axis = AXES.iter().position(|name| *name == letter);
         let axis = axis.ok_or_else(|| {
             format!("`{text}` is no direction; write NOSE or NOSE,UP as in -x or -x,+z")
         })?;

@@ -1,6 +1,7 @@
 //! The pictures of a flight, as parts of a page.
 
 use aero_geometry::Shape;
+use aero_solver::problem::AXES;
 
 use super::body_view::{Eye, Skin, draw};
 use super::error::FlyError;
@@ -137,8 +138,7 @@ fn columns([wide, high]: [f64; 2]) -> usize {
 fn plane_figures(flight: &Flight, gas: &Points, plane: &Plane) -> Vec<String> {
     let is_plane = matches!(flight.extent, Extent::Meridian(_));
     let shape: &dyn Shape<3> = flight.shape.as_ref();
-    let letters = ["x", "y", "z"];
-    let [across, up] = plane.axes.map(|k| letters[k]);
+    let [across, up] = plane.axes.map(|k| AXES[k]);
     let labels = [format!("{across}, m"), format!("{up}, m")];
     let axes = [labels[0].as_str(), labels[1].as_str()];
     let angles = [0.0, flight.wishes.incidence, flight.wishes.sideslip].map(f64::to_radians);

@@ -1,6 +1,7 @@
 //! Pictures of a packing: in the plane all particles; in space a slice across the shortest extent and
 //! the wall layer as seen along it.
 
+use aero_solver::problem::AXES;
 use std::collections::HashMap;
 use std::path::{Path, PathBuf};
 
@@ -131,9 +132,8 @@ pub(super) fn draw<const D: usize>(
         .rev()
         .min_by(|&a, &b| extent(a).total_cmp(&extent(b)));
     let across = across.unwrap_or(2);
-    let words = ["x", "y", "z"];
     let axes = [[1, 2], [0, 2], [0, 1]][across];
-    let axis_labels = axes.map(|k| words[k]);
+    let axis_labels = axes.map(|k| AXES[k]);
 
     let title = format!("{name}: slice");
     let widest = all.diameter.iter().fold(0.0, |a: f64, &b| a.max(b));
@@ -171,7 +171,7 @@ pub(super) fn draw<const D: usize>(
             &wall.position,
             &wall.diameter,
             &height,
-            words[across],
+            AXES[across],
         )
     };
     save(&seen, "wall")?;

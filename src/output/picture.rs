@@ -1,5 +1,6 @@
 //! `picture-NNNNNN.png`: a plane of the flow, coloured; of a flow on a line a curve.
 
+use aero_solver::problem::AXES;
 use std::path::Path;
 
 use aero_validation::pictures::curves::{Curves, Panel, Series, Style};
@@ -14,7 +15,6 @@ const STEEPEST: [f64; 2] = [0.0, 0.99];
 const NEARLY_ALL: [f64; 2] = [0.002, 0.998];
 
 /// Letters of the axes.
-const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// What a picture says beside its colours.
 #[derive(Clone, Debug, PartialEq)]

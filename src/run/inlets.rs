@@ -3,7 +3,7 @@
 
 use aero_packer::{About, Warning};
 use aero_solver::frame::Frame;
-use aero_solver::problem::Problem;
+use aero_solver::problem::{Problem, side_name};
 
 use super::beside::beside;
 
@@ -27,9 +27,9 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
         side.keeps_free_stream() && inwards > sound && !is_own
     });
     let lines = inlets.filter_map(|(axis, end, _, plane)| {
-        let part = shocked(problem.spacing, frame, (axis, end, plane), stream.pressure);
+        let part = shocked(problem.resolution.lattice(), frame, (axis, end, plane), stream.pressure);
         (part > PART).then(|| {
-            let name = format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]);
+            let name = side_name(axis, end);
             format!(
                 "a shock stands on {:.0} % of the inlet `{name}`, which keeps it from going to its place: forces and pressures behind it are wrong; \
                  move the side away from the body",

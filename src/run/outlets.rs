@@ -2,7 +2,7 @@
 
 use aero_packer::{About, Warning};
 use aero_solver::frame::Frame;
-use aero_solver::problem::{Problem, Side};
+use aero_solver::problem::{Problem, Side, side_name};
 
 use super::beside::beside;
 
@@ -18,8 +18,8 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
     let outlets = problem.domain.each_side();
     let outlets = outlets.filter(|(_, _, side, _)| *side == Side::Outlet);
     let lines = outlets.filter_map(|(axis, end, _, plane)| {
-        let [back, slow] = shares(problem.spacing, frame, axis, end, plane);
-        let name = format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]);
+        let [back, slow] = shares(problem.resolution.lattice(), frame, axis, end, plane);
+        let name = side_name(axis, end);
         if back > BACK {
             Some(format!(
                 "gas comes back through {:.1} % of the outlet `{name}`: a wake reaches it, and what is upstream depends on where the side \

@@ -140,7 +140,7 @@ fn read<const D: usize>(flow: &Flow<D>, places: &[Vector<D>]) -> Vec<Option<Stat
         bounds.min = bounds.min.inf(place);
         bounds.max = bounds.max.sup(place);
     }
-    let frame = flow.frame_within(&bounds.grown(AROUND * problem.spacing));
+    let frame = flow.frame_within(&bounds.grown(AROUND * problem.resolution.lattice()));
     let solids = Solids::new(&problem.bodies, |number| flow.pose(number));
     let gas = Gas::new(&frame, problem, &solids);
     let at = |place: &Vector<D>| match gas.at(place) {

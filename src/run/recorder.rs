@@ -1,5 +1,6 @@
 //! Who looks on while a run goes, and the one that writes files.
 
+use aero_solver::problem::side_name;
 use std::fmt;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -332,7 +333,7 @@ fn reference<const D: usize>(case: &Case<D>) -> Reference {
         velocity: std::array::from_fn(|k| stream.velocity.get(k).copied().unwrap_or(0.0)),
         gases: problem.gases(),
         gas_constant: case.plan.gas_constant,
-        spacing: problem.spacing,
+        spacing: problem.resolution.lattice(),
         bodies: problem
             .bodies
             .iter()
@@ -345,7 +346,6 @@ fn reference<const D: usize>(case: &Case<D>) -> Reference {
 fn load_names<const D: usize>(case: &Case<D>) -> Vec<String> {
     let bodies = case.problem.bodies.iter().map(|body| body.name.clone());
     let walls = wall_sides(&case.problem.domain).into_iter();
-    let walls =
-        walls.map(|(axis, end)| format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]));
+    let walls = walls.map(|(axis, end)| side_name(axis, end));
     bodies.chain(walls).collect()
 }

@@ -15,7 +15,7 @@ pub(super) fn warnings<const D: usize>(flow: &Flow<D>) -> Vec<Warning> {
     if flow.has_refined() || finest >= usize::from(points.refine.of_flow()) {
         return Vec::new();
     }
-    let spacing = problem.spacing / f64::from(1_u32 << finest);
+    let spacing = problem.resolution.lattice() / f64::from(1_u32 << finest);
     let text = unrefined(points.refine, spacing);
     vec![Warning::new(About::Scene, text)]
 }

@@ -143,7 +143,6 @@ mod tests {
     use aero_solver::gas::Gas;
     use aero_solver::method::{FixedPoints, Method};
     use aero_solver::problem::{Domain, Field, Initial, State};
-    use aero_solver::scheme::Scheme;
 
     use super::*;
 
@@ -154,22 +153,12 @@ mod tests {
             velocity: Vector::<1>::new(speed),
             pressure,
         };
+        let bounds = Bounds::new(Vector::zeros(), Vector::repeat(1.0));
+        let domain = Domain::new(bounds, [sides]);
         let flow = Flow::new(Problem {
-            spacing: 0.1,
-            gas: Gas::ideal(1.4),
-            second: None,
             method: Method::Fixed(FixedPoints::default()),
-            scheme: Scheme::default(),
-            domain: Domain {
-                bounds: Bounds::new(Vector::zeros(), Vector::repeat(1.0)),
-                sides: [sides],
-                openings: Vec::new(),
-            },
-            free_stream: state(2.0, 1.0),
             initial: Initial::Field(Field(Arc::new(move |_| state(0.0, pressure)))),
-            disorder: 0.0,
-            bodies: Vec::new(),
-            source: None,
+            ..Problem::new(Gas::ideal(1.4), domain, state(2.0, 1.0), 0.1)
         });
         flow.expect("a tube")
     }

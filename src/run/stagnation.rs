@@ -27,10 +27,8 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
     };
     let stream = &problem.free_stream;
     let mach = problem.stream_mach();
-    let is_one_stream = problem.domain.openings.is_empty()
-        && !problem
-            .domain
-            .has(|side| matches!(side, Side::Reservoir { .. }));
+    let is_one_stream =
+        problem.domain.openings.is_empty() && !problem.domain.has(Side::is_reservoir);
     let settles = matches!(problem.method, Method::Fixed(points) if points.time == Time::Settle);
     let is_asked = settles && !problem.bodies.is_empty() && is_one_stream;
     if !is_asked || gas.transport.is_some() || mach < FAST {
@@ -78,7 +76,7 @@ fn is_behind<const D: usize>(problem: &Problem<D>, mut place: Vector<D>) -> bool
         if free < 0.0 {
             return true;
         }
-        place += against * free.max(STEP * problem.spacing);
+        place += against * free.max(STEP * problem.resolution.lattice());
     }
     false
 }

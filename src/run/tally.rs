@@ -210,7 +210,7 @@ impl Tally {
             }
             .into(),
             dimension: D,
-            spacing: problem.spacing,
+            spacing: problem.resolution.lattice(),
             particles: Particles {
                 fluid: statistics.fluid,
                 ghost: statistics.ghost,
@@ -246,7 +246,7 @@ impl Tally {
                 .chain(warmth::warnings(problem, &frame))
                 .chain(stagnation::warnings(problem, &frame))
                 .chain(shown::warnings(simulation, &self.coefficients))
-                .chain(reach::warnings(ways, problem.spacing))
+                .chain(reach::warnings(ways, problem.resolution.lattice()))
                 .collect(),
         }
     }

@@ -1,5 +1,6 @@
 //! What a scene with an axis must satisfy: the flow is the same all around it.
 
+use super::vector::side_key;
 use aero_solver::problem::{Domain, Motion, Side, State, Turning};
 use nalgebra::Vector3;
 
@@ -11,11 +12,11 @@ pub(super) fn check<const D: usize>(
     free_stream: &State<D>,
 ) -> Result<(), SceneError> {
     let fail = |place: &str, message: &str| Err(SceneError::value(place, message));
-    for (k, name) in super::vector::AXES.into_iter().enumerate().take(D) {
-        for (end, word) in ["min", "max"].into_iter().enumerate() {
+    for k in 0..D {
+        for end in 0..2 {
             if domain.sides[k][end] == Side::Axis && (D, k, end) != (2, 1, 0) {
                 return fail(
-                    &format!("domain.sides.{name}_{word}"),
+                    &side_key(k, end),
                     "only `y_min` of a scene of dimension 2 can be the axis: x runs along it, y is the radius",
                 );
             }

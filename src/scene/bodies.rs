@@ -18,10 +18,10 @@ use super::packed;
 use super::reference::{frontal_area, modelled_part};
 use super::shapes::{Made, Making};
 use super::surface;
-use super::vector::{AXES, vector};
+use super::vector::vector;
 use aero_solver::layers::GHOSTS;
 use aero_solver::method::Method;
-use aero_solver::problem::{Body, Domain, Side, State};
+use aero_solver::problem::{AXES, Body, Domain, Side, State};
 
 /// So many times finer than the flow's may a body's own spacing be. The gas feels ghosts through kernels of
 /// its own size, so half is usual [Villodi & Ramachandran 2024, section 4.7] and more only serves corners and

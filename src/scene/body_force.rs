@@ -6,7 +6,7 @@ use aero_solver::problem::{BodyForce, Problem, Side, Source};
 
 use super::error::SceneError;
 use super::file::SceneFile;
-use super::vector::{side_name, vector_or_zero};
+use super::vector::{side_key, vector_or_zero};
 
 /// That of the scene; none where it is zero.
 ///
@@ -30,7 +30,7 @@ pub(super) fn source<const D: usize>(
     for (axis, end, side, _) in problem.domain.each_side() {
         let is_mirror = matches!(side, Side::Symmetry | Side::Axis);
         if is_mirror && force[axis] != 0.0 {
-            let name = side_name(axis, end);
+            let name = side_key(axis, end);
             return Err(SceneError::value(
                 KEY,
                 format!(

@@ -1,9 +1,10 @@
 //! Sides that a body is to close: is there one everywhere?
 
+use super::vector::side_key;
 use aero_geometry::{Shape, Vector};
 
 use super::error::SceneError;
-use super::vector::AXES;
+
 use aero_solver::problem::{Domain, Side};
 
 /// A side that is to be closed by a body must be inside one everywhere, or gas would leave there.
@@ -19,9 +20,8 @@ pub(super) fn check_covered_sides<const D: usize>(
             }
             let open = open_point(domain, surfaces, spacing, [k, end]);
             if let Some(point) = open {
-                let word = ["min", "max"][end];
                 return Err(SceneError::value(
-                    format!("domain.sides.{}_{word}", AXES[k]),
+                    side_key(k, end),
                     format!(
                         "is closed by a body, but no body is near ({}); choose another side there or extend the body",
                         list(&point)

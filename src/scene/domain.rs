@@ -5,10 +5,10 @@ use aero_geometry::{Bounds, Vector};
 use super::error::SceneError;
 use super::file::{SceneFile, SidesEntry};
 use super::surface;
-use super::vector::{AXES, vector};
+use super::vector::{side_key, vector};
 use super::words::MotionWord;
 use aero_solver::layers;
-use aero_solver::problem::{Domain, Side};
+use aero_solver::problem::{AXES, Domain, Side};
 
 /// Support radius of the kernel in spacings: three smoothing lengths of one and a half spacings
 /// (Villodi & Ramachandran, section 4).
@@ -80,11 +80,10 @@ fn sides<const D: usize>(entry: &SidesEntry) -> Result<[[Side; 2]; D], SceneErro
         [entry.y_min.as_ref(), entry.y_max.as_ref()],
         [entry.z_min.as_ref(), entry.z_max.as_ref()],
     ];
-    let name = |k: usize, end: usize| format!("domain.sides.{}_{}", AXES[k], ["min", "max"][end]);
     for k in D..all.len() {
         if let Some(end) = (0..2).find(|&end| all[k][end].is_some()) {
             return Err(SceneError::value(
-                name(k, end),
+                side_key(k, end),
                 format!("the scene has dimension {D} and no such side; leave it out"),
             ));
         }
@@ -93,17 +92,20 @@ fn sides<const D: usize>(entry: &SidesEntry) -> Result<[[Side; 2]; D], SceneErro
     for k in 0..D {
         for end in 0..2 {
             let side = all[k][end].ok_or_else(|| {
-                SceneError::value(name(k, end), "missing; say what bounds the domain there")
+                SceneError::value(
+                    side_key(k, end),
+                    "missing; say what bounds the domain there",
+                )
             })?;
             sides[k][end] = side.side;
             if let Some(velocity) = &side.velocity {
-                surface::set_velocity::<D>(&mut sides[k][end], &name(k, end), k, velocity)?;
+                surface::set_velocity::<D>(&mut sides[k][end], &side_key(k, end), k, velocity)?;
             }
         }
         let periodic = sides[k].map(|side| side == Side::Periodic);
         if periodic[0] != periodic[1] {
             return Err(SceneError::value(
-                name(k, usize::from(periodic[1])),
+                side_key(k, usize::from(periodic[1])),
                 "is periodic, but the opposite side is not; make both periodic or neither",
             ));
         }

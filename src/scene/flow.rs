@@ -6,7 +6,7 @@ use super::error::SceneError;
 use super::file::{FreeStreamEntry, SceneFile, StateEntry};
 use super::manufactured::Manufactured;
 use super::transport::equation_of_state;
-use super::vector::{AXES, vector_or_zero};
+use super::vector::{side_key, vector_or_zero};
 use super::{earlier, field, liquid, stream};
 use crate::case::Stop;
 use aero_solver::gas::Gas;
@@ -92,9 +92,8 @@ pub(super) fn check_inlets<const D: usize>(
                 continue;
             }
             if domain.sides[k][end].is_inlet() && speed <= 0.0 {
-                let word = ["min", "max"][end];
                 return Err(SceneError::value(
-                    format!("domain.sides.{}_{word}", AXES[k]),
+                    side_key(k, end),
                     format!(
                         "is an inlet, but the free stream enters there at a speed of {speed}; choose free-stream or outlet, or turn free_stream.direction"
                     ),
@@ -116,10 +115,10 @@ pub(super) fn check_reservoir<const D: usize>(
     let entrances = entrances.count();
     for k in 0..D {
         for (end, inward) in [(0, 1.0), (1, -1.0)] {
-            if !matches!(domain.sides[k][end], Side::Reservoir { .. }) {
+            if !domain.sides[k][end].is_reservoir() {
                 continue;
             }
-            let place = format!("domain.sides.{}_{}", AXES[k], ["min", "max"][end]);
+            let place = side_key(k, end);
             if entrances > 1 {
                 return Err(SceneError::value(
                     place,

@@ -4,7 +4,8 @@ use super::error::SceneError;
 use super::file::SceneFile;
 use super::number::Positive;
 use super::side::SideEntry;
-use super::vector::AXES;
+use super::vector::side_key;
+
 use aero_solver::gas::{Liquid, Viscosity};
 use aero_solver::problem::{Domain, Side, WallHeat, WallKind};
 
@@ -115,7 +116,7 @@ fn check_given(file: &SceneFile) -> Result<(), SceneError> {
     match file.domain.sides.each().find(gives) {
         None => Ok(()),
         Some((axis, end, _)) => Err(SceneError::value(
-            format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end]),
+            side_key(axis, end),
             "gives the state of a gas beyond it, and gas.equation_of_state names a liquid; leave it to the free stream",
         )),
     }

@@ -1,9 +1,9 @@
 //! What a scene with mirrors must satisfy: the stream goes along them.
 
-use aero_solver::problem::{Domain, Side, State};
+use super::vector::side_key;
+use aero_solver::problem::{AXES, Domain, Side, State};
 
 use super::error::SceneError;
-use super::vector::AXES;
 
 /// A part of the stream that round-off leaves across a mirror.
 const ROUND_OFF: f64 = 1e-9;
@@ -24,11 +24,11 @@ pub(super) fn check<const D: usize>(
     let velocity = &free_stream.velocity;
     let [least, most] = [ROUND_OFF, AT_IT].map(|part| part * velocity.norm());
     for (k, letter) in AXES.into_iter().enumerate().take(D) {
-        for (end, word) in ["min", "max"].into_iter().enumerate() {
+        for end in 0..2 {
             let through = velocity[k].abs();
             if domain.sides[k][end] == Side::Symmetry && through > least && through < most {
                 return Err(SceneError::value(
-                    format!("domain.sides.{letter}_{word}"),
+                    side_key(k, end),
                     format!(
                         "is a mirror, but the free stream goes through it at a speed of {:.4} along {letter}; make it \"free-stream\", with a \
                          domain and bodies on both sides of it, or turn the stream along it (free_stream.direction, incidence, sideslip)",

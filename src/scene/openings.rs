@@ -10,9 +10,9 @@ use super::error::SceneError;
 use super::file::SceneFile;
 use super::formula::{Place, TimedFormula};
 use super::side::{GivenEntry, PartEntry, PatchEntry, SideEntry};
-use super::vector::{AXES, vector};
+use super::vector::{side_key, vector};
 use aero_solver::method::{Method, Time};
-use aero_solver::problem::{Domain, Given, Opening, Side, State};
+use aero_solver::problem::{AXES, Domain, Given, Opening, Side, State};
 
 /// What is said of a side, and what it is said in.
 struct Sides<'a, const D: usize> {
@@ -37,7 +37,7 @@ pub(super) fn open<const D: usize>(
     };
     let mut openings = Vec::new();
     for (axis, end, entry) in file.domain.sides.each().filter(|(axis, ..)| *axis < D) {
-        let name = format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end]);
+        let name = side_key(axis, end);
         openings.extend(sides.of_side(&name, (axis, end), entry)?);
     }
     for opening in &openings {

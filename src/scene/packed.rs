@@ -4,8 +4,8 @@ use aero_geometry::Vector;
 use aero_packer::Packing;
 
 use super::error::SceneError;
-use super::vector::AXES;
-use aero_solver::problem::{Body, Domain, PackedFluid, Side};
+
+use aero_solver::problem::{Body, Domain, PackedFluid, Side, side_name};
 
 /// Conforming layers around a body that asks for packed fluid; the packer leads over from there
 /// into the lattice.
@@ -85,7 +85,7 @@ fn side_met<const D: usize>(
             };
             let met = |p: &&Vector<D>| (p[axis] - at).abs() < near * spacing;
             if !open.contains(&side) && particles.iter().any(met) {
-                return Some(format!("{}_{}", AXES[axis], ["min", "max"][end]));
+                return Some(side_name(axis, end));
             }
         }
     }

@@ -2,13 +2,13 @@
 
 use aero_geometry::Bounds;
 use aero_solver::Pose;
-use aero_solver::problem::{Body, Domain};
+use aero_solver::problem::{AXES, Body, Domain};
 use serde::Deserialize;
 
 use super::error::SceneError;
 use super::number::{Count, Finite, Name, Positive};
 use super::region::within;
-use super::vector::{AXES, vector};
+use super::vector::vector;
 use crate::case::{Probe, Reach};
 use crate::sample::{Lattice, Solids};
 

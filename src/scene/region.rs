@@ -1,12 +1,12 @@
 //! Where outputs are: boxes in a scene's domain, and their images.
 
 use aero_geometry::Bounds;
-use aero_solver::problem::{Domain, State};
+use aero_solver::problem::{AXES, Domain, State};
 use serde::Deserialize;
 
 use super::error::SceneError;
 use super::number::Finite;
-use super::vector::{AXES, vector};
+use super::vector::vector;
 
 /// What outputs are to fit.
 pub(super) struct Surroundings<'a, const D: usize> {

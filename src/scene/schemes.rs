@@ -2,7 +2,8 @@
 
 use super::error::SceneError;
 use super::file::SchemeEntry;
-use super::vector::AXES;
+use super::vector::side_key;
+
 use super::words::SchemeName;
 use aero_solver::gas::Gas;
 use aero_solver::problem::Problem;
@@ -88,7 +89,7 @@ fn check_rest<const D: usize>(problem: &Problem<D>, name: &str) -> Result<(), Sc
     for (axis, end, ..) in problem.domain.each_side() {
         if problem.domain.opens(axis, end) {
             return Err(SceneError::value(
-                format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end]),
+                side_key(axis, end),
                 format!("is open, and the particles of `{name}` stay where they are; {remedy}"),
             ));
         }

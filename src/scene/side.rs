@@ -5,10 +5,11 @@ use std::fmt;
 use serde::Deserialize;
 use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAccessDeserializer};
 
-use super::formula::TimedFormula;
-use super::number::{Finite, Positive};
-use super::wall::{WallVelocity, WallWord, kind};
 use aero_solver::problem::Side;
+
+use super::formula::TimedFormula;
+use super::number::Finite;
+use super::side_tables::{SideTable, WallEntry};
 
 /// What bounds the domain on one side: a word, a table of one word, or a list of a wall and the parts of it that are something else.
 #[derive(Clone, Debug, PartialEq)]
@@ -56,67 +57,8 @@ pub struct GivenEntry {
 }
 
 /// The tables that a side may be.
-const TABLES: &str = "`{ wall = { .. } }`, `{ inlet = { reflecting = false } }`, `{ outlet = { pressure = .. } }`, \
+pub(super) const TABLES: &str = "`{ wall = { .. } }`, `{ inlet = { reflecting = false } }`, `{ outlet = { pressure = .. } }`, \
     `{ reservoir = { relaxation = .. } }`, `{ free-stream = { .. } }`";
-
-/// How fast an outlet goes back to its pressure where a scene does not say: Poinsot & Lele (1992) find 0.25 to hold it while
-/// sound still leaves.
-const RELAXATION: f64 = 0.25;
-
-/// The table form.
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct SideTable {
-    patch: Option<PatchEntry>,
-    /// Of a part: a word in place of a table.
-    side: Option<String>,
-    wall: Option<WallEntry>,
-    inlet: Option<InletEntry>,
-    outlet: Option<OutletEntry>,
-    reservoir: Option<ReservoirEntry>,
-    #[serde(rename = "free-stream")]
-    free_stream: Option<StreamEntry>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct InletEntry {
-    reflecting: Option<bool>,
-    density: Option<TimedFormula>,
-    pressure: Option<TimedFormula>,
-    velocity: Option<Vec<TimedFormula>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct StreamEntry {
-    density: Option<TimedFormula>,
-    pressure: Option<TimedFormula>,
-    velocity: Option<Vec<TimedFormula>>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct OutletEntry {
-    pressure: TimedFormula,
-    relaxation: Option<Positive>,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct ReservoirEntry {
-    relaxation: Positive,
-}
-
-#[derive(Deserialize)]
-#[serde(deny_unknown_fields)]
-struct WallEntry {
-    kind: Option<WallWord>,
-    temperature: Option<Positive>,
-    heat_flux: Option<Finite>,
-    velocity: Option<WallVelocity>,
-    acceleration: Option<Finite>,
-}
 
 impl From<Side> for SideEntry {
     fn from(side: Side) -> Self {
@@ -131,7 +73,7 @@ impl From<Side> for SideEntry {
 
 impl GivenEntry {
     /// None where nothing is given.
-    fn of(
+    pub(super) fn of(
         density: Option<TimedFormula>,
         pressure: Option<TimedFormula>,
         velocity: Option<Vec<TimedFormula>>,
@@ -142,96 +84,6 @@ impl GivenEntry {
             velocity,
         };
         (given != Self::default()).then_some(given)
-    }
-}
-
-impl SideTable {
-    /// What it says, beside a patch.
-    fn side<E: Error>(self) -> Result<(Side, Option<GivenEntry>), E> {
-        let Self {
-            patch: _,
-            side,
-            wall,
-            inlet,
-            outlet,
-            reservoir,
-            free_stream,
-        } = self;
-        let tables = (wall, inlet, outlet, reservoir, free_stream);
-        if let Some(word) = side {
-            return match tables {
-                (None, None, None, None, None) => Ok((named(&word)?, None)),
-                _ => Err(E::custom(
-                    "`side` names what a table says more of; leave one of the two out",
-                )),
-            };
-        }
-        Ok(match tables {
-            (Some(wall), None, None, None, None) => (wall.side()?, None),
-            (None, Some(inlet), None, None, None) => {
-                let side = if inlet.reflecting == Some(false) {
-                    Side::SoftInlet
-                } else {
-                    Side::Inlet
-                };
-                let given = GivenEntry::of(inlet.density, inlet.pressure, inlet.velocity);
-                (side, given)
-            }
-            (None, None, Some(outlet), None, None) => outlet.side()?,
-            (None, None, None, Some(reservoir), None) => {
-                let relaxation = Some(reservoir.relaxation.get());
-                (Side::Reservoir { relaxation }, None)
-            }
-            (None, None, None, None, Some(stream)) => {
-                let given = GivenEntry::of(stream.density, stream.pressure, stream.velocity);
-                (Side::FreeStream, given)
-            }
-            _ => return Err(E::custom(format!("a side takes one table of {TABLES}"))),
-        })
-    }
-}
-
-impl WallEntry {
-    /// What it says, but for a velocity along it.
-    fn side<E: Error>(self) -> Result<Side, E> {
-        Ok(Side::Wall {
-            kind: kind(self.kind, self.temperature, self.heat_flux).map_err(E::custom)?,
-            velocity: match self.velocity {
-                Some(WallVelocity::Across(velocity)) => velocity,
-                Some(WallVelocity::Vector(_)) | None => 0.0,
-            },
-            acceleration: self.acceleration.map_or(0.0, Finite::get),
-        })
-    }
-
-    /// Its velocity where that is a vector.
-    fn vector(&self) -> Option<Vec<Finite>> {
-        match &self.velocity {
-            Some(WallVelocity::Vector(numbers)) => Some(numbers.clone()),
-            _ => None,
-        }
-    }
-}
-
-impl OutletEntry {
-    /// A pressure that is a number is the side's own.
-    fn side<E: Error>(self) -> Result<(Side, Option<GivenEntry>), E> {
-        let relaxation = self.relaxation.map_or(RELAXATION, Positive::get);
-        let side = |pressure| Side::HeldOutlet {
-            pressure,
-            relaxation,
-        };
-        match self.pressure.number() {
-            Some(pressure) => {
-                let pressure = Positive::try_from(pressure).map_err(E::custom)?;
-                Ok((side(pressure.get()), None))
-            }
-            // The number is found where the domain is known.
-            None => Ok((
-                side(f64::NAN),
-                GivenEntry::of(None, Some(self.pressure), None),
-            )),
-        }
     }
 }
 
@@ -302,7 +154,7 @@ impl<'de> Visitor<'de> for SideVisitor {
 }
 
 /// The side that a word names.
-fn named<E: Error>(word: &str) -> Result<Side, E> {
+pub(super) fn named<E: Error>(word: &str) -> Result<Side, E> {
     Side::named(word).ok_or_else(|| {
         E::custom(format!(
             "unknown variant `{word}`, expected one of {}",

@@ -6,7 +6,7 @@ use super::error::SceneError;
 use super::liquid;
 use super::motion::rotation;
 use super::number::Finite;
-use super::vector::{side_name, vector};
+use super::vector::{side_key, vector};
 use super::wall::{BodyWallEntry, kind};
 use aero_solver::problem::{Problem, Side, Slide, WallHeat, WallKind};
 
@@ -96,7 +96,7 @@ pub(super) fn check<const D: usize>(
     let bodies = bodies.map(|body| (format!("body.{}.wall", body.name), body.wall));
     let sides = problem.domain.each_side();
     let sides = sides.filter_map(|(axis, end, side, _)| match side {
-        Side::Wall { kind, .. } => Some((side_name(axis, end), kind)),
+        Side::Wall { kind, .. } => Some((side_key(axis, end), kind)),
         _ => None,
     });
     for (place, kind) in bodies.chain(sides) {

@@ -6,7 +6,8 @@ use super::liquid;
 use super::number::{Gamma, Positive};
 use super::state::EquationOfState;
 use super::stream;
-use super::vector::AXES;
+use super::vector::side_key;
+
 use super::viscosity::ViscosityEntry;
 use aero_solver::gas::{Gas, IdealGas, Liquid, Transport, Viscosity};
 use aero_solver::problem::{Domain, Side, State};
@@ -127,7 +128,7 @@ pub(super) fn check_waves<const D: usize>(domain: &Domain<D>, why: &str) -> Resu
             Side::HeldOutlet { .. } => "outlet",
             _ => continue,
         };
-        let place = format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end]);
+        let place = side_key(axis, end);
         return Err(SceneError::value(
             place,
             format!("{why}; use `{mend}`, or one ideal gas"),

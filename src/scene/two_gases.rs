@@ -9,9 +9,9 @@ use super::field;
 use super::file::SceneFile;
 use super::number::Positive;
 use super::transport;
-use super::vector::AXES;
+
 use aero_solver::gas::{Gas, IdealGas};
-use aero_solver::problem::{Domain, Problem, SecondGas};
+use aero_solver::problem::{Domain, Problem, SecondGas, side_name};
 use aero_solver::scheme::Density;
 
 /// Key of the table.
@@ -114,13 +114,16 @@ pub(super) fn check<const D: usize>(problem: &Problem<D>) -> Result<(), SceneErr
         ));
     }
     let bounds = &problem.domain.bounds;
-    let counts: [usize; D] =
-        std::array::from_fn(|k| (bounds.size()[k] / problem.spacing).round().max(1.0) as usize);
+    let counts: [usize; D] = std::array::from_fn(|k| {
+        (bounds.size()[k] / problem.resolution.lattice())
+            .round()
+            .max(1.0) as usize
+    });
     let place = |mut number: usize| {
         Vector::<D>::from_fn(|k, _| {
             let index = number % counts[k];
             number /= counts[k];
-            bounds.min[k] + (index as f64 + 0.5) * problem.spacing
+            bounds.min[k] + (index as f64 + 0.5) * problem.resolution.lattice()
         })
     };
     let all = || (0..counts.iter().product()).map(place);
@@ -132,16 +135,15 @@ pub(super) fn check<const D: usize>(problem: &Problem<D>) -> Result<(), SceneErr
     }
     for (axis, end, _, face) in problem.domain.each_side() {
         let comes_in = |place: &Vector<D>| {
-            (place[axis] - face).abs() < problem.spacing
+            (place[axis] - face).abs() < problem.resolution.lattice()
                 && problem.domain.side_at(axis, end, place).lets_in()
         };
         if all().any(|place| comes_in(&place) && (second.fills)(&place)) {
             return Err(SceneError::value(
                 "gas.second.inside",
                 format!(
-                    "is above zero at side {}_{}, where gas comes in; keep the second gas off that side, or close it",
-                    AXES[axis],
-                    ["min", "max"][end]
+                    "is above zero at side {}, where gas comes in; keep the second gas off that side, or close it",
+                    side_name(axis, end)
                 ),
             ));
         }

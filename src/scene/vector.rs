@@ -1,12 +1,12 @@
 //! Vectors of a scene, as many numbers as it has dimensions.
 
 use aero_geometry::Vector;
+use aero_solver::problem::side_name;
 
 use super::error::SceneError;
 use super::number::Finite;
 
 /// Letters of the axes.
-pub(super) const AXES: [&str; 3] = ["x", "y", "z"];
 
 /// A vector of the scene's dimension.
 pub(super) fn vector<const D: usize>(
@@ -32,6 +32,6 @@ pub(super) fn vector_or_zero<const D: usize>(
 }
 
 /// The key of a side.
-pub(super) fn side_name(axis: usize, end: usize) -> String {
-    format!("domain.sides.{}_{}", AXES[axis], ["min", "max"][end])
+pub(super) fn side_key(axis: usize, end: usize) -> String {
+    format!("domain.sides.{}", side_name(axis, end))
 }

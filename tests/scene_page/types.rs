@@ -85,7 +85,7 @@ impl Types {
                     return;
                 };
                 let keys = fields.named.into_iter().map(|field| Key {
-                    name: field.ident.unwrap().to_string(),
+                    name: renamed(&field.attrs).unwrap_or_else(|| field.ident.unwrap().to_string()),
                     value: Some(value(&field.ty)),
                     text: comment(&field.attrs),
                 });
@@ -207,6 +207,20 @@ fn derives_reading(attributes: &[Attribute]) -> bool {
         }
         _ => false,
     })
+}
+
+/// The word that a field is spelled as where that is not its name.
+fn renamed(attributes: &[Attribute]) -> Option<String> {
+    attributes
+        .iter()
+        .find_map(|attribute| match &attribute.meta {
+            Meta::List(list) if list.path.is_ident("serde") => {
+                let tokens = list.tokens.to_string();
+                let (_, word) = tokens.split_once("rename = \"")?;
+                Some(word.split_once('"')?.0.to_owned())
+            }
+            _ => None,
+        })
 }
 
 fn separator(attributes: &[Attribute]) -> char {

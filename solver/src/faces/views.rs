@@ -54,14 +54,14 @@ pub fn thin_parts<const D: usize>(problem: &Problem<D>) -> Option<ThinParts<D>> 
             bodies: Vec::new(),
             opposite: Vec::new(),
             mirrored: std::array::from_fn(|_| Vec::new()),
-            spacing: problem.spacing,
+            spacing: problem.resolution.lattice(),
         },
         views: Vec::new(),
         hidden: Vec::new(),
     };
     for (number, body) in problem.bodies.iter().enumerate() {
         parts.hidden.push(vec![0; body.ghosts.position.len()]);
-        let crossings = crossings(body, problem.spacing);
+        let crossings = crossings(body, problem.resolution.lattice());
         let (numbers, pairs) =
             Numbers::new(body.shape.as_ref(), &crossings, parts.faces.opposite.len());
         if pairs.is_empty() {
@@ -83,7 +83,7 @@ pub fn thin_parts<const D: usize>(problem: &Problem<D>) -> Option<ThinParts<D>> 
             ),
             numbers,
         });
-        let ends = ends(body, &crossings, problem.spacing);
+        let ends = ends(body, &crossings, problem.resolution.lattice());
         parts.look_at(problem, body, &[crossings, ends].concat());
     }
     (!parts.faces.bodies.is_empty()).then_some(parts)
@@ -169,16 +169,22 @@ impl<const D: usize> ThinParts<D> {
                 views.push(view(far, position, only, false));
             }
             for (from, own, beyond) in [(near, sides[0], far), (far, sides[1], near)] {
-                for image in unfolded(&position, from, beyond, LAYERS * problem.spacing) {
+                for image in unfolded(
+                    &position,
+                    from,
+                    beyond,
+                    LAYERS * problem.resolution.at(&position),
+                ) {
                     let seen = body.shape.closest(&image);
                     let there = self.faces.bodies[self.faces.bodies.len() - 1]
                         .numbers
                         .set(seen.face, &seen.normal);
                     let is_hidden = self.faces.opposite(own) & there != 0
                         && seen.distance > 0.0
-                        && !is_edge(&body.shape, &seen, problem.spacing);
+                        && !is_edge(&body.shape, &seen, problem.resolution.at(&image));
                     if is_hidden && is_free(problem, number, &image) {
-                        let foot = foot_on(&body.shape, &image, from, problem.spacing);
+                        let foot =
+                            foot_on(&body.shape, &image, from, problem.resolution.at(&image));
                         let only = self.faces.beside(there, own);
                         views.push(view(foot.as_ref().unwrap_or(from), image, only, true));
                     }
@@ -240,7 +246,7 @@ impl<const D: usize> Faces<D> {
         crossings: &[Across<D>],
         numbers: &Numbers<D>,
     ) {
-        let lift = 0.5 * problem.spacing;
+        let lift = 0.5 * problem.resolution.lattice();
         for axis in 0..D {
             let images = &mut self.mirrored[axis];
             images.resize(self.opposite.len(), 0);

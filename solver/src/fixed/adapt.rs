@@ -197,7 +197,7 @@ impl<const D: usize> FixedSimulation<D> {
     /// Spacing of the points around one of them.
     pub(super) fn spacing_at(&self, point: usize) -> f64 {
         let level = self.ground.as_ref().map_or(0, |ground| ground.level(point));
-        self.problem.spacing / f64::from(1_u32 << level)
+        self.problem.resolution.lattice() / f64::from(1_u32 << level)
     }
 }
 

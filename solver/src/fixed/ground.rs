@@ -70,7 +70,7 @@ impl<const D: usize> Ground<D> {
     pub fn new(problem: &Problem<D>) -> Result<(Self, Cells<D>), String> {
         let solids = Solids::new(
             problem.bodies.iter().map(|body| body.shape.clone()),
-            problem.spacing,
+            problem.resolution.lattice(),
         );
         let points = problem.method.fixed().copied().unwrap_or_default();
         let limit = match points.refine {
@@ -258,7 +258,7 @@ pub fn plot<'a, const D: usize>(
     Plot {
         domain: &problem.domain,
         solids,
-        spacing: problem.spacing,
+        spacing: problem.resolution.lattice(),
         corner,
     }
 }
@@ -269,9 +269,7 @@ pub fn plot<'a, const D: usize>(
 fn corner<const D: usize>(problem: &Problem<D>) -> Vector<D> {
     /// Planes are told to this many spacings.
     const EXACT: f64 = 1e-6;
-    let Problem {
-        spacing, domain, ..
-    } = problem;
+    let (spacing, domain) = (problem.resolution.lattice(), &problem.domain);
     let velocity = &problem.free_stream.velocity;
     let is_along = |axis: usize| velocity[axis] != 0.0 && axis == velocity.iamax();
     let mut corner = domain.bounds.min;

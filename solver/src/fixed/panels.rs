@@ -37,7 +37,7 @@ impl<const D: usize> FixedSimulation<D> {
     pub fn panels(&self) -> PanelFrame {
         let panels = self.shown.panels.get_or_init(|| Panels::new(&self.problem));
         let walls: Vec<(&Wall<D>, f64)> = self.walls().collect();
-        let nearby = Nearby::new(&walls, &self.points, self.problem.spacing);
+        let nearby = Nearby::new(&walls, &self.points, self.problem.resolution.lattice());
         let pieces: Vec<Vec<Piece<D>>> = panels
             .all()
             .par_iter()

@@ -286,7 +286,7 @@ mod tests {
         let problem = stream(2.0, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, vec![block]);
         let flow = FixedSimulation::new(problem).expect("a flow");
         let walls: Vec<_> = flow.walls().collect();
-        let nearby = Nearby::new(&walls, &flow.points, flow.problem.spacing);
+        let nearby = Nearby::new(&walls, &flow.points, flow.problem.resolution.lattice());
         let mut shared = 0;
         for panel in Panels::new(&flow.problem).all() {
             let pieces = nearby.pieces(panel);

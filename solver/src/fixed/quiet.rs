@@ -10,7 +10,7 @@ use super::net::{Block, Net};
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive};
 use super::walls::Wall;
-use crate::problem::{Problem, Side};
+use crate::problem::Problem;
 
 /// Differences of density and pressure over their values and of velocity over the speed of sound that count as nothing.
 const TOLERANCE: f64 = 1e-10;
@@ -74,7 +74,7 @@ impl<const D: usize> Quiet<D> {
     /// That of `problem` on `net`.
     pub fn of(net: &Net<D>, problem: &Problem<D>) -> Self {
         let sides = || problem.domain.sides.iter().flatten();
-        let is_kept = sides().any(|side| matches!(side, Side::Inlet | Side::FreeStream));
+        let is_kept = sides().any(|side| side.keeps_free_stream());
         let gas = &problem.free_stream;
         let is_kept = is_kept && problem.source.is_none();
         let stream = (is_kept && problem.skips_undisturbed()).then(|| Stream {

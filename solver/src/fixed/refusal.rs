@@ -2,7 +2,7 @@
 
 use super::cells::{Cells, WallOwner};
 use crate::method::Time;
-use crate::problem::{Problem, Side};
+use crate::problem::{Problem, Side, side_name};
 
 /// The remedy for what moves.
 const REMEDY: &str =
@@ -38,7 +38,7 @@ impl<const D: usize> Problem<D> {
         }
         for (axis, sides) in self.domain.sides.iter().enumerate() {
             for (end, side) in sides.iter().enumerate() {
-                let name = format!("side `{}_{}`", ["x", "y", "z"][axis], ["min", "max"][end]);
+                let name = format!("side `{}`", side_name(axis, end));
                 let Side::Wall {
                     kind,
                     velocity,
@@ -71,10 +71,9 @@ impl<const D: usize> Problem<D> {
             if self.domain.side_at(axis, end, &wall.foot) == Side::Body {
                 let place: Vec<String> = wall.foot.iter().map(|x| format!("{x:.4}")).collect();
                 return Err(format!(
-                    "side `{}_{}` is to be closed by a body, and there is none at ({}); let a body reach across the side, or say what is there, \
+                    "side `{}` is to be closed by a body, and there is none at ({}); let a body reach across the side, or say what is there, \
                      `\"wall\"` for one",
-                    ["x", "y", "z"][axis],
-                    ["min", "max"][end],
+                    side_name(axis, end),
                     place.join(", ")
                 ));
             }

@@ -70,7 +70,7 @@ impl<const D: usize> FixedSimulation<D> {
     pub(super) fn take_over_waves(&mut self, placed: &[(Vector<D>, Incoming)]) {
         let places: Vec<Vector<D>> = placed.iter().map(|(middle, _)| *middle).collect();
         let nearby = Nearby::new(&places);
-        let spacing = self.problem.spacing;
+        let spacing = self.problem.resolution.lattice();
         for (middle, riding) in self.riding_mut() {
             let nearest = nearby.nearest(&middle, spacing);
             riding.wave = nearest.map(|number| placed[number as usize].1);

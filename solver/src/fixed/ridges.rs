@@ -42,7 +42,7 @@ impl<const D: usize> Ridges<D> {
             each.filter(|(_, ridge)| (SHARP..BLUNT).contains(&ridge.turn()))
                 .collect()
         };
-        if all(problem.spacing).is_empty() {
+        if all(problem.resolution.lattice()).is_empty() {
             return None;
         }
         let beside = Beside::new(net, cells)?;

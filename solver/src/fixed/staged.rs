@@ -69,10 +69,7 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// True of a stream slower than sound between sides that hold a pressure.
     pub(super) fn throws_sound_back(&self) -> bool {
-        let holds = |side: &Side| matches!(side, Side::Reservoir { .. } | Side::HeldOutlet { .. });
-        let domain = &self.problem.domain;
-        let parts = domain.openings.iter().map(|opening| &opening.side);
-        self.is_slow() && domain.sides.iter().flatten().chain(parts).any(holds)
+        self.is_slow() && self.problem.domain.has(Side::holds_pressure)
     }
 
     /// True of a stream slower than sound.

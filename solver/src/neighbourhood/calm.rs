@@ -56,7 +56,7 @@ impl<const D: usize> Calm<D> {
             return None;
         }
         let gas = &problem.free_stream;
-        let cell = CELL * problem.spacing;
+        let cell = CELL * problem.resolution.lattice();
         let bounds = &problem.domain.bounds;
         Some(Self {
             tolerance: match problem.scheme.precision {
@@ -67,7 +67,7 @@ impl<const D: usize> Calm<D> {
             velocity: gas.velocity,
             energy: problem.gas.energy(gas.density, gas.pressure),
             sound: problem.gas.sound_speed_at(gas.density, gas.pressure),
-            h: SMOOTHING_RATIO * problem.spacing,
+            h: SMOOTHING_RATIO * problem.resolution.lattice(),
             origin: bounds.min.add_scalar(-MARGIN * cell),
             cell,
             cells: std::array::from_fn(|k| {

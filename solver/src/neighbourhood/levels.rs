@@ -33,8 +33,8 @@ impl<const D: usize> Grid<D> {
     pub fn new(problem: &Problem<D>) -> Self {
         Self {
             corner: problem.domain.bounds.min,
-            width: problem.spacing * CLUSTER.powf(1.0 / D as f64),
-            first_level: 2.0 * SMOOTHING_RATIO * problem.spacing,
+            width: problem.resolution.lattice() * CLUSTER.powf(1.0 / D as f64),
+            first_level: 2.0 * SMOOTHING_RATIO * problem.resolution.finest(),
         }
     }
 

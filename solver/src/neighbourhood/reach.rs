@@ -41,7 +41,7 @@ pub fn limit_widths<const D: usize>(
             for cluster in run.clusters {
                 for i in cluster.targets.clone() {
                     let near = &records.near[i];
-                    let lattice = SMOOTHING_RATIO * problem.spacing_at(&near.position);
+                    let lattice = SMOOTHING_RATIO * problem.resolution.at(&near.position);
                     let width = &mut particles[i - first].smoothing_length;
                     if *width > AT_WALLS * lattice {
                         let ghosts = &run.entries[cluster.wall.clone()];
@@ -60,7 +60,7 @@ fn widest<'a, const D: usize>(
     ghosts: impl Iterator<Item = &'a Near<D>>,
 ) -> f64 {
     let own = &near.position;
-    let spacing = problem.spacing_at(own);
+    let spacing = problem.resolution.at(own);
     let lattice = SMOOTHING_RATIO * spacing;
     let distance = |ghost: &Near<D>| {
         let reach = GROWTH * SUPPORT * (near.half_h + ghost.half_h);
@@ -84,7 +84,7 @@ fn room<const D: usize>(problem: &Problem<D>, position: &Vector<D>) -> f64 {
     for axis in 0..D {
         if domain.sides[axis][0].is_periodic() {
             let half = 0.5 * domain.bounds.size()[axis];
-            room = room.min((half - LAYERS * problem.spacing_at(position)).max(0.0));
+            room = room.min((half - LAYERS * problem.resolution.at(position)).max(0.0));
         }
     }
     room

@@ -17,7 +17,7 @@ pub fn find<const D: usize>(problem: &Problem<D>, panels: &mut [Panel<D>]) {
         return;
     }
     panels.par_iter_mut().for_each(|panel| {
-        let above = panel.normal * (TOUCHING * problem.spacing);
+        let above = panel.normal * (TOUCHING * problem.resolution.at(&panel.centre));
         let all = middles(&panel.corners);
         let free = all
             .iter()

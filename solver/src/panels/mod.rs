@@ -58,7 +58,9 @@ impl<const D: usize> Panels<D> {
         let region = region(problem);
         let mut all = Vec::new();
         for (number, body) in problem.bodies.iter().enumerate() {
-            let facets = body.shape.facets(LONGEST * problem.spacing, &region);
+            let facets = body
+                .shape
+                .facets(LONGEST * problem.resolution.finest(), &region);
             for facet in &facets {
                 // What moves crosses the sides as it likes.
                 let region = (!body.motion.is_moving()).then_some(&region);
@@ -85,9 +87,13 @@ impl<const D: usize> Panels<D> {
         let bodies = &problem.bodies;
         all.retain(|panel: &Panel<D>| {
             bodies.iter().all(|body| {
-                let reach = body.shape.bounds().grown(problem.spacing);
+                let reach = body
+                    .shape
+                    .bounds()
+                    .grown(problem.resolution.at(&panel.centre));
                 !reach.contains(&panel.centre)
-                    || body.shape.signed_distance(&panel.centre) > -BURIED * problem.spacing
+                    || body.shape.signed_distance(&panel.centre)
+                        > -BURIED * problem.resolution.at(&panel.centre)
             })
         });
         exposed::find(problem, &mut all);
@@ -138,7 +144,7 @@ fn region<const D: usize>(problem: &Problem<D>) -> Bounds<D> {
     let domain = &problem.domain;
     let margin = |axis: usize, end: usize| {
         if domain.opens(axis, end) || domain.sides[axis][end] == Side::Body {
-            BUFFER as f64 * problem.spacing
+            BUFFER as f64 * problem.resolution.lattice()
         } else {
             0.0
         }
@@ -196,7 +202,7 @@ fn lay<const D: usize>(
         parts.extend(clipped(&pieces, axis, plane, -1.0));
         pieces = parts;
     }
-    halved(pieces, LONGEST * problem.spacing, take);
+    halved(pieces, LONGEST * problem.resolution.finest(), take);
 }
 
 /// The face of a box across an axis, at another place along it: a point, a segment, or two triangles.

@@ -70,7 +70,7 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     let reach = reach.fold(0.0, f64::max);
     let seen = seen(flow, panels, reach);
     let places: Vec<Vector<D>> = seen.iter().map(|seen| seen.centre).collect();
-    let grid = Pencils::new(&places, reach.max(flow.problem.spacing));
+    let grid = Pencils::new(&places, reach.max(flow.problem.resolution.lattice()));
     let met_by = |at: &Vector<D>, reach: f64| {
         let mut met: Vec<Met<'_, D>> = Vec::new();
         grid.for_each_run_near(at, at, reach, |run| {

@@ -13,17 +13,11 @@ use crate::scheme::Volume;
 use crate::sides::{Buffers, OpenParticle, Rows, Zone};
 
 impl<const D: usize> Problem<D> {
-    /// Spacing of the particles of the lattice at `position`: the same everywhere. Whatever asks how finely the gas is resolved
-    /// somewhere asks here.
-    pub fn spacing_at(&self, _position: &Vector<D>) -> f64 {
-        self.spacing
-    }
-
     /// True where a gas particle may be put: not behind a side that is not open, not in a body
     /// nor nearer to it than half a spacing.
     pub fn is_free(&self, position: &Vector<D>, rows: &Rows<D>) -> bool {
         // The lattice may touch the half spacing exactly; round-off must not decide.
-        let least = 0.5 * self.spacing_at(position) * (1.0 - 1e-6) * rows.nearest();
+        let least = 0.5 * self.resolution.at(position) * (1.0 - 1e-6) * rows.nearest();
         self.is_clear(position, |_| least)
     }
 
@@ -38,7 +32,7 @@ impl<const D: usize> Problem<D> {
         !behind_closed_side
             && self.bodies.iter().all(|body| {
                 let least = least(body);
-                let reach = least.max(self.spacing_at(position));
+                let reach = least.max(self.resolution.at(position));
                 !body.shape.bounds().grown(reach).contains(position)
                     || body.shape.signed_distance(position) >= least
             })
@@ -57,7 +51,7 @@ impl<const D: usize> Problem<D> {
         state: &State<D>,
         id: u64,
     ) -> Particle<D> {
-        let spacing = self.spacing_at(&position);
+        let spacing = self.resolution.at(&position);
         let density = match self.scheme.operators.volume {
             Volume::OfDensity => state.density,
             Volume::Summed => self.free_stream.density,
@@ -121,9 +115,9 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
                 buffers.add(OpenParticle::of_lattice(particle, side, Some(index)));
             }
         } else if problem.is_clear(&position, |body| {
-            body.starting_distance(problem.spacing_at(&position) * rows.nearest())
+            body.starting_distance(problem.resolution.at(&position) * rows.nearest())
         }) {
-            let disorder = problem.disorder * problem.spacing_at(&position);
+            let disorder = problem.disorder * problem.resolution.at(&position);
             let shift = lattice::displacement(&index) * disorder;
             if let Some(particle) = born(problem, (position, shift), zone, id)? {
                 let particle = particle.of_share(rows.share());

@@ -38,7 +38,7 @@ pub fn fill<const D: usize>(
     placed: &Placed<D>,
     fluid: &mut [Particle<D>],
 ) {
-    let whole = 0.5 * problem.spacing * (D as f64).sqrt();
+    let whole = 0.5 * problem.resolution.lattice() * (D as f64).sqrt();
     let mut shares = HashMap::<usize, f64, FixedState>::default();
     for index in lattice::points(first, last) {
         let middle = rows.position(&index, &Vector::zeros());
@@ -47,7 +47,7 @@ pub fn fill<const D: usize>(
             continue;
         }
         let own = placed.get(&index);
-        if own.is_none() && clear >= 0.5 * problem.spacing {
+        if own.is_none() && clear >= 0.5 * problem.resolution.at(&middle) {
             // No wall left this place empty.
             continue;
         }
@@ -61,7 +61,7 @@ pub fn fill<const D: usize>(
         let part = (places as f64).powi(-(D as i32));
         for place in lattice::points([0; D], [places; D]) {
             let offset = Vector::from_fn(|k, _| (place[k] as f64 + 0.5) / places as f64 - 0.5);
-            let place = middle + offset * problem.spacing;
+            let place = middle + offset * problem.resolution.at(&middle);
             let is_within = (0..D)
                 .all(|axis| (0..2).all(|end| problem.domain.depth_within(axis, end, &place) > 0.0));
             if !is_within || clearance(problem, &place) <= 0.0 {
@@ -85,7 +85,10 @@ pub fn fill<const D: usize>(
 /// How far a place is from the nearest body; negative within one, and endless far from all.
 fn clearance<const D: usize>(problem: &Problem<D>, place: &Vector<D>) -> f64 {
     let near = problem.bodies.iter().filter(|body| {
-        let around = body.shape.bounds().grown(2.0 * problem.spacing);
+        let around = body
+            .shape
+            .bounds()
+            .grown(2.0 * problem.resolution.at(place));
         around.contains(place)
     });
     near.map(|body| body.shape.signed_distance(place))
@@ -142,7 +145,7 @@ mod tests {
                 (mass / expected - 1.0).abs() < 3e-4,
                 "{turned} {x}: {mass} {expected}"
             );
-            let own = 1.4 * problem.spacing.powi(2);
+            let own = 1.4 * problem.resolution.lattice().powi(2);
             let shares = fluid.iter().map(|particle| particle.mass / own);
             assert!(shares.fold(0.0, f64::max) < 2.5);
         }

@@ -5,6 +5,14 @@ use aero_geometry::{Bounds, Vector};
 use super::opening::Opening;
 use super::side::Side;
 
+/// Names of the axes.
+pub const AXES: [&str; 3] = ["x", "y", "z"];
+
+/// Name of the side at `end`, 0 the lower and 1 the upper one, of `axis`, as scenes write it: `x_min`.
+pub fn side_name(axis: usize, end: usize) -> String {
+    format!("{}_{}", AXES[axis], ["min", "max"][end])
+}
+
 /// Box of the flow and its sides.
 #[derive(Clone, Debug)]
 pub struct Domain<const D: usize> {
@@ -17,6 +25,15 @@ pub struct Domain<const D: usize> {
 }
 
 impl<const D: usize> Domain<D> {
+    /// A box whose sides are whole, with nothing but the free stream beyond those that are open.
+    pub const fn new(bounds: Bounds<D>, sides: [[Side; 2]; D]) -> Self {
+        Self {
+            bounds,
+            sides,
+            openings: Vec::new(),
+        }
+    }
+
     /// True where one side is the axis of an axisymmetric flow.
     pub fn is_axisymmetric(&self) -> bool {
         self.has(|side| side == Side::Axis)

@@ -7,14 +7,16 @@ use aero_geometry::Vector;
 mod body;
 mod domain;
 mod opening;
+mod resolution;
 mod second;
 mod side;
 mod source;
 mod wall;
 
 pub use body::{Body, Freedom, Motion, PackedFluid, Turning};
-pub use domain::Domain;
+pub use domain::{AXES, Domain, side_name};
 pub use opening::{Given, Opening};
+pub use resolution::Resolution;
 pub use second::SecondGas;
 pub use side::Side;
 pub use source::{Added, BodyForce, Source};
@@ -27,8 +29,8 @@ pub use crate::scheme::Scheme;
 /// A flow problem ready to run, in `D` dimensions.
 #[derive(Clone, Debug)]
 pub struct Problem<const D: usize> {
-    /// Particle spacing `dx` of the undisturbed lattice.
-    pub spacing: f64,
+    /// How finely the gas is resolved.
+    pub resolution: Resolution,
     /// Equation of state.
     pub gas: Gas,
     /// A second gas, and where it is at the start.
@@ -53,6 +55,23 @@ pub struct Problem<const D: usize> {
 }
 
 impl<const D: usize> Problem<D> {
+    /// Gas that is at `free_stream` everywhere in `domain`, in particles `spacing` apart and with no body in it.
+    pub fn new(gas: Gas, domain: Domain<D>, free_stream: State<D>, spacing: f64) -> Self {
+        Self {
+            resolution: Resolution::uniform(spacing),
+            gas,
+            second: None,
+            method: Method::default(),
+            scheme: Scheme::default(),
+            domain,
+            free_stream,
+            initial: Initial::FreeStream,
+            disorder: 0.0,
+            bodies: Vec::new(),
+            source: None,
+        }
+    }
+
     /// The gases, for whatever knows which of them it looks at.
     pub fn gases(&self) -> Gases {
         Gases {
@@ -85,6 +104,17 @@ pub struct State<const D: usize> {
     pub velocity: Vector<D>,
     /// Pressure.
     pub pressure: f64,
+}
+
+impl<const D: usize> State<D> {
+    /// Gas at rest.
+    pub fn at_rest(density: f64, pressure: f64) -> Self {
+        Self {
+            density,
+            velocity: Vector::zeros(),
+            pressure,
+        }
+    }
 }
 
 /// State of the gas at the start.

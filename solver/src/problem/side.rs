@@ -90,14 +90,36 @@ impl Side {
         self.lets_in() || self.lets_out()
     }
 
+    /// How gas crosses it. Whatever asks of a new side finds it here first: nothing of it goes by default.
+    const fn crossing(self) -> Crossing {
+        match self {
+            Self::Inlet | Self::SoftInlet | Self::Reservoir { .. } => Crossing::In,
+            Self::FreeStream => Crossing::InAndOut,
+            Self::Outlet | Self::HeldOutlet { .. } => Crossing::Out,
+            Self::Symmetry | Self::Axis | Self::Periodic | Self::Wall { .. } | Self::Body => {
+                Crossing::None
+            }
+        }
+    }
+
     /// True of one that gas only leaves through.
     pub fn lets_out(self) -> bool {
-        matches!(self, Self::Outlet | Self::HeldOutlet { .. })
+        self.crossing() == Crossing::Out
     }
 
     /// True of one that gas enters through, in a state that is prescribed or follows from a reservoir.
     pub fn lets_in(self) -> bool {
-        self.is_inlet() || matches!(self, Self::FreeStream | Self::Reservoir { .. })
+        matches!(self.crossing(), Crossing::In | Crossing::InAndOut)
+    }
+
+    /// True of one with gas at rest beyond it.
+    pub fn is_reservoir(self) -> bool {
+        matches!(self, Self::Reservoir { .. })
+    }
+
+    /// True of one that holds a pressure, or a total one, and throws back what sound does to it in part.
+    pub fn holds_pressure(self) -> bool {
+        matches!(self, Self::Reservoir { .. } | Self::HeldOutlet { .. })
     }
 
     /// True of one that the free stream comes in by.
@@ -114,6 +136,15 @@ impl Side {
     pub fn is_wall(self) -> bool {
         matches!(self, Self::Wall { .. })
     }
+}
+
+/// How gas crosses a side.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Crossing {
+    In,
+    Out,
+    InAndOut,
+    None,
 }
 
 /// What it does to the gas, in words.

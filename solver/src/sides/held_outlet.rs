@@ -67,7 +67,7 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             pressure: problem.gas.pressure(particle.density, particle.energy),
         };
         let rings = Rings::new(problem);
-        let mut upstream = Upstream::new(place, problem.spacing);
+        let mut upstream = Upstream::new(place, problem.resolution.lattice());
         let reach = upstream.reach();
         let near = fluid
             .iter()
@@ -77,7 +77,7 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             upstream.add(particle.position, along(particle).speed_and_rise(gamma));
         }
         upstream.sort();
-        let mut known = Upstream::new(place, problem.spacing);
+        let mut known = Upstream::new(place, problem.resolution.lattice());
         for open in older {
             let Incoming { back, entropy, .. } = self.held.own(&along(&open.particle));
             known.add(open.particle.position, [back, entropy]);

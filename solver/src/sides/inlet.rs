@@ -110,7 +110,7 @@ impl<const D: usize> OpenModel<D> for SoftInlet<D> {
         let axis = self.place.axis;
         let stream = self.stream(problem, now);
         let entering = self.waves(&stream);
-        let back = outgoing(&self.place, problem.spacing, self.gamma, fluid)?;
+        let back = outgoing(&self.place, problem.resolution.lattice(), self.gamma, fluid)?;
         let gas = Waves { back, ..entering }.state(self.gamma)?;
         let is_slower = gas.speed < gas.sound(self.gamma) && entering.back < 0.0;
         if gas.speed <= 0.0 || !is_slower {

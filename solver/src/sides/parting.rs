@@ -46,7 +46,7 @@ pub fn parted<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<f64> 
     let mut candidates = middles.into_iter().chain(own);
     let has_images = |&plane: &f64| {
         let mut all = bodies.iter();
-        all.all(|body| has_image(&bodies, body, (axis, plane), problem.spacing))
+        all.all(|body| has_image(&bodies, body, (axis, plane), problem.resolution.lattice()))
     };
     candidates.find(has_images).or_else(|| {
         let along = velocity.iamax();
@@ -55,7 +55,12 @@ pub fn parted<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<f64> 
         let first = bodies.iter().min_by(|a, b| ahead(a).total_cmp(&ahead(b)))?;
         let plane = planes(first, axis).next();
         plane.or_else(|| {
-            nose(first, (along, velocity[along]), problem.spacing).map(|nose| nose[axis])
+            nose(
+                first,
+                (along, velocity[along]),
+                problem.resolution.lattice(),
+            )
+            .map(|nose| nose[axis])
         })
     })
 }
@@ -68,17 +73,18 @@ pub fn apart<const D: usize>(problem: &Problem<D>, axis: usize) -> Option<[f64; 
     let mut places: Vec<f64> = Vec::new();
     for body in &problem.bodies {
         let plane = planes(body, axis).next();
-        let place = plane.or_else(|| nose(body, stream, problem.spacing).map(|nose| nose[axis]))?;
+        let place = plane
+            .or_else(|| nose(body, stream, problem.resolution.lattice()).map(|nose| nose[axis]))?;
         if !places
             .iter()
-            .any(|known| (known - place).abs() < EXACT * problem.spacing)
+            .any(|known| (known - place).abs() < EXACT * problem.resolution.lattice())
         {
             places.push(place);
         }
     }
     places.sort_by(f64::total_cmp);
     match places[..] {
-        [low, high] if high - low >= ROWS * problem.spacing => Some([low, high]),
+        [low, high] if high - low >= ROWS * problem.resolution.lattice() => Some([low, high]),
         _ => None,
     }
 }
@@ -203,12 +209,12 @@ mod tests {
             let pair = flight(&[([0.6, 0.413], EVEN), ([0.7, high], EVEN)]);
             let rows = Rows::new(&pair);
             assert!(is_beside(&rows, 0.413) && is_beside(&rows, high), "{high}");
-            assert!((rows.pitch(1) / pair.spacing - 1.0).abs() < 0.05);
+            assert!((rows.pitch(1) / pair.resolution.lattice() - 1.0).abs() < 0.05);
         }
         // Too near to each other: the foremost has them.
         let near = flight(&[([0.6, 0.613], EVEN), ([0.7, 0.84], EVEN)]);
         assert!(is_beside(&Rows::new(&near), 0.613));
-        assert_eq!(Rows::new(&near).pitch(1), near.spacing);
+        assert_eq!(Rows::new(&near).pitch(1), near.resolution.lattice());
     }
 
     #[test]

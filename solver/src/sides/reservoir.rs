@@ -74,7 +74,12 @@ impl<const D: usize> OpenModel<D> for Reservoir {
         before: &State<D>,
         [earlier, now]: [f64; 2],
     ) -> Option<State<D>> {
-        let back = outgoing(&self.place, problem.spacing, self.plenum.gamma(), fluid)?;
+        let back = outgoing(
+            &self.place,
+            problem.resolution.lattice(),
+            self.plenum.gamma(),
+            fluid,
+        )?;
         let before = Along {
             density: before.density,
             speed: self.place.inward() * before.velocity[self.place.axis],

@@ -46,7 +46,7 @@ impl<const D: usize> Rows<D> {
     /// Those of `problem`.
     pub fn new(problem: &Problem<D>) -> Self {
         let bounds = &problem.domain.bounds;
-        let spacing = problem.spacing;
+        let spacing = problem.resolution.lattice();
         let cells = bounds.size().map(|size| (size / spacing).round() as i64);
         let mut rows = Self {
             corner: bounds.min,
@@ -149,7 +149,7 @@ fn gap<const D: usize>(
     axis: usize,
 ) -> Option<Gap> {
     let Domain { bounds, sides, .. } = &problem.domain;
-    let out = [-1.0, 1.0][end] * BUFFER as f64 * problem.spacing;
+    let out = [-1.0, 1.0][end] * BUFFER as f64 * problem.resolution.lattice();
     let mut found: Option<Gap> = None;
     // Along the rim of the buffer, and in space at three places across it.
     let places = if D == 3 { 3 } else { 1 };
@@ -164,7 +164,7 @@ fn gap<const D: usize>(
             let gap = widest(problem, point, axis)?;
             if let Some(first) = &found {
                 let step = (0..2).map(|n| (first.ends[n] - gap.ends[n]).abs());
-                if step.fold(0.0, f64::max) > LEVEL * problem.spacing {
+                if step.fold(0.0, f64::max) > LEVEL * problem.resolution.lattice() {
                     return None;
                 }
             }
@@ -200,7 +200,7 @@ fn widest<const D: usize>(problem: &Problem<D>, point: Vector<D>, axis: usize) -
         }
         gas
     };
-    let count = (PER_SPACING * bounds.size()[axis] / problem.spacing).ceil();
+    let count = (PER_SPACING * bounds.size()[axis] / problem.resolution.lattice()).ceil();
     let place = |n: f64| bounds.min[axis] + (n + 0.5) / count * bounds.size()[axis];
     let mut gaps: Vec<Gap> = Vec::new();
     let mut open: Option<Gap> = None;

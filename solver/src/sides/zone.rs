@@ -72,7 +72,7 @@ impl<const D: usize> OpenSides<D> {
         let all = Self {
             sides,
             buffers,
-            spacing: problem.spacing,
+            spacing: problem.resolution.lattice(),
             rows: Rows::new(problem),
         };
         (all, streams)

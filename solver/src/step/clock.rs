@@ -53,7 +53,8 @@ impl Clock {
         if !buffers.sides.is_empty() {
             // No lattice may jump across its buffer.
             let speed = problem.free_stream.velocity.norm();
-            step = step.min(2.0 * problem.spacing / speed.max(buffers.fastest_stream()));
+            step =
+                step.min(2.0 * problem.resolution.finest() / speed.max(buffers.fastest_stream()));
         }
         step
     }
@@ -100,5 +101,5 @@ fn crossing_time<const D: usize>(
     let (slowest, fastest) = ghosts
         .map(|velocity| (velocity, velocity))
         .fold(of_gas, either);
-    2.0 * SUPPORT * SMOOTHING_RATIO * problem.spacing / (fastest - slowest).norm()
+    2.0 * SUPPORT * SMOOTHING_RATIO * problem.resolution.finest() / (fastest - slowest).norm()
 }

@@ -7,7 +7,7 @@ use aero_geometry::kernel::SUPPORT;
 use super::stages::Senseless;
 use crate::Simulation;
 use crate::particles::Particle;
-use crate::problem::Body;
+use crate::problem::{Body, side_name};
 use crate::records::GHOSTS;
 use crate::walls::rigid::pad;
 use crate::walls::{Contact, Met, wall_sides};
@@ -50,10 +50,7 @@ impl<const D: usize> Simulation<D> {
         let name = |number: usize| &self.problem.bodies[number].name;
         let other = match contact.met {
             Met::Body(number) => format!("body `{}`", name(number)),
-            Met::Side(axis, end) => {
-                let side = ["x", "y", "z"][axis];
-                format!("the side {side}_{}", ["min", "max"][end])
-            }
+            Met::Side(axis, end) => format!("the side {}", side_name(axis, end)),
         };
         Failure {
             reason: format!(
@@ -163,7 +160,7 @@ impl<const D: usize> Simulation<D> {
             .map(|(side, depth)| (wall_name(side), -depth));
         bodies
             .chain(sides)
-            .map(|(name, distance)| (name, distance / self.problem.spacing))
+            .map(|(name, distance)| (name, distance / self.problem.resolution.at(position)))
             .filter(|(_, distance)| *distance < SUPPORT)
             .min_by(|a, b| a.1.total_cmp(&b.1))
     }
@@ -196,7 +193,7 @@ fn at(particle: Option<u64>) -> String {
 }
 
 fn wall_name((axis, end): (usize, usize)) -> String {
-    format!("the wall {}_{}", ["x", "y", "z"][axis], ["min", "max"][end])
+    format!("the wall {}", side_name(axis, end))
 }
 
 fn symptom<const D: usize>(particle: &Particle<D>) -> String {

@@ -3,6 +3,7 @@
 use super::seam::Solver;
 use super::*;
 use crate::gas::{Liquid, Transport, Viscosity};
+use crate::problem::Resolution;
 
 pub const SOUND: f64 = 10.0;
 pub const DENSITY: f64 = 1.4;
@@ -76,13 +77,16 @@ fn disorder_of(simulation: &Simulation<2>) -> [f64; 2] {
     let error = errors.sum::<f64>() / gas.len() as f64;
     let near = &simulation.around.records.near[..gas.len()];
     let least = near.iter().map(|near| near.volume).fold(1.0, f64::min);
-    [error, least / simulation.problem.spacing.powi(2)]
+    [
+        error,
+        least / simulation.problem.resolution.lattice().powi(2),
+    ]
 }
 
 #[test]
 fn iterative_shifting_evens_particles_out_and_leaves_the_flow_in_place() {
     let mut problem = boxed::<2>(Scheme::L_IPST_C, Side::Periodic, 0.0);
-    problem.spacing = 1.0 / 32.0;
+    problem.resolution = Resolution::uniform(1.0 / 32.0);
     problem.domain.bounds.max = Vector::repeat(1.0);
     let mut simulation = start(problem);
     for particle in &mut simulation.fluid {
@@ -115,7 +119,7 @@ fn sound_comes_back_after_a_period_in_each_scheme() {
         .chain([Scheme::CONSERVATIVE.of_liquid()])
     {
         let mut problem = boxed::<1>(scheme, Side::Periodic, 0.0);
-        problem.spacing = 0.01;
+        problem.resolution = Resolution::uniform(0.01);
         problem.domain.bounds.max = Vector::repeat(1.0);
         problem.disorder = 0.0;
         let wave = |x: f64| 1e-3 * (std::f64::consts::TAU * x).sin();
@@ -189,7 +193,7 @@ fn a_liquid_is_drawn_on_by_a_wall_that_leaves_it() {
     for scheme in [Scheme::L_IPST_C, Scheme::TV_C] {
         let mut problem = boxed::<1>(scheme, WALL, 0.0);
         problem.disorder = 0.0;
-        problem.spacing = 0.01;
+        problem.resolution = Resolution::uniform(0.01);
         problem.domain.bounds.max = Vector::repeat(1.0);
         problem.domain.sides[0][0] = Side::Wall {
             kind: WallKind::Slip,

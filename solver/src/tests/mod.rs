@@ -50,27 +50,8 @@ const WALL: Side = Side::Wall {
 pub(crate) fn cube<const D: usize>(cells: usize, side: Side) -> Problem<D> {
     let spacing = 0.1;
     let bounds = Bounds::new(Vector::zeros(), Vector::repeat(cells as f64 * spacing));
-    Problem {
-        spacing,
-        gas: Gas::ideal(1.4),
-        second: None,
-        method: crate::method::Method::default(),
-        scheme: Scheme::default(),
-        domain: Domain {
-            bounds,
-            sides: [[side; 2]; D],
-            openings: Vec::new(),
-        },
-        free_stream: State {
-            density: 1.4,
-            velocity: Vector::zeros(),
-            pressure: 1.0,
-        },
-        initial: Initial::FreeStream,
-        disorder: 0.0,
-        bodies: Vec::new(),
-        source: None,
-    }
+    let domain = Domain::new(bounds, [[side; 2]; D]);
+    Problem::new(Gas::ideal(1.4), domain, State::at_rest(1.4, 1.0), spacing)
 }
 
 /// A slip body at rest, without ghosts.

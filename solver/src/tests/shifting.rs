@@ -1,4 +1,5 @@
 use super::*;
+use crate::problem::Resolution;
 use crate::shifting::FASTEST;
 
 /// A periodic box of disordered gas at rest after some sound crossings.
@@ -84,7 +85,7 @@ fn disordered_gas_at_rest_becomes_more_even_and_quieter() {
 /// Spread of the entropy of a smooth isentropic flow after a time, from a lattice.
 fn isentropic(cells: usize, shifting: bool) -> f64 {
     let mut problem = cube::<2>(cells, Side::Periodic);
-    problem.spacing = 1.0 / cells as f64;
+    problem.resolution = Resolution::uniform(1.0 / cells as f64);
     problem.domain.bounds.max = Vector::repeat(1.0);
     problem.scheme.transport_velocity.shifting = shifting;
     let wave = std::f64::consts::TAU;

@@ -4,7 +4,7 @@ use super::*;
 use crate::fixed::FixedSimulation;
 use crate::frame::Load;
 use crate::method::{FixedPoints, Method, Time};
-use crate::problem::{Added, BodyForce, Source};
+use crate::problem::{Added, BodyForce, Resolution, Source};
 
 const END: f64 = 0.1;
 const PUSH: [f64; 2] = [3.0, -2.0];
@@ -117,7 +117,7 @@ const WEIGHT: f64 = 0.42;
 /// A column of gas that is as warm everywhere and at rest under its weight, `rho = rho_0 exp(-w x)`, between walls.
 fn column(cells: u32) -> Problem<1> {
     let mut problem = cube::<1>(10, WALL);
-    problem.spacing = 1.0 / f64::from(cells);
+    problem.resolution = Resolution::uniform(1.0 / f64::from(cells));
     problem.source = Some(Arc::new(BodyForce(Vector::<1>::new(-WEIGHT / 1.4))));
     problem.initial = Initial::Field(Field(Arc::new(|place: &Vector<1>| {
         let part = (-WEIGHT * place[0]).exp();

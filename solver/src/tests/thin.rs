@@ -16,13 +16,17 @@ fn plate<const D: usize>(
     shape: Arc<dyn Shape<D>>,
 ) -> Problem<D> {
     let mut problem = cube::<D>(along, Side::Periodic);
-    problem.domain.bounds.max[1] = (2 * above + thickness) as f64 * problem.spacing;
+    problem.domain.bounds.max[1] = (2 * above + thickness) as f64 * problem.resolution.lattice();
     problem.domain.sides[1] = [WALL; 2];
     let mut last = [along as i64; D];
     last[1] = (2 * above + thickness) as i64;
     let mut ghosts = Ghosts::default();
     for index in lattice::points([0; D], last) {
-        let position = lattice::position(&problem.domain.bounds.min, problem.spacing, &index);
+        let position = lattice::position(
+            &problem.domain.bounds.min,
+            problem.resolution.lattice(),
+            &index,
+        );
         let surface = shape.closest(&position);
         if surface.distance > 0.0 {
             continue;
@@ -30,10 +34,12 @@ fn plate<const D: usize>(
         ghosts.position.push(position);
         ghosts.normal.push(surface.normal);
         ghosts.distance.push(surface.distance);
-        ghosts.volume.push(problem.spacing.powi(D as i32));
+        ghosts
+            .volume
+            .push(problem.resolution.lattice().powi(D as i32));
         ghosts
             .layer
-            .push((-surface.distance / problem.spacing).floor() as u32);
+            .push((-surface.distance / problem.resolution.lattice()).floor() as u32);
         ghosts.face.push(surface.face);
     }
     problem.bodies.push(Body {
@@ -44,7 +50,7 @@ fn plate<const D: usize>(
         ghosts,
         packed_fluid: None,
         report: PackReport {
-            spacing: problem.spacing,
+            spacing: problem.resolution.lattice(),
             ..PackReport::default()
         },
         reference_area: 1.0,

@@ -2,7 +2,7 @@
 
 use super::*;
 use crate::gas::{IdealGas, Transport, Viscosity};
-use crate::problem::{NoSlip, Slide, WallHeat};
+use crate::problem::{NoSlip, Resolution, Slide, WallHeat};
 
 /// Speed of the upper wall.
 const SPEED: f64 = 0.5;
@@ -45,7 +45,7 @@ fn couette(
     temperature: impl Fn(f64) -> f64 + Send + Sync + 'static,
 ) -> Problem<2> {
     let mut problem = cube::<2>(cells, Side::Periodic);
-    problem.spacing = 1.0 / cells as f64;
+    problem.resolution = Resolution::uniform(1.0 / cells as f64);
     problem.domain.bounds = Bounds::new(Vector::zeros(), Vector::from([12.0 / cells as f64, 1.0]));
     problem.domain.sides[1] = [wall(heats[0], 0.0), wall(heats[1], SPEED)];
     problem.gas = viscous();

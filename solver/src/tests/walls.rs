@@ -1,9 +1,10 @@
 use super::*;
+use crate::problem::Resolution;
 
 /// A tube closed on the left by a piston that accelerates into gas of `c = 1`.
 fn piston(extrapolation: Extrapolation, velocity: f64, acceleration: f64) -> Problem<1> {
     let mut problem = cube::<1>(200, WALL);
-    problem.spacing = 0.01;
+    problem.resolution = Resolution::uniform(0.01);
     problem.domain.bounds.max[0] = 2.0;
     problem.domain.sides[0][0] = Side::Wall {
         kind: WallKind::Slip,

@@ -38,13 +38,16 @@ impl<const D: usize> Walls<D> {
         let poses: Vec<Pose<D>> = (0..bodies.len()).map(|n| self.pose(n, time)).collect();
         let near = |foot: &Vector<D>, other: usize| {
             let (shape, origin) = (&bodies[other].shape, poses[other].origin(foot));
-            shape.bounds().grown(problem.spacing).contains(&origin)
-                && shape.signed_distance(&origin) < problem.spacing
+            shape
+                .bounds()
+                .grown(problem.resolution.at(foot))
+                .contains(&origin)
+                && shape.signed_distance(&origin) < problem.resolution.at(foot)
         };
-        let outermost = self
-            .own()
-            .iter()
-            .filter(|ghost| (ghost.body as usize) < bodies.len() && ghost.depth <= problem.spacing);
+        let outermost = self.own().iter().filter(|ghost| {
+            (ghost.body as usize) < bodies.len()
+                && ghost.depth <= problem.resolution.at(&ghost.position)
+        });
         outermost
             .flat_map(|ghost| {
                 let (number, foot) = (ghost.body as usize, ghost.foot());
@@ -85,7 +88,7 @@ fn side<const D: usize>(problem: &Problem<D>, body: usize, foot: &Vector<D>) -> 
             let room = |place: f64| [place - face, face - place][end];
             let starts_inside = room([extent.min[axis], extent.max[axis]][end]) > 0.0;
             let least = match side {
-                Side::Wall { .. } => problem.spacing,
+                Side::Wall { .. } => problem.resolution.at(foot),
                 _ => 0.0,
             };
             (starts_inside && bounds.size()[axis] > 0.0 && room(foot[axis]) < least)

@@ -26,7 +26,7 @@ pub fn join<const D: usize>(problem: &Problem<D>, ghosts: &mut [Ghost<D>]) {
         ghost.volume *= solids.share(ghost);
         ghost.reference_mass = ghost.shown.density * ghost.volume;
     }
-    let tolerance = TOUCHING * problem.spacing;
+    let tolerance = TOUCHING * problem.resolution.finest();
     let hidden: Vec<usize> = (0..ghosts.len())
         .filter(|&g| {
             let ghost = &ghosts[g];
@@ -46,13 +46,13 @@ pub fn join<const D: usize>(problem: &Problem<D>, ghosts: &mut [Ghost<D>]) {
             continue;
         };
         let arm = foot - ghost.position;
-        let Some(normal) = arm.try_normalize(1e-9 * problem.spacing) else {
+        let Some(normal) = arm.try_normalize(1e-9 * problem.resolution.at(&ghost.position)) else {
             continue;
         };
         ghost.normal = normal;
         ghost.origin.normal = normal;
         ghost.depth = arm.norm();
-        ghost.layer = (ghost.depth / problem.spacing) as u32;
+        ghost.layer = (ghost.depth / problem.resolution.at(&ghost.position)) as u32;
         let reached = solids.distance(&ghost.mirror());
         ghost.has_mirror = (reached - ghost.depth).abs() < MIRRORED * ghost.depth;
         ghost.origin.curvature = Matrix::zeros();
@@ -60,8 +60,9 @@ pub fn join<const D: usize>(problem: &Problem<D>, ghosts: &mut [Ghost<D>]) {
             && problem.scheme.wall.follows_the_bend
             && ghost.has_mirror
         {
-            let above = foot + normal * (0.1 * problem.spacing);
-            ghost.origin.curvature = shape_operator(&body.shape, &above, problem.spacing);
+            let above = foot + normal * (0.1 * problem.resolution.at(&foot));
+            ghost.origin.curvature =
+                shape_operator(&body.shape, &above, problem.resolution.at(&foot));
         }
     }
 }
@@ -78,7 +79,7 @@ struct Surface<'a, const D: usize> {
 impl<'a, const D: usize> Surface<'a, D> {
     fn new(solids: &'a Solids<'a, D>) -> Self {
         let panels = Panels::new(solids.problem);
-        let tolerance = TOUCHING * solids.problem.spacing;
+        let tolerance = TOUCHING * solids.problem.resolution.finest();
         let exposed: Vec<u32> = panels
             .all()
             .iter()
@@ -92,7 +93,7 @@ impl<'a, const D: usize> Surface<'a, D> {
             .iter()
             .map(|&n| panels.all()[n as usize].centre)
             .collect();
-        let reach = (GHOSTS as f64 + 2.0) * solids.problem.spacing;
+        let reach = (GHOSTS as f64 + 2.0) * solids.problem.resolution.lattice();
         Self {
             grid: Pencils::new(&places, reach),
             solids,
@@ -118,7 +119,7 @@ impl<'a, const D: usize> Surface<'a, D> {
             });
         let (_, on, owner) = best?;
         // Panels are chords: the foot lies on the surface itself, unless that goes on behind another solid there.
-        let tolerance = TOUCHING * self.solids.problem.spacing;
+        let tolerance = TOUCHING * self.solids.problem.resolution.at(&on);
         let body = self.solids.problem.bodies.get(owner as usize);
         let seen = body.map(|body| body.shape.closest(&on));
         let exact = seen.filter(|seen| {

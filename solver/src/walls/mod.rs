@@ -91,7 +91,7 @@ impl<const D: usize> Walls<D> {
             .iter()
             .map(|body| Mover::new(&body.motion, body.wall))
             .collect();
-        let sides = plane::plane_walls(&problem.domain, problem.spacing);
+        let sides = plane::plane_walls(&problem.domain, problem.resolution.lattice());
         bodies.extend((sides.iter()).map(|side| Mover::new(&side.motion, side.kind)));
         let (ghosts, faces) = setup::ghosts(problem, &sides);
         let mut walls = Self {

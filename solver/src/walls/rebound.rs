@@ -123,7 +123,7 @@ pub fn rebound<const D: usize>(
                 let Some(hit) = hit(&back.position, &before.position) else {
                     break;
                 };
-                if hit.depth > DEEPEST * problem.spacing {
+                if hit.depth > DEEPEST * problem.resolution.at(&hit.to) {
                     return None;
                 }
                 back.position = hit.to;

@@ -29,10 +29,11 @@ pub fn part<const D: usize>(problem: &mut Problem<D>) {
         let shape = body.shape.as_ref();
         let ghosts = &mut body.ghosts;
         for g in 0..ghosts.position.len() {
-            let feet = feet(shape, ghosts, g, problem.spacing);
+            let feet = feet(shape, ghosts, g, problem.resolution.at(&ghosts.position[g]));
             // On a plane that mirrors the flow the ghost's own image shows the other face.
             let is_imaged = planes.iter().any(|&(axis, plane)| {
-                (ghosts.position[g][axis] - plane).abs() < 1e-6 * problem.spacing
+                (ghosts.position[g][axis] - plane).abs()
+                    < 1e-6 * problem.resolution.at(&ghosts.position[g])
             });
             if feet.len() < 2 || is_imaged {
                 continue;

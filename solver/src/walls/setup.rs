@@ -42,13 +42,14 @@ pub fn ghosts<const D: usize>(
                 .for_each(|(ghost, &face)| {
                     // On a ridge another face is as near.
                     let is_own = body.shape.closest(&ghost.position).face == face;
-                    let lift = ghost.normal * (ABOVE * problem.spacing);
+                    let lift = ghost.normal * (ABOVE * problem.resolution.at(&ghost.position));
                     let place = if is_own {
                         ghost.position
                     } else {
                         ghost.foot() + lift
                     };
-                    ghost.origin.curvature = shape_operator(&body.shape, &place, problem.spacing);
+                    ghost.origin.curvature =
+                        shape_operator(&body.shape, &place, problem.resolution.at(&ghost.position));
                 });
         }
     }
@@ -104,7 +105,7 @@ fn blank<const D: usize>(
     depth: f64,
 ) -> Ghost<D> {
     let gas = &problem.free_stream;
-    let spacing = problem.spacing_at(&position);
+    let spacing = problem.resolution.at(&position);
     let volume = spacing.powi(D as i32);
     Ghost {
         position,
@@ -139,7 +140,7 @@ fn blank<const D: usize>(
 /// lies on. Its images, at the same place, are the rest.
 fn modelled_share<const D: usize>(problem: &Problem<D>, position: &Vector<D>) -> f64 {
     let planes = problem.domain.each_side().filter(|(axis, _, side, plane)| {
-        side.is_mirror() && (position[*axis] - plane).abs() < 1e-9 * problem.spacing
+        side.is_mirror() && (position[*axis] - plane).abs() < 1e-9 * problem.resolution.at(position)
     });
     0.5_f64.powi(planes.count() as i32)
 }
@@ -161,11 +162,11 @@ fn seen_by_face<const D: usize>(
     let reached = body.shape.signed_distance(&seen.mirror());
     seen.has_mirror = (reached - view.depth).abs() < 0.1 * view.depth;
     if problem.scheme.wall.follows_the_bend {
-        let above = seen.foot() + view.normal * (0.1 * problem.spacing);
+        let above = seen.foot() + view.normal * (0.1 * problem.resolution.at(&seen.foot()));
         // The plane of a face goes on beyond the body's tip, where nothing bends.
         let shape = body.shape.as_ref();
-        if !is_edge(shape, &shape.closest(&above), problem.spacing) {
-            seen.origin.curvature = shape_operator(shape, &above, problem.spacing);
+        if !is_edge(shape, &shape.closest(&above), problem.resolution.at(&above)) {
+            seen.origin.curvature = shape_operator(shape, &above, problem.resolution.at(&above));
         }
     }
     seen

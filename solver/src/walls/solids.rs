@@ -18,7 +18,7 @@ pub struct Solids<'a, const D: usize> {
 impl<'a, const D: usize> Solids<'a, D> {
     /// Those of `problem`.
     pub fn new(problem: &'a Problem<D>) -> Self {
-        let reach = 2.0 * problem.spacing;
+        let reach = 2.0 * problem.resolution.lattice();
         let still = problem.bodies.iter().enumerate();
         let still = still.filter(|(_, body)| !body.motion.is_moving());
         let boxed = still.map(|(n, body)| (n as u32, body, body.shape.bounds().grown(reach)));
@@ -121,7 +121,7 @@ impl<'a, const D: usize> Solids<'a, D> {
 
     /// What of a ghost no earlier solid fills: a cell cut by their surfaces.
     pub fn share(&self, ghost: &Ghost<D>) -> f64 {
-        let size = self.problem.spacing;
+        let size = self.problem.resolution.at(&ghost.position);
         let is_of_wall = ghost.body as usize >= self.problem.bodies.len();
         if is_of_wall || !self.bodies.iter().any(|(number, ..)| *number == ghost.body) {
             return 1.0;

@@ -2,11 +2,11 @@
 
 use aero_geometry::Vector;
 use aero_solver::method::{Method, Time};
-use aero_solver::problem::{Problem, Side, State, WallKind};
+use aero_solver::problem::{AXES, Problem, Side, State, WallKind};
 
 use super::Manufactured;
 use crate::scene::SceneError;
-use crate::scene::vector::{AXES, side_name};
+use crate::scene::vector::side_key;
 
 /// Places in the domain, and as many on each side, that are looked at.
 const PLACES: usize = 256;
@@ -67,7 +67,7 @@ fn check_problem<const D: usize>(problem: &Problem<D>) -> Result<(), SceneError>
         };
         if !holds {
             return fail(
-                side_name(axis, end),
+                side_key(axis, end),
                 "is no side of a manufactured solution; choose periodic, symmetry or a slip wall at rest",
             );
         }
@@ -175,7 +175,7 @@ impl<const D: usize> Samples<'_, D> {
         });
         let fastest = fastest.fold(0.0, f64::max);
         for (axis, end, side, face) in domain.each_side() {
-            let place = side_name(axis, end);
+            let place = side_key(axis, end);
             for (mut position, time) in self.all() {
                 position[axis] = face;
                 let state = self.solution.state(&position, time);
@@ -227,7 +227,7 @@ impl<const D: usize> Samples<'_, D> {
     fn is_even(&self, position: &Vector<D>, axis: usize, time: f64) -> bool {
         let [a, b] = [-0.5, 0.5].map(|share| {
             let mut beside = *position;
-            beside[axis] += share * self.problem.spacing;
+            beside[axis] += share * self.problem.resolution.lattice();
             self.solution.state(&beside, time)
         });
         let sound = self.problem.gas.sound_speed_at(a.density, a.pressure);

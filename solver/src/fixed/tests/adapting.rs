@@ -246,7 +246,11 @@ fn a_uniform_stream_stays_so_on_points_of_all_spacings() {
         let stream = state(1.0, velocity, 1.0 / 1.4);
         problem.scheme.skip_undisturbed = false;
         problem.free_stream = stream;
-        let scene = Scene::new(problem.domain.clone(), vec![shape.clone()], problem.spacing);
+        let scene = Scene::new(
+            problem.domain.clone(),
+            vec![shape.clone()],
+            problem.resolution.lattice(),
+        );
         problem.bodies = vec![slip_body(shape)];
         let middle = 0.5 * (problem.domain.bounds.min + problem.domain.bounds.max);
         let place = middle - Vector::<D>::repeat(0.11);

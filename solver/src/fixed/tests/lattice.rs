@@ -4,7 +4,7 @@ use aero_geometry::{Bounds, Vector};
 
 use super::super::{Cells, Face, SideFace, WallFace, WallOwner};
 use crate::method::{FixedPoints, Method};
-use crate::problem::{Domain, Field, Initial, Problem, Scheme, Side, State, WallKind};
+use crate::problem::{Domain, Field, Initial, Problem, Side, State, WallKind};
 
 /// A wall at rest that gas slides along.
 pub const WALL: Side = Side::Wall {
@@ -20,29 +20,11 @@ pub fn problem<const D: usize>(
     sides: [[Side; 2]; D],
 ) -> Problem<D> {
     let max = Vector::from_fn(|k, _| counts[k] as f64 * spacing);
+    let domain = Domain::new(Bounds::new(Vector::zeros(), max), sides);
+    let at_rest = State::at_rest(1.0, 1.0 / 1.4);
     Problem {
-        spacing,
-        gas: crate::gas::Gas::ideal(1.4),
-        second: None,
         method: Method::Fixed(FixedPoints::default()),
-        scheme: Scheme::default(),
-        domain: Domain {
-            bounds: Bounds {
-                min: Vector::zeros(),
-                max,
-            },
-            sides,
-            openings: Vec::new(),
-        },
-        free_stream: State {
-            density: 1.0,
-            velocity: Vector::zeros(),
-            pressure: 1.0 / 1.4,
-        },
-        initial: Initial::FreeStream,
-        disorder: 0.0,
-        bodies: Vec::new(),
-        source: None,
+        ..Problem::new(crate::gas::Gas::ideal(1.4), domain, at_rest, spacing)
     }
 }
 
@@ -55,7 +37,7 @@ pub fn field<const D: usize>(
 
 /// The lattice of `problem` in its box.
 pub fn lattice<const D: usize>(problem: &Problem<D>) -> Cells<D> {
-    let dx = problem.spacing;
+    let dx = problem.resolution.lattice();
     let bounds = &problem.domain.bounds;
     let counts: [usize; D] = std::array::from_fn(|k| (bounds.size()[k] / dx).round() as usize);
     let mut places: Vec<[usize; D]> = vec![[0; D]];

@@ -82,8 +82,8 @@ fn rubbed<const D: usize>(problem: &Problem<D>) -> (Vec<Vector<D>>, Vec<Conserve
 pub fn is_inside<const D: usize>(problem: &Problem<D>, point: &Vector<D>, depth: f64) -> bool {
     let bounds = &problem.domain.bounds;
     (0..D).all(|k| {
-        point[k] - bounds.min[k] > depth * problem.spacing
-            && bounds.max[k] - point[k] > depth * problem.spacing
+        point[k] - bounds.min[k] > depth * problem.resolution.lattice()
+            && bounds.max[k] - point[k] > depth * problem.resolution.lattice()
     })
 }
 

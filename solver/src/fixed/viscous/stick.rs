@@ -5,7 +5,7 @@ use aero_geometry::Vector;
 use super::super::net::Net;
 use super::super::stick::{Heat, Stick};
 use super::Viscous;
-use crate::problem::{NoSlip, Problem, Side, WallHeat, WallKind};
+use crate::problem::{NoSlip, Problem, Side, WallHeat, WallKind, side_name};
 use crate::walls::wall_sides;
 
 /// Part of its speed up to which the surface of a wall may move across itself: faces are flat where bodies are round.
@@ -24,7 +24,7 @@ pub fn stick<const D: usize>(net: &mut Net<D>, problem: &Problem<D>) -> Result<(
         .iter()
         .map(|body| (body.wall, body.name.clone()));
     let sides = wall_sides(&problem.domain).into_iter().map(|(axis, end)| {
-        let name = format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]);
+        let name = side_name(axis, end);
         match problem.domain.sides[axis][end] {
             Side::Wall { kind, .. } => (kind, name),
             _ => (WallKind::Slip, name),

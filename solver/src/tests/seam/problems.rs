@@ -178,7 +178,7 @@ pub fn body_on_the_lattice<const D: usize>(
     problem: &Problem<D>,
     shape: Arc<dyn Shape<D>>,
 ) -> Body<D> {
-    let (spacing, bounds) = (problem.spacing, &problem.domain.bounds);
+    let (spacing, bounds) = (problem.resolution.lattice(), &problem.domain.bounds);
     let mut ghosts = Ghosts::default();
     let cells = bounds.size().map(|size| (size / spacing).round() as i64);
     for index in lattice::points([0; D], cells.into()) {
