@@ -6,6 +6,7 @@
 mod build;
 mod buried;
 mod caps;
+mod creases;
 mod cuts;
 mod edges;
 mod exposed;

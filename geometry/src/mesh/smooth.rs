@@ -1,14 +1,9 @@
 //! Creases, smooth patches, and normals that vary smoothly across a patch.
 
+use super::creases::{Creases, FLAT};
 use super::edges::{NONE, parts};
 use super::triangle::{Feature, OnTriangle};
 use crate::Vector;
-
-/// An edge that bends more than this (radians; 30 degrees) is a crease.
-const CREASE: f64 = std::f64::consts::FRAC_PI_6;
-
-/// An edge that bends less than this (radians; 3 degrees) is never a crease.
-const FLAT: f64 = std::f64::consts::PI / 60.0;
 
 /// The tip of a cone and a smooth vertex are told apart by how far the normals at the far ends of their triangles lean
 /// beyond the triangles' own, as a part of how far the normal at the vertex leans back: one half to one where
@@ -69,10 +64,15 @@ impl Smooth {
         let corners = |f: usize| facets[f].map(|v| vertices[v as usize]);
         let mut smooth_across = across.to_vec();
         let mut flags = vec![0_u8; facets.len()];
+        let creases = Creases {
+            vertices,
+            facets,
+            across,
+            size,
+        };
         for f in 0..facets.len() {
             for edge in 0..3 {
-                let other = across[f][edge];
-                if other == NONE || is_crease(&corners(f), edge, &corners(other as usize), size) {
+                if creases.has(f as u32, edge) {
                     flags[f] |= 1 << edge;
                     smooth_across[f][edge] = NONE;
                 }
@@ -201,21 +201,6 @@ impl Smooth {
             .sum();
         blended.try_normalize(0.0).unwrap_or_default()
     }
-}
-
-/// True where the edge that `a` shares with `b` parts smooth surfaces.
-fn is_crease(a: &[Vector<3>; 3], edge: usize, b: &[Vector<3>; 3], size: f64) -> bool {
-    let (na, nb) = (normal(a), normal(b));
-    let bend = na.cross(&nb).norm().atan2(na.dot(&nb));
-    if bend <= FLAT || bend > CREASE {
-        return bend > CREASE;
-    }
-    // Some degrees between wide triangles are a ramp, between narrow ones a curve: the radius of
-    // curvature that they would stand for tells them apart.
-    let length = (a[(edge + 1) % 3] - a[edge]).norm();
-    let doubled = |t: &[Vector<3>; 3]| (t[1] - t[0]).cross(&(t[2] - t[0])).norm();
-    let width = doubled(a).min(doubled(b)) / length;
-    width > bend * size
 }
 
 /// Groups the corners (three per triangle) that meet in a vertex without a crease between them;

@@ -1,0 +1,285 @@
+//! Which edges of a mesh part smooth surfaces, and which stand for a part of a curve.
+
+use super::edges::NONE;
+use super::smooth::normal;
+use crate::Vector;
+
+/// An edge that bends more than this (radians; 30 degrees) is a crease.
+const CREASE: f64 = std::f64::consts::FRAC_PI_6;
+
+/// An edge that bends less than this (radians; 3 degrees) is never a crease.
+pub(super) const FLAT: f64 = std::f64::consts::PI / 60.0;
+
+/// So many bends, one after the other, are a curve.
+const CURVE: usize = 3;
+
+/// A bend goes on as another that is at least this part of it.
+const ALIKE: f64 = 1.0 / 3.0;
+
+/// The next bend of a curve is not farther than this, in widths of the wider triangle at an edge.
+const REACH: f64 = 2.5;
+
+/// Triangles passed on the way to the next bend, at most.
+const MOST: usize = 64;
+
+/// A triangulated surface.
+#[derive(Clone, Copy)]
+pub(super) struct Creases<'a> {
+    pub vertices: &'a [Vector<3>],
+    pub facets: &'a [[u32; 3]],
+    /// The triangle across each edge of each.
+    pub across: &'a [[u32; 3]],
+    /// The extent of the body, against which bends are judged.
+    pub size: f64,
+}
+
+/// On the way across a surface.
+#[derive(Clone, Copy)]
+struct Walk {
+    facet: u32,
+    /// The edge of it that was crossed last.
+    edge: usize,
+    at: Vector<3>,
+    /// Unit vector in the plane of the triangle.
+    way: Vector<3>,
+}
+
+impl Creases<'_> {
+    fn corners(&self, facet: u32) -> [Vector<3>; 3] {
+        self.facets[facet as usize].map(|v| self.vertices[v as usize])
+    }
+
+    /// True where an edge of a triangle parts smooth surfaces.
+    ///
+    /// Some degrees between wide triangles are a ramp, between narrow ones a curve: the radius of curvature that they would stand for tells
+    /// them apart, and so does what is beside them, for a curve bends on and a ramp, as of a fin on a large body, does not.
+    pub fn has(&self, facet: u32, edge: usize) -> bool {
+        let other = self.across[facet as usize][edge];
+        if other == NONE {
+            return true;
+        }
+        let bend = self.bend(facet, edge).abs();
+        if bend <= FLAT || bend > CREASE {
+            return bend > CREASE;
+        }
+        let [own, beyond] = [
+            self.width(facet, edge),
+            self.width(other, self.back(other, facet)),
+        ];
+        own.min(beyond) > bend * self.size || !self.is_curve(facet, edge, REACH * own.max(beyond))
+    }
+
+    /// Angle between the triangles that share an edge, radians; positive where the surface bulges.
+    fn bend(&self, facet: u32, edge: usize) -> f64 {
+        let (own, other) = (
+            self.corners(facet),
+            self.corners(self.across[facet as usize][edge]),
+        );
+        let (a, b) = (normal(&own), normal(&other));
+        let middle = (other[0] + other[1] + other[2]) / 3.0;
+        let angle = a.cross(&b).norm().atan2(a.dot(&b));
+        angle.copysign(-a.dot(&(middle - own[edge])))
+    }
+
+    /// Height of a triangle over an edge.
+    fn width(&self, facet: u32, edge: usize) -> f64 {
+        let corners = self.corners(facet);
+        let along = corners[(edge + 1) % 3] - corners[edge];
+        let doubled = (corners[1] - corners[0]).cross(&(corners[2] - corners[0]));
+        doubled.norm() / along.norm()
+    }
+
+    /// The edge of `facet` that `other` lies across.
+    fn back(&self, facet: u32, other: u32) -> usize {
+        let edges = self.across[facet as usize];
+        edges.iter().position(|&f| f == other).unwrap_or(0)
+    }
+
+    /// True of an edge that is one of several alike, one after the other across it.
+    fn is_curve(&self, facet: u32, edge: usize, reach: f64) -> bool {
+        let bend = self.bend(facet, edge);
+        let other = self.across[facet as usize][edge];
+        let sides = [(facet, edge), (other, self.back(other, facet))];
+        let count: usize = sides
+            .into_iter()
+            .filter_map(|(facet, edge)| self.start(facet, edge))
+            .map(|walk| self.bends_on(walk, bend, reach))
+            .sum();
+        1 + count >= CURVE
+    }
+
+    /// From the middle of an edge straight into a triangle; none where it has no area.
+    fn start(&self, facet: u32, edge: usize) -> Option<Walk> {
+        let corners = self.corners(facet);
+        let (a, b) = (corners[edge], corners[(edge + 1) % 3]);
+        let way = normal(&corners).cross(&(b - a)).try_normalize(0.0)?;
+        let at = 0.5 * (a + b);
+        Some(Walk {
+            facet,
+            edge,
+            at,
+            way,
+        })
+    }
+
+    /// How many bends like `bend` follow one another within `reach` each, up to as many as make a curve.
+    fn bends_on(&self, mut walk: Walk, bend: f64, reach: f64) -> usize {
+        let mut count = 0;
+        while count + 1 < CURVE {
+            let Some(next) = self.next_bend(walk, bend, reach) else {
+                break;
+            };
+            walk = next;
+            count += 1;
+        }
+        count
+    }
+
+    /// Beyond the next edge that bends like `bend`; none within `reach`, nor beyond a crease or a rim.
+    fn next_bend(&self, mut walk: Walk, bend: f64, reach: f64) -> Option<Walk> {
+        let from = walk.at;
+        for _ in 0..MOST {
+            let edge = self.way_out(&mut walk)?;
+            if (walk.at - from).norm() > reach {
+                return None;
+            }
+            let other = self.across[walk.facet as usize][edge];
+            if other == NONE {
+                return None;
+            }
+            let next = self.bend(walk.facet, edge);
+            let plane = normal(&self.corners(other));
+            walk = Walk {
+                facet: other,
+                edge: self.back(other, walk.facet),
+                at: walk.at,
+                way: (walk.way - plane * plane.dot(&walk.way)).try_normalize(0.0)?,
+            };
+            if next.abs() > CREASE {
+                return None;
+            }
+            if next * bend.signum() >= ALIKE * bend.abs() {
+                return Some(walk);
+            }
+        }
+        None
+    }
+
+    /// Goes on to the edge by which the way leaves its triangle, and tells which that is; none where there is no telling.
+    fn way_out(&self, walk: &mut Walk) -> Option<usize> {
+        let corners = self.corners(walk.facet);
+        let plane = normal(&corners);
+        let others = (0..3).filter(|&k| k != walk.edge);
+        let reached = others.filter_map(|k| {
+            let along = corners[(k + 1) % 3] - corners[k];
+            let outward = along.cross(&plane);
+            let speed = walk.way.dot(&outward);
+            (speed > 0.0).then(|| (k, (corners[k] - walk.at).dot(&outward) / speed))
+        });
+        let (edge, far) = reached.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        walk.at += walk.way * far.max(0.0);
+        Some(edge)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use crate::{Bounds, Mesh, Shape, Vector};
+
+    /// The section of a prism, from `z = 0` to `span`, each side in `rows` strips along the span and `columns` across.
+    fn prism(section: &[[f64; 2]], span: f64, [rows, columns]: [usize; 2]) -> Mesh {
+        let count = section.len();
+        let mut facets = Vec::new();
+        let mix = |a: f64, b: f64, n: usize, of: usize| a + (b - a) * n as f64 / of as f64;
+        for n in 0..count {
+            let (from, to) = (section[n], section[(n + 1) % count]);
+            let at = |i: usize, j: usize| {
+                let [x, y] = [0, 1].map(|k| mix(from[k], to[k], i, columns));
+                Vector::<3>::new(x, y, mix(0.0, span, j, rows))
+            };
+            for i in 0..columns {
+                for j in 0..rows {
+                    facets.push([at(i, j), at(i + 1, j), at(i + 1, j + 1)]);
+                    facets.push([at(i, j), at(i + 1, j + 1), at(i, j + 1)]);
+                }
+            }
+        }
+        // The ends, from the middle to the same vertices.
+        let middle = |z: f64| Vector::<3>::new(0.5, 0.0, z);
+        for n in 0..count {
+            let (from, to) = (section[n], section[(n + 1) % count]);
+            for i in 0..columns {
+                let [a, b] = [i, i + 1].map(|i| [0, 1].map(|k| mix(from[k], to[k], i, columns)));
+                let place = |p: [f64; 2], z: f64| Vector::<3>::new(p[0], p[1], z);
+                facets.push([middle(0.0), place(b, 0.0), place(a, 0.0)]);
+                facets.push([middle(span), place(a, span), place(b, span)]);
+            }
+        }
+        Mesh::from_facets(facets).expect("a prism")
+    }
+
+    /// Length of the edges that bulge by less than 60 degrees.
+    fn ridges(mesh: &Mesh) -> f64 {
+        let all = Bounds::new(Vector::repeat(-99.0), Vector::repeat(99.0));
+        let ridges = mesh.ridges(0.1, &all);
+        let shallow = ridges.iter().filter(|ridge| ridge.turn() < 1.0);
+        shallow
+            .map(|ridge| (ridge.ends[1] - ridge.ends[0]).norm())
+            .sum()
+    }
+
+    const DIAMOND: [[f64; 2]; 4] = [[0.0, 0.0], [0.5, -0.05], [1.0, 0.0], [0.5, 0.05]];
+
+    /// A wing's ridges bend by 11 degrees whatever its span, and however its faces are cut up.
+    #[test]
+    fn ridges_of_a_wing_are_creases_at_any_span() {
+        for span in [0.5, 4.0, 40.0] {
+            for cut in [[1, 1], [8, 1], [1, 5], [12, 7]] {
+                let found = ridges(&prism(&DIAMOND, span, cut));
+                assert!(
+                    (found / (2.0 * span) - 1.0).abs() < 1e-9,
+                    "{span} {cut:?}: {found}"
+                );
+            }
+        }
+    }
+
+    /// So do those of a section of six sides, two to a face.
+    #[test]
+    fn two_bends_are_no_curve() {
+        let section = [
+            [0.0, 0.0],
+            [0.3, -0.04],
+            [0.7, -0.04],
+            [1.0, 0.0],
+            [0.7, 0.04],
+            [0.3, 0.04],
+        ];
+        for cut in [[1, 1], [6, 4]] {
+            let found = ridges(&prism(&section, 8.0, cut));
+            assert!((found / 32.0 - 1.0).abs() < 1e-9, "{cut:?}: {found}");
+        }
+    }
+
+    /// A round bar of 24 sides is round, and so is a wing whose faces are arcs of eight pieces, but for its two edges.
+    #[test]
+    fn curves_have_no_creases() {
+        let round: Vec<[f64; 2]> = (0..24)
+            .map(|n| {
+                let (sine, cosine) = (f64::from(n) * std::f64::consts::TAU / 24.0).sin_cos();
+                [0.5 + 0.5 * cosine, 0.5 * sine]
+            })
+            .collect();
+        let thick = |x: f64| 1.2 * x * (1.0 - x);
+        let lower = (0..8).map(|n| f64::from(n) / 8.0).map(|x| [x, -thick(x)]);
+        let upper = (0..8)
+            .map(|n| 1.0 - f64::from(n) / 8.0)
+            .map(|x| [x, thick(x)]);
+        let arcs: Vec<[f64; 2]> = lower.chain(upper).collect();
+        for section in [round, arcs] {
+            for cut in [[1, 1], [9, 1], [3, 2]] {
+                assert_eq!(ridges(&prism(&section, 5.0, cut)), 0.0, "{cut:?}");
+            }
+        }
+    }
+}
