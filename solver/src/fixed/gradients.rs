@@ -69,7 +69,7 @@ pub fn slopes<G: Gas, const D: usize>(
     for side in &block.sides {
         let cell = &states[side.i as usize];
         let sums = &mut sums[side.i as usize - start];
-        if let Some(image) = side.known(cell) {
+        if let Some(image) = side.known(gas, cell) {
             let warming = viscous.map(|_| image.heat() - cell.heat());
             let rise = image.plus(-1.0, cell);
             sums.add(&in_heat(rise, warming, cell), &side.image.weight());

@@ -4,6 +4,7 @@ use super::cells::Cells;
 use super::far_field::FarField;
 use super::given::{GivenFace, given_faces};
 use super::net::Net;
+use super::spreading::Spreading;
 use crate::problem::Problem;
 
 /// Faces whose other side is not what it was at the start.
@@ -13,6 +14,8 @@ pub struct Outside<const D: usize> {
     pub given: Vec<GivenFace<D>>,
     /// The stream that lift turns, if any.
     pub far_field: Option<FarField<D>>,
+    /// The side around an axis whose stream waves turn that thin out, if any.
+    pub spreading: Option<Spreading<D>>,
 }
 
 impl<const D: usize> Outside<D> {
@@ -21,6 +24,7 @@ impl<const D: usize> Outside<D> {
         Self {
             given: given_faces(problem, cells),
             far_field: FarField::of(problem, cells, net),
+            spreading: Spreading::of(problem, cells),
         }
     }
 }

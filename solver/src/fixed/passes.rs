@@ -39,6 +39,7 @@ struct Found {
 impl<const D: usize> FixedSimulation<D> {
     /// Slopes of all cells that are awake; returns the least of `V / L`.
     pub(super) fn find_slopes(&mut self) -> f64 {
+        self.turn_around_axis();
         self.find_reaches()
             .into_iter()
             .fold(f64::INFINITY, f64::min)

@@ -129,6 +129,7 @@ impl<const D: usize> FixedSimulation<D> {
         for rest in &mut self.quiet.blocks {
             rest.is_awake = true;
         }
+        self.turn_around_axis();
         let reaches = self.find_reaches();
         self.columns.slopes.fill(Slopes::LEVEL);
         let boundaries = self.boundaries();

@@ -6,6 +6,7 @@ use super::cells::SideFace;
 use super::gas::Gas;
 use super::hll::Jump;
 use super::image::Image;
+use super::mach_lines;
 use super::reconstruction::rise;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
@@ -51,9 +52,9 @@ impl<const D: usize> Side<D> {
 
     /// State at the image of `cell`, where it counts in the gradients.
     #[inline]
-    pub fn known(&self, cell: &Primitive<D>) -> Option<Primitive<D>> {
-        match self.beyond {
-            Beyond::Stream(state) => Some(state),
+    pub fn known<G: Gas>(&self, gas: &G, cell: &Primitive<D>) -> Option<Primitive<D>> {
+        match &self.beyond {
+            Beyond::Stream(state) => Some(mach_lines::beyond(gas, cell, state, &self.image.normal)),
             Beyond::Mirror => Some(cell.mirrored(&self.image.normal)),
             Beyond::Same | Beyond::OneWay | Beyond::Answers(_) | Beyond::Rides(_) => None,
         }
@@ -74,7 +75,7 @@ impl<const D: usize> Side<D> {
             _ => *cell,
         };
         let other = match &self.beyond {
-            Beyond::Stream(state) => *state,
+            Beyond::Stream(state) => mach_lines::beyond(gas, cell, state, &normal),
             Beyond::Same => drawn,
             Beyond::OneWay => {
                 let speed = dot(&drawn.velocity, &normal);

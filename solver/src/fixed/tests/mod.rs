@@ -21,6 +21,7 @@ mod jumps;
 pub(crate) mod lattice;
 mod outlets;
 mod parted;
+mod passing;
 mod plane;
 mod pockets;
 mod ridges;
