@@ -28,6 +28,7 @@ mod steady;
 mod stopwatch;
 mod swing;
 mod tally;
+mod thrown_back;
 mod to_folder;
 mod under_way;
 mod views;

@@ -5,7 +5,9 @@ use serde::{Deserialize, Serialize};
 use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
-use super::{far_field, inlets, leaks, outlets, reach, refined, shown, stagnation, warmth};
+use super::{
+    far_field, inlets, leaks, outlets, reach, refined, shown, stagnation, thrown_back, warmth,
+};
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
 use aero_packer::Warning;
@@ -243,6 +245,7 @@ impl Tally {
                 .chain(far_field::warnings(problem, &loads))
                 .chain(inlets::warnings(problem, &frame))
                 .chain(outlets::warnings(problem, &frame))
+                .chain(thrown_back::warnings(problem, &frame, &simulation.panels()))
                 .chain(warmth::warnings(problem, &frame))
                 .chain(stagnation::warnings(problem, &frame))
                 .chain(shown::warnings(simulation, &self.coefficients))
