@@ -68,10 +68,10 @@ fn along<const D: usize>(state: &Primitive<D>, normal: &[f64; D]) -> Option<[f64
 
 /// The stream behind the wave that leaves gas `inside` for it, and how much of that counts; none where gas is slower than sound.
 ///
-/// Along Mach lines `dθ = ± k d ln p`, `k = sqrt(M^2 - 1) p / (rho u^2)` [Prandtl and Meyer's law for any gas; Anderson 2003, section 4.14, for
-/// the ideal one], `-` through the wave that goes in and `+` through the one that goes out. Both have the same mean `k`, by Simpson's rule
+/// Along Mach lines `dθ = ± k d ln p`, `k = sqrt(M^2 - 1) p / (rho u^2)`, `-` through the wave that goes in and `+` through the one that goes
+/// out: of the ideal gas Prandtl and Meyer's law [NACA Report 1135 (1953), eq. 171c]. Both have the same mean `k`, by Simpson's rule
 /// between the two gases: `θ_i - θ = k ln(p / p_i)` and `θ - θ_s = k ln(p / p_s)`. Shocks are off that by the third power of their
-/// strength [Thompson 1972, section 7.3].
+/// strength.
 fn behind<G: Gas>(gas: &G, [inside, stream]: &[Flow; 2]) -> Option<(Flow, f64)> {
     let middle = (inside.pressure * stream.pressure).sqrt();
     let middles = [inside.at(gas, middle)?, stream.at(gas, middle)?];

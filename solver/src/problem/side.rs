@@ -21,7 +21,8 @@ pub enum Side {
         /// How fast it is gone back to, against the time that sound takes through the domain: `sigma` of Poinsot & Lele 1992.
         relaxation: f64,
     },
-    /// Buffer of free-stream particles along a side that the flow does not disturb.
+    /// Buffer of free-stream particles along a side that the flow does not disturb. Of points that stay the stream beyond it, into which waves of
+    /// one faster than sound leave along Mach lines.
     FreeStream,
     /// Inlet at less than the speed of sound, from a reservoir at the free stream's stagnation state:
     /// the flow inside decides how fast the gas enters.
