@@ -71,13 +71,15 @@ pub(super) fn warnings<const D: usize>(
     lines.map(|text| Warning::new(About::Scene, text)).collect()
 }
 
-/// True of a side that the stream does not cross faster than sound.
+/// True of a side that the stream goes along more than across, and does not cross faster than sound.
 fn runs_along<const D: usize>(problem: &Problem<D>, axis: usize, end: usize) -> bool {
     let stream = &problem.free_stream;
     let sound = problem.gas.sound_speed_at(stream.density, stream.pressure);
     let own = (axis, end);
     let mut openings = problem.domain.openings.iter();
-    stream.velocity[axis].abs() < sound
+    let across = stream.velocity[axis].abs();
+    across < sound
+        && 2.0 * across * across < stream.velocity.norm_squared()
         && !openings.any(|opening| (opening.axis, opening.end) == own)
 }
 
