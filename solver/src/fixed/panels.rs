@@ -71,8 +71,7 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     /// What presses a panel: the mean over its pieces of the pressure on their walls, which is spread over what belongs to a wall
-    /// as the pressure around rises. Neither is any of a wall's load lost nor shown twice; what it has over the stream's pressure,
-    /// which is of no force on all of a body, is shown on the wall's area.
+    /// as the pressure around rises. Neither is any of a wall's load lost nor shown twice, see [`Patch::shown`].
     fn pressed(
         &self,
         pieces: &[Piece<D>],
@@ -92,8 +91,7 @@ impl<const D: usize> FixedSimulation<D> {
         for piece in pieces {
             let (wall, pressure) = &walls[piece.wall];
             let patch = &patches[piece.wall];
-            let shown = calm + patch.ratio * (patch.pressure(*pressure, &piece.place) - calm);
-            pressed.pressure += piece.part * shown;
+            pressed.pressure += piece.part * patch.shown(*pressure, &piece.place, calm);
             pressed.mach += piece.part * self.mach(wall.i as usize);
         }
         pressed
@@ -184,6 +182,14 @@ impl<const D: usize> Patch<D> {
         }
     }
 
+    /// What a place on it shows, where the pressure on the wall is `pressure`: what that has over the stream's, `calm`, which is of no force on
+    /// all of a body, on the wall's area. It is made more or less by no larger a part of itself than the area is: beside a pressure far below
+    /// the stream's, what areas are off by would be all that there is to see.
+    fn shown(&self, pressure: f64, place: &Vector<D>, calm: f64) -> f64 {
+        let pressure = self.pressure(pressure, place);
+        pressure + (self.ratio - 1.0) * (pressure - calm).max(-pressure.abs())
+    }
+
     /// Pressure at a place on it, where that on the wall is `pressure`.
     fn pressure(&self, pressure: f64, place: &Vector<D>) -> f64 {
         let rise = self.fit.slope().dot(&(place - self.middle));
@@ -205,4 +211,49 @@ fn fit<const D: usize>(nearby: &Nearby<'_, D>, wall: &Wall<D>, middle: &Vector<D
         }
     });
     fit
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use aero_geometry::bodies;
+
+    use super::*;
+    use crate::fixed::tests::flows::stream;
+
+    /// The last column of cells is 1.4 spacings wide, so that what belongs to its wall lies up to 1.3 spacings from its foot.
+    #[test]
+    fn walls_have_as_much_of_the_surface_as_they_are_long() {
+        let corner = bodies::expansion_corner(0.0, 45.0).unwrap();
+        let bounds = [[-0.5, -1.6], [1.2, 1.0]];
+        let problem = stream(2.0, bounds, 1.0 / 32.0, vec![Arc::new(corner)]);
+        let flow = FixedSimulation::new(problem).unwrap();
+        let walls: Vec<(&Wall<2>, f64)> = flow.walls().collect();
+        let nearby = Nearby::new(&walls, &flow.points, flow.problem.spacing);
+        let panels = Panels::new(&flow.problem);
+        let pieces: Vec<Vec<Piece<2>>> = (panels.all().iter())
+            .map(|panel| nearby.pieces(panel))
+            .collect();
+        let extents = extents(&flow.problem, &panels, &pieces, &walls);
+        for ((wall, _), extent) in walls.iter().zip(&extents) {
+            let ratio = wall.image.share / extent.size;
+            let is_off = (ratio - 1.0).abs() > 1e-6;
+            assert!(!is_off || wall.foot[0] < 0.1, "{ratio} at {}", wall.foot);
+        }
+    }
+
+    /// Of walls that are off by a twentieth.
+    #[test]
+    fn what_areas_are_off_by_does_not_show_beside_a_low_pressure() {
+        let patch = Patch::<2> {
+            middle: Vector::zeros(),
+            ratio: 1.05,
+            fit: Fit::new(),
+        };
+        let shown = |pressure: f64| patch.shown(pressure, &Vector::zeros(), 1.0);
+        for (pressure, expected) in [(3.0, 3.1), (1.0, 1.0), (0.8, 0.79), (0.01, 0.0095)] {
+            assert!((shown(pressure) - expected).abs() < 1e-12, "{pressure}");
+        }
+    }
 }

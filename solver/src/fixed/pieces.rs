@@ -20,11 +20,12 @@ const ROUND: f64 = 0.2;
 /// Pieces of a panel are no longer than this part of the wall that they belong to.
 const FINE: f64 = 0.5;
 
-/// The same of pieces that walls meet in: on lines, and on surfaces, where what is too much here is too little there.
-const FINEST: [f64; 2] = [1.0 / 256.0, 1.0 / 16.0];
+/// The same of pieces that walls meet in: on lines, where halving goes straight to where they meet, and on surfaces, where what is too much
+/// here is too little there.
+const FINEST: [f64; 2] = [1e-9, 1.0 / 16.0];
 
 /// No piece is a smaller part of its panel: on lines, and on surfaces.
-const LEAST: [f64; 2] = [1e-5, 1.0 / 1024.0];
+const LEAST: [f64; 2] = [1e-10, 1.0 / 1024.0];
 
 /// Walls that are smaller than this part of a square as wide as is looked about own nothing: slivers, which an edge that runs along the
 /// edges of cells leaves in them, would ask for pieces as small.
@@ -56,6 +57,8 @@ pub struct Nearby<'a, const D: usize> {
     points: &'a [Vector<D>],
     by_foot: Pencils<D>,
     look: f64,
+    /// Length of the longest wall: what belongs to it may be half of that away from its foot.
+    longest: f64,
 }
 
 impl<'a, const D: usize> Nearby<'a, D> {
@@ -68,6 +71,10 @@ impl<'a, const D: usize> Nearby<'a, D> {
             points,
             by_foot: Pencils::new(&feet, look),
             look,
+            longest: walls
+                .iter()
+                .map(|(wall, _)| length(wall))
+                .fold(0.0, f64::max),
         }
     }
 
@@ -92,7 +99,7 @@ impl<'a, const D: usize> Nearby<'a, D> {
 
     /// The pieces of a panel, each with the wall of the cell that it belongs to; none where there is none far and wide.
     pub fn pieces(&self, panel: &Panel<D>) -> Vec<Piece<D>> {
-        let mut reach = self.look;
+        let mut reach = self.look.max(self.longest);
         for _ in 0..FARTHER {
             if let Some(found) = self.pieces_within(panel, reach) {
                 return found;
