@@ -18,6 +18,9 @@ use crate::frame::Load;
 const LEAST_FORCE: f64 = 0.01;
 const MOST_FORCE: f64 = 10.0;
 
+/// Departures from the stream's pressure below this part of it, and speeds below this part of that of sound, are rounded: gas at rest has no others.
+const ROUNDED: f64 = 1e-9;
+
 /// Friction below this part of the largest force is not waited for, nor is the heat of as much at the speed of sound.
 const LEAST_FRICTION: f64 = 1e-6;
 
@@ -189,14 +192,23 @@ impl<const D: usize> FixedSimulation<D> {
     /// Momentum of all gas, and what it would be if all went one way.
     fn momentum(&self) -> ([f64; D], f64) {
         let (mut sums, mut size) = ([0.0; D], f64::MIN_POSITIVE);
+        let slowest = ROUNDED * self.speed_of_sound();
         for (i, held) in self.columns.held.iter().enumerate() {
             let volume = self.net.cell(i).volume;
             for (sum, part) in sums.iter_mut().zip(held.momentum) {
                 *sum += part * volume;
             }
-            size += dot(&held.momentum, &held.momentum).sqrt() * volume;
+            let speed = dot(&held.momentum, &held.momentum).sqrt();
+            size += (speed + slowest * held.mass) * volume;
         }
         (sums, size)
+    }
+
+    /// Of the stream.
+    fn speed_of_sound(&self) -> f64 {
+        let stream = &self.problem.free_stream;
+        let square = (self.fluid.gas).sound_square(stream.density, stream.pressure);
+        square.sqrt()
     }
 
     /// What changes of forces are measured by: the largest one, bounded by what all departures from the stream's pressure press the walls with:
@@ -212,9 +224,10 @@ impl<const D: usize> FixedSimulation<D> {
             return largest;
         }
         let calm = self.problem.free_stream.pressure;
+        let rounded = ROUNDED * calm.abs();
         let departures = self
             .walls()
-            .map(|(wall, pressure)| (pressure - calm).abs() * wall.image.size);
+            .map(|(wall, pressure)| (rounded + (pressure - calm).abs()) * wall.image.size);
         let pressed = departures.sum::<f64>() * self.around();
         let size = largest.min(MOST_FORCE * pressed).max(LEAST_FORCE * pressed);
         size.max(f64::MIN_POSITIVE)
@@ -235,12 +248,8 @@ impl<const D: usize> FixedSimulation<D> {
         let energy: f64 = held
             .map(|(i, held)| held.energy * self.net.cell(i).volume)
             .sum();
-        let sound = self.fluid.gas.sound_square(
-            self.problem.free_stream.density,
-            self.problem.free_stream.pressure,
-        );
         let friction = friction + LEAST_FRICTION * force;
-        let heat = heat + LEAST_FRICTION * force * sound.sqrt();
+        let heat = heat + LEAST_FRICTION * force * self.speed_of_sound();
         let mut watched = vec![energy.ln(), friction.ln(), heat.ln()];
         if area > 0.0 {
             watched.push((level / area).ln());

@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use aero_geometry::{Bounds, Vector, bodies};
 
+use super::flows::stream;
 use super::lattice::problem;
 use crate::fixed::FixedSimulation;
 use crate::method::{FixedPoints, Method, Refine, Time};
@@ -131,5 +132,28 @@ fn a_duct_has_not_settled_before_its_gas_is_as_fast_as_its_ends_ask_for() {
     let exact = 0.1 * (1.008_f64 / 1.002).sqrt();
     for state in &flow.columns.states {
         assert!((state.velocity[0] / exact - 1.0).abs() < 5e-3, "{state:?}");
+    }
+}
+
+/// Nothing but what is rounded presses a wedge in gas at rest, nor moves that gas; neither is waited for.
+#[test]
+fn gas_at_rest_has_settled() {
+    let corners = [[-0.5, 0.013], [0.4, 0.2], [0.4, -0.2]];
+    let held = Side::HeldOutlet {
+        pressure: 1.0 / 1.4,
+        relaxation: 0.25,
+    };
+    let open = [Side::FreeStream, Side::FreeStream];
+    for first in [open, [Side::Reservoir { relaxation: None }, held]] {
+        let wedge = bodies::polygon(&corners.map(Vector::<2>::from)).unwrap();
+        let mut problem = stream(0.0, [[-1.0; 2], [1.0; 2]], 0.05, vec![Arc::new(wedge)]);
+        problem.domain.sides[0] = first;
+        problem.method = Method::Fixed(FixedPoints {
+            time: Time::Settle,
+            ..FixedPoints::default()
+        });
+        let mut flow = FixedSimulation::new(problem).unwrap();
+        let settled = flow.settle(500).unwrap();
+        assert!(settled.is_settled, "{settled:?}");
     }
 }
