@@ -16,6 +16,9 @@ const LEAST_DRAG: f64 = 0.1;
 /// A force counts as no less than this part of all that the body is pressed with over the stream's pressure.
 const LEAST: f64 = 0.05;
 
+/// Pressures that differ from the stream's by less than this part of it are rounded: gas at rest presses a body with nothing else.
+const ROUNDED: f64 = 1e-9;
+
 /// What there is to say of the loads of `flow` as it stands.
 pub(super) fn warnings<const D: usize>(
     flow: &Flow<D>,
@@ -46,11 +49,11 @@ pub(super) fn warnings<const D: usize>(
     told.collect()
 }
 
-/// All that a body is pressed with over the stream's pressure, whatever its direction.
+/// All that a body is pressed with over the stream's pressure, whatever its direction, and what the latter is rounded by.
 fn pressed(panels: &PanelFrame, body: usize, calm: f64) -> f64 {
     let own = (0..panels.body.len()).filter(|&n| panels.body[n] as usize == body);
-    own.map(|n| (panels.pressure[n] - calm).abs() * panels.area[n])
-        .sum()
+    let over = |pressure: f64| (pressure - calm).abs() + ROUNDED * calm.abs();
+    own.map(|n| over(panels.pressure[n]) * panels.area[n]).sum()
 }
 
 /// What a `load` has over what is `shown`, in parts of it: the larger of that of the whole and that of its part `along` the stream.
