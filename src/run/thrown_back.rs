@@ -5,7 +5,7 @@
 
 use aero_packer::{About, Warning};
 use aero_solver::frame::{Frame, PanelFrame};
-use aero_solver::problem::{Problem, Side};
+use aero_solver::problem::{Problem, Side, side_name};
 
 use super::beside::beside;
 
@@ -47,7 +47,7 @@ pub(super) fn warnings<const D: usize>(
         *side == Side::FreeStream && runs_along(problem, *axis, *end)
     });
     let lines = sides.filter_map(|(axis, end, _, plane)| {
-        let gas = beside(problem.spacing, frame, (axis, end, plane));
+        let gas = beside(problem.resolution.lattice(), frame, (axis, end, plane));
         let over = |i: usize| (frame.pressure[i] - calm).abs() / pressed;
         let places: Vec<(f64, Place)> = gas
             .filter(|(i, _)| over(*i) > WORTH && !leaves(problem, frame.mach[*i]))
@@ -55,7 +55,7 @@ pub(super) fn warnings<const D: usize>(
             .collect();
         let most = places.iter().fold(0.0_f64, |most, (over, _)| most.max(*over));
         (felt(&places, panels, &own) > PART).then(|| {
-            let name = format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]);
+            let name = side_name(axis, end);
             format!(
                 "the free-stream side `{name}` throws waves back onto a body: gas beside it is off the stream's pressure by up to {:.0} % of what \
                  bodies are pressed with, and forces are wrong by a part of that; move the side away{}",

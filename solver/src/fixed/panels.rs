@@ -230,7 +230,7 @@ mod tests {
         let problem = stream(2.0, bounds, 1.0 / 32.0, vec![Arc::new(corner)]);
         let flow = FixedSimulation::new(problem).unwrap();
         let walls: Vec<(&Wall<2>, f64)> = flow.walls().collect();
-        let nearby = Nearby::new(&walls, &flow.points, flow.problem.spacing);
+        let nearby = Nearby::new(&walls, &flow.points, flow.problem.resolution.lattice());
         let panels = Panels::new(&flow.problem);
         let pieces: Vec<Vec<Piece<2>>> = (panels.all().iter())
             .map(|panel| nearby.pieces(panel))
