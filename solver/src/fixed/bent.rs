@@ -6,8 +6,8 @@
 use aero_geometry::Vector;
 
 use super::bend::{Bend, BentFace, BentWall, Surroundings};
+use super::equation_of_state::EquationOfState;
 use super::fan::Fan;
-use super::gas::Gas;
 use super::hll::Jump;
 use super::net::{Block, Face, FaceShape, Net};
 use super::slopes::Flow;
@@ -29,7 +29,7 @@ pub struct Standing<'a, const D: usize> {
 }
 
 /// The fans that stand at the bends of a block.
-pub fn fans<'a, G: Gas, const D: usize>(
+pub fn fans<'a, G: EquationOfState, const D: usize>(
     gas: &G,
     block: &'a Block<D>,
     flow: Flow<'_, D>,
@@ -56,7 +56,7 @@ pub struct Layout<'a, const D: usize> {
 }
 
 /// Adds to what the cells of a block gain what the faces around its bends let through more than the `usual` flux, face by face.
-pub fn turn<G: Gas, const D: usize>(
+pub fn turn<G: EquationOfState, const D: usize>(
     gas: &G,
     fans: &[Standing<'_, D>],
     Layout { net, block, points }: Layout<'_, D>,
@@ -84,7 +84,7 @@ pub fn turn<G: Gas, const D: usize>(
 }
 
 /// Lets the fans say what presses on the walls of a block, whose usual `pressures` are given.
-pub fn press<G: Gas, const D: usize>(
+pub fn press<G: EquationOfState, const D: usize>(
     gas: &G,
     fans: &[Standing<'_, D>],
     Layout { block, points, .. }: Layout<'_, D>,
@@ -129,7 +129,7 @@ fn quadrature<const D: usize>(
 
 impl<const D: usize> Standing<'_, D> {
     /// What flows through a face more than the `usual` flux.
-    fn more<G: Gas>(
+    fn more<G: EquationOfState>(
         &self,
         gas: &G,
         bent: &BentFace<D>,
@@ -171,7 +171,7 @@ impl<const D: usize> Standing<'_, D> {
 
 impl<const D: usize> BentWall<D> {
     /// Pressure on the wall, where it would be `usual` elsewhere.
-    fn pressure<G: Gas>(
+    fn pressure<G: EquationOfState>(
         &self,
         gas: &G,
         fan: &Fan<D>,

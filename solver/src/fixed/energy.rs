@@ -1,7 +1,7 @@
 //! How energy goes through faces.
 
 use super::calmness::share;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::real::Real;
 use super::state::{Primitive, dot};
 use crate::problem::Problem;
@@ -52,7 +52,7 @@ impl EnergyFlux {
 /// much of the energy is to go that way, from zero to one, where the stream brings `enthalpy` and pressures are `smooth`, from zero in shocks
 /// to one. Of first order where the total enthalpies differ, exact where they do not.
 #[inline(always)]
-pub fn carried<G: Gas, const D: usize, R: Real>(
+pub fn carried<G: EquationOfState, const D: usize, R: Real>(
     gas: &G,
     mass: R,
     [left, right]: &[Primitive<D, R>; 2],
@@ -70,7 +70,10 @@ pub fn carried<G: Gas, const D: usize, R: Real>(
 
 /// `e + p / rho + u^2 / 2`.
 #[inline(always)]
-fn total_enthalpy<G: Gas, const D: usize, R: Real>(gas: &G, state: &Primitive<D, R>) -> R {
+fn total_enthalpy<G: EquationOfState, const D: usize, R: Real>(
+    gas: &G,
+    state: &Primitive<D, R>,
+) -> R {
     let energy = gas.internal_energy(state.density, state.pressure);
     (energy + state.pressure) / state.density + dot(&state.velocity, &state.velocity) * 0.5
 }
@@ -79,9 +82,9 @@ fn total_enthalpy<G: Gas, const D: usize, R: Real>(gas: &G, state: &Primitive<D,
 mod tests {
     use std::sync::Arc;
 
-    use super::super::gas::IdealGas;
     use super::super::tests::lattice::problem;
     use super::*;
+    use crate::gas::IdealGas;
     use crate::method::{FixedPoints, Method, Time};
     use crate::problem::{Given, Opening, Side};
     use approx::assert_relative_eq;
@@ -108,7 +111,7 @@ mod tests {
 
     #[test]
     fn mass_takes_the_total_enthalpy_of_where_it_comes_from_if_that_is_not_the_streams() {
-        let gas = IdealGas { gamma: 1.4 };
+        let gas = IdealGas::new(1.4);
         let sides = [
             Primitive {
                 density: 1.4,

@@ -4,9 +4,9 @@ use aero_geometry::Vector;
 
 use super::bent::{Layout, fans, press, turn};
 use super::energy::EnergyFlux;
+use super::equation_of_state::EquationOfState;
 use super::fluxes::{Passed, Through};
 use super::gains::Gains;
-use super::gas::Gas;
 use super::kink::hold;
 use super::net::{Block, Net};
 use super::slopes::{Flow, Slopes};
@@ -57,7 +57,7 @@ impl<'a, G, const D: usize> Exchange<'a, G, D> {
     }
 }
 
-impl<G: Gas, const D: usize> Exchange<'_, G, D> {
+impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
     /// What the cells gain.
     pub fn gains(self, arch: pulp::Arch) -> Gains<D> {
         let Self {

@@ -6,7 +6,7 @@
 use std::f64::consts::FRAC_PI_2;
 
 use super::bend::Bend;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::prandtl_meyer::{angle, slope_of};
 use super::state::{Primitive, dot};
 
@@ -77,7 +77,7 @@ pub struct Fan<const D: usize> {
 
 impl<const D: usize> Fan<D> {
     /// The fan at `bend` of gas in the state `front` ahead of it, if one stands there.
-    pub fn new<G: Gas>(gas: &G, front: &Primitive<D>, bend: &Bend<D>) -> Option<Self> {
+    pub fn new<G: EquationOfState>(gas: &G, front: &Primitive<D>, bend: &Bend<D>) -> Option<Self> {
         let square = gas.sound_square(front.density, front.pressure);
         let gamma = square * front.density / front.pressure;
         let slide = dot(&front.velocity, &bend.edge);
@@ -205,7 +205,12 @@ impl<const D: usize> Fan<D> {
 
     /// How far gas in the state `own` may be taken for what the fan has there, `known`: not where it is slower than sound, nor where its
     /// pressure is off by what the whole fan changes, and wholly up to half of that.
-    pub fn agreement<G: Gas>(&self, gas: &G, own: &Primitive<D>, known: &Primitive<D>) -> f64 {
+    pub fn agreement<G: EquationOfState>(
+        &self,
+        gas: &G,
+        own: &Primitive<D>,
+        known: &Primitive<D>,
+    ) -> f64 {
         let [across, way] = [own, known].map(|state| less(&state.velocity, &self.carried));
         let speed = dot(&way, &way).sqrt();
         let along = dot(&across, &way).max(0.0) / speed;

@@ -6,7 +6,7 @@ use pulp::{Simd, WithSimd};
 
 use super::calmness::{smoothness, steepness};
 use super::energy::{EnergyFlux, carried};
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::gather::{gather, gather_state, stored};
 use super::hll::Jump;
 use super::net::{Block, Face, Net};
@@ -46,7 +46,7 @@ pub struct Passed<const D: usize> {
     pub fluxes: Vec<Conserved<D>>,
 }
 
-impl<G: Gas, const D: usize> WithSimd for Through<'_, G, D> {
+impl<G: EquationOfState, const D: usize> WithSimd for Through<'_, G, D> {
     type Output = Passed<D>;
 
     #[inline(always)]
@@ -153,7 +153,12 @@ impl<S: Simd, const D: usize> Batch<S, D> {
 
     /// Flux through the whole of each face.
     #[inline(always)]
-    fn flux<G: Gas>(&self, gas: &G, energy: EnergyFlux, least_mach: f64) -> Conserved<D, Lane<S>> {
+    fn flux<G: EquationOfState>(
+        &self,
+        gas: &G,
+        energy: EnergyFlux,
+        least_mach: f64,
+    ) -> Conserved<D, Lane<S>> {
         let size = dot(&self.area, &self.area).sqrt();
         let share = size.like(1.0) / size;
         let normal = scaled(&self.area, share);

@@ -1,6 +1,6 @@
 //! How the gas changes about a cell: least squares over its neighbours, and how strong the shocks are that it is in.
 
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::net::{Block, Net};
 use super::slopes::Slopes;
 use super::state::{Primitive, dot};
@@ -22,7 +22,7 @@ struct Sums<const D: usize> {
 /// temperatures in place of densities, whose profile through a layer at a cold wall is far from straight.
 ///
 /// Returns the least of `V / L` over the cells, `L` the sum of `(|u.n| + a) A` over all faces, and of what viscosity adds to it.
-pub fn slopes<G: Gas, const D: usize>(
+pub fn slopes<G: EquationOfState, const D: usize>(
     gas: &G,
     net: &Net<D>,
     block: &Block<D>,

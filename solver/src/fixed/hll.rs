@@ -2,7 +2,7 @@
 //!
 //! [Harten, Lax & van Leer 1983; speeds of Einfeldt 1988, SIAM J. Numer. Anal. 25, 294-318]
 
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::real::Real;
 use super::state::{Conserved, Primitive, dot};
 
@@ -34,7 +34,7 @@ impl<const D: usize, R: Real> Jump<D, R> {
     /// Between two states. The speeds are `min(u_L - a_L, u - a)` and `max(u_R + a_R, u + a)` with means over
     /// `sqrt(rho)`, `a^2 = <a^2> + (sqrt(rho_L rho_R) / (sqrt(rho_L) + sqrt(rho_R))^2 / 2) (u_R - u_L)^2` [Einfeldt 1988, section 5].
     #[inline(always)]
-    pub fn new<G: Gas>(
+    pub fn new<G: EquationOfState>(
         gas: &G,
         left: Primitive<D, R>,
         right: Primitive<D, R>,
@@ -98,7 +98,7 @@ impl<const D: usize, R: Real> Jump<D, R> {
 impl<const D: usize, R: Real> Half<D, R> {
     /// A side in this state; its wave is yet to be found.
     #[inline(always)]
-    fn new<G: Gas>(gas: &G, state: Primitive<D, R>, normal: &[R; D]) -> Self {
+    fn new<G: EquationOfState>(gas: &G, state: Primitive<D, R>, normal: &[R; D]) -> Self {
         let speed = dot(&state.velocity, normal);
         Self {
             state,

@@ -4,8 +4,8 @@
 //! cells before; the cell that the bend lies in holds gas of both sides of the shock, in parts that depend on where in it the bend lies.
 
 use super::bend::Kink;
+use super::equation_of_state::EquationOfState;
 use super::fan::{SONIC, SUPERSONIC, rise};
-use super::gas::Gas;
 use super::net::Block;
 use super::slopes::{Flow, Slopes};
 use super::state::{Primitive, dot};
@@ -16,7 +16,7 @@ const NEARLY: f64 = 0.95;
 impl<const D: usize> Kink<D> {
     /// How far gas in the state `front` meets the bend without knowing of it: from not at all, where it is slower than sound or its shock stands
     /// ahead of the bend, to one.
-    fn share<G: Gas>(&self, gas: &G, front: &Primitive<D>) -> f64 {
+    fn share<G: EquationOfState>(&self, gas: &G, front: &Primitive<D>) -> f64 {
         let sound = gas.sound_square(front.density, front.pressure);
         let gamma = sound * front.density / front.pressure;
         let towards = dot(&front.velocity, &self.before);
@@ -36,7 +36,7 @@ impl<const D: usize> Kink<D> {
 }
 
 /// Lets the gas ahead say what presses on the walls of a block before their bends; `pressures` are the usual ones.
-pub fn hold<G: Gas, const D: usize>(
+pub fn hold<G: EquationOfState, const D: usize>(
     gas: &G,
     block: &Block<D>,
     flow: Flow<'_, D>,
@@ -77,10 +77,10 @@ fn largest_turn(mach_square: f64, gamma: f64) -> f64 {
 mod tests {
     use approx::assert_relative_eq;
 
-    use super::super::gas::IdealGas;
     use super::*;
+    use crate::gas::IdealGas;
 
-    const AIR: IdealGas = IdealGas { gamma: 1.4 };
+    const AIR: IdealGas = IdealGas::new(1.4);
 
     /// A stream that meets a bend of so many degrees.
     fn share(mach: f64, degrees: f64) -> f64 {

@@ -5,7 +5,7 @@
 //! waves that go in and out there, the one that comes in is the stream's, which has none.
 
 use super::calmness::share;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::state::{Primitive, dot};
 
 /// Mach number from which on all of that holds; it fades out towards one, where waves stand still.
@@ -24,7 +24,7 @@ struct Flow {
 }
 
 /// What is beyond a side with this `normal`, out of the domain, that gas in the state `inside` meets the `stream` at.
-pub fn beyond<G: Gas, const D: usize>(
+pub fn beyond<G: EquationOfState, const D: usize>(
     gas: &G,
     inside: &Primitive<D>,
     stream: &Primitive<D>,
@@ -72,7 +72,7 @@ fn along<const D: usize>(state: &Primitive<D>, normal: &[f64; D]) -> Option<[f64
 /// out: of the ideal gas Prandtl and Meyer's law [NACA Report 1135 (1953), eq. 171c]. Both have the same mean `k`, by Simpson's rule
 /// between the two gases: `θ_i - θ = k ln(p / p_i)` and `θ - θ_s = k ln(p / p_s)`. Shocks are off that by the third power of their
 /// strength.
-fn behind<G: Gas>(gas: &G, [inside, stream]: &[Flow; 2]) -> Option<(Flow, f64)> {
+fn behind<G: EquationOfState>(gas: &G, [inside, stream]: &[Flow; 2]) -> Option<(Flow, f64)> {
     let middle = (inside.pressure * stream.pressure).sqrt();
     let middles = [inside.at(gas, middle)?, stream.at(gas, middle)?];
     let ends = inside.turn()? + stream.turn()?;
@@ -87,7 +87,7 @@ fn behind<G: Gas>(gas: &G, [inside, stream]: &[Flow; 2]) -> Option<(Flow, f64)> 
 }
 
 impl Flow {
-    fn of<G: Gas, const D: usize>(
+    fn of<G: EquationOfState, const D: usize>(
         gas: &G,
         state: &Primitive<D>,
         along: &[f64; D],
@@ -116,7 +116,7 @@ impl Flow {
 
     /// The same gas at another `pressure`, by its entropy and total enthalpy, with `p ~ rho^g` and `g = rho c^2 / p` as it is here: as they are
     /// in an ideal gas. None where it would come to rest before.
-    fn at<G: Gas>(&self, gas: &G, pressure: f64) -> Option<Self> {
+    fn at<G: EquationOfState>(&self, gas: &G, pressure: f64) -> Option<Self> {
         let exponent = self.density * self.sound_square / self.pressure;
         let density = self.density * (pressure / self.pressure).powf(1.0 / exponent);
         let heat = pressure / density - self.pressure / self.density;
@@ -133,12 +133,12 @@ impl Flow {
 
 #[cfg(test)]
 mod tests {
-    use super::super::gas::IdealGas;
     use super::super::prandtl_meyer;
     use super::*;
     use crate::gas::Air;
+    use crate::gas::IdealGas;
 
-    const GAS: IdealGas = IdealGas { gamma: 1.4 };
+    const GAS: IdealGas = IdealGas::new(1.4);
 
     /// A turn by ten degrees, radians.
     const TURN: f64 = 0.174_532_925;
@@ -312,7 +312,7 @@ mod tests {
             flow.density += change / flow.sound_square;
             flow.speed -= change / (flow.density * flow.speed);
             flow.pressure += change;
-            flow.sound_square = Gas::sound_square(&air, flow.density, flow.pressure);
+            flow.sound_square = EquationOfState::sound_square(&air, flow.density, flow.pressure);
         }
         let inside = Primitive {
             density: flow.density,

@@ -5,7 +5,7 @@ use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::pieces::{Nearby, Piece};
 use super::state::dot;
 use super::viscous::{Viscous, WallShare};

@@ -4,9 +4,9 @@ use aero_geometry::parallel::prelude::*;
 
 use super::columns::Columns;
 use super::energy::EnergyFlux;
+use super::equation_of_state::AnyGas;
 use super::exchange::Exchange;
 use super::gains::Gains;
-use super::gas::AnyGas;
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};
 use super::quiet::Quiet;

@@ -9,7 +9,7 @@ use std::ops::Range;
 use aero_geometry::parallel::prelude::*;
 
 use super::columns::Columns;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::net::BLOCK;
 use super::order::Link;
 use super::state::{Conserved, Primitive, dot, scaled};

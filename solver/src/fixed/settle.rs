@@ -6,7 +6,7 @@
 use serde::{Deserialize, Serialize};
 
 use super::FixedSimulation;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::pace::{Pace, RAMP_LENGTH};
 use super::state::dot;
 use super::stillness::{Look, WINDOW, change, range};

@@ -3,7 +3,7 @@
 use super::beyond::Beyond;
 use super::calmness::smoothness;
 use super::cells::SideFace;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
 use super::image::Image;
 use super::mach_lines;
@@ -52,7 +52,7 @@ impl<const D: usize> Side<D> {
 
     /// State at the image of `cell`, where it counts in the gradients.
     #[inline]
-    pub fn known<G: Gas>(&self, gas: &G, cell: &Primitive<D>) -> Option<Primitive<D>> {
+    pub fn known<G: EquationOfState>(&self, gas: &G, cell: &Primitive<D>) -> Option<Primitive<D>> {
         match &self.beyond {
             Beyond::Stream(state) => Some(mach_lines::beyond(gas, cell, state, &self.image.normal)),
             Beyond::Mirror => Some(cell.mirrored(&self.image.normal)),
@@ -61,7 +61,7 @@ impl<const D: usize> Side<D> {
     }
 
     /// Flux through a unit area, out of the domain; `slopes` are the cell's, `rubbed` is what viscosity and heat conduction give it per volume.
-    pub fn flux<G: Gas>(
+    pub fn flux<G: EquationOfState>(
         &self,
         gas: &G,
         cell: &Primitive<D>,
@@ -190,14 +190,14 @@ fn along<const D: usize>(state: &Primitive<D>, normal: &[f64; D]) -> Along {
 
 #[cfg(test)]
 mod tests {
-    use super::super::gas::IdealGas;
     use super::super::tests::lattice::problem;
     use super::*;
+    use crate::gas::IdealGas;
     use crate::method::{FixedPoints, Method, Time};
     use crate::problem::Side as SideKind;
     use crate::sides::Place;
 
-    const GAS: IdealGas = IdealGas { gamma: 1.4 };
+    const GAS: IdealGas = IdealGas::new(1.4);
 
     /// On the right of a cell about the origin.
     fn side(beyond: Beyond<2>) -> Side<2> {

@@ -5,7 +5,7 @@
 //! normal velocity after Rieper 2011, J. Comput. Phys. 230, 5263-5287, as part of the states after Thornber et al. 2008, J. Comput. Phys. 227,
 //! 4873-4894], by the stream's at least, so that gas that a bow shock has stopped is not left to itself.
 
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::real::Real;
 use super::state::{Primitive, dot};
 use crate::problem::Problem;
@@ -29,7 +29,7 @@ pub fn counted<R: Real>(mach: R, least: f64) -> R {
 
 /// Lessens the jump of the speed along the unit `normal` between both sides of a face by the Mach number of the faster one.
 #[inline(always)]
-pub fn meeting<G: Gas, R: Real, const D: usize>(
+pub fn meeting<G: EquationOfState, R: Real, const D: usize>(
     gas: &G,
     sides: &mut [Primitive<D, R>; 2],
     normal: &[R; D],
@@ -51,10 +51,10 @@ pub fn meeting<G: Gas, R: Real, const D: usize>(
 
 #[cfg(test)]
 mod tests {
-    use super::super::gas::IdealGas;
     use super::*;
+    use crate::gas::IdealGas;
 
-    const AIR: IdealGas = IdealGas { gamma: 1.4 };
+    const AIR: IdealGas = IdealGas::new(1.4);
 
     fn met(left: [f64; 2], right: [f64; 2], least: f64) -> [Primitive<2>; 2] {
         // Sound has a speed of one.

@@ -6,7 +6,7 @@ use aero_geometry::kernel::SMOOTHING_RATIO;
 use aero_geometry::{Bounds, Vector};
 
 use super::FixedSimulation;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::net::{Block, Face};
 use super::state::Conserved;
 use crate::Statistics;

@@ -5,7 +5,7 @@ use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
 use super::columns::Columns;
-use super::gas::AnyGas;
+use super::equation_of_state::AnyGas;
 use super::state::{Conserved, Primitive};
 use crate::problem::Added;
 

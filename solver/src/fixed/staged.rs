@@ -15,7 +15,7 @@
 use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::net::BLOCK;
 use super::state::{Primitive, dot};
 use crate::Failure;

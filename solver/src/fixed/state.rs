@@ -1,6 +1,6 @@
 //! The state of the gas in a cell: what it holds, and what it feels like.
 
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::real::Real;
 use crate::problem::State;
 
@@ -64,7 +64,7 @@ pub fn scaled<R: Real, const D: usize>(a: &[R; D], factor: R) -> [R; D] {
 impl<const D: usize, R: Real> Primitive<D, R> {
     /// Mass, momentum and energy per volume.
     #[inline(always)]
-    pub fn conserved<G: Gas>(&self, gas: &G) -> Conserved<D, R> {
+    pub fn conserved<G: EquationOfState>(&self, gas: &G) -> Conserved<D, R> {
         let kinetic = self.density * dot(&self.velocity, &self.velocity) * 0.5;
         Conserved {
             mass: self.density,
@@ -134,7 +134,7 @@ impl<const D: usize> Primitive<D> {
     /// Change of the flux through `area` with a small `change` of what the gas of this state and `energy` holds per volume: the flux's
     /// derivative times it, which is of first order however large the change.
     #[inline(always)]
-    pub fn flux_change<G: Gas>(
+    pub fn flux_change<G: EquationOfState>(
         &self,
         gas: &G,
         energy: f64,
@@ -193,7 +193,7 @@ impl<const D: usize> Conserved<D> {
 
     /// Density, velocity and pressure of what holds this much per volume; not of a gas where the pressure is not above zero.
     #[inline(always)]
-    pub fn primitive<G: Gas>(&self, gas: &G) -> Primitive<D> {
+    pub fn primitive<G: EquationOfState>(&self, gas: &G) -> Primitive<D> {
         let volume = 1.0 / self.mass;
         let velocity = scaled(&self.momentum, volume);
         let kinetic = 0.5 * dot(&self.momentum, &velocity);
@@ -218,13 +218,13 @@ impl<const D: usize> Conserved<D> {
 
 #[cfg(test)]
 mod tests {
-    use super::super::gas::IdealGas;
     use super::*;
+    use crate::gas::IdealGas;
     use approx::assert_relative_eq;
 
     #[test]
     fn the_flux_changes_as_its_derivative_says() {
-        let gas = IdealGas { gamma: 1.4 };
+        let gas = IdealGas::new(1.4);
         let held = Conserved {
             mass: 1.3,
             momentum: [0.7, -1.1],

@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 
 use super::calmness::resolution;
 use super::cells::{Matrix, WallFace};
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::image::Image;
 use super::limiter::minmod;
 use super::slow::counted;
@@ -94,7 +94,7 @@ impl<const D: usize> Wall<D> {
     /// `p / (1 + d rho u.K u / p)` of `p`, which stays positive however far the middle is. `push` is held up the same way.
     ///
     /// What gas slower than sound still has of speed into the wall counts by its Mach number, see [`super::slow`].
-    pub fn pressure<G: Gas>(
+    pub fn pressure<G: EquationOfState>(
         &self,
         gas: &G,
         cell: &Primitive<D>,
@@ -207,12 +207,12 @@ pub fn push<const D: usize>(image: &Image<D>, pressure: f64) -> Conserved<D> {
 #[cfg(test)]
 mod tests {
     use super::super::beyond::Beyond;
-    use super::super::gas::IdealGas;
     use super::super::sides::Side;
     use super::*;
     use crate::fixed::slopes::Slopes;
+    use crate::gas::IdealGas;
 
-    const AIR: IdealGas = IdealGas { gamma: 1.4 };
+    const AIR: IdealGas = IdealGas::new(1.4);
 
     /// Below a cell at a tenth above it.
     fn image() -> Image<2> {

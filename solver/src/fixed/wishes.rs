@@ -1,7 +1,7 @@
 //! Where the flow wants points added or taken away.
 
 use super::FixedSimulation;
-use super::gas::Gas;
+use super::equation_of_state::EquationOfState;
 use super::refine::Wish;
 use super::state::dot;
 

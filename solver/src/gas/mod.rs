@@ -38,11 +38,7 @@ pub struct IdealGas {
 impl Gas {
     /// An ideal gas whose specific heats have the ratio `gamma`, with temperatures in units of energy per mass.
     pub const fn ideal(gamma: f64) -> Self {
-        Self::Ideal(IdealGas {
-            gamma,
-            constant: 1.0,
-            transport: None,
-        })
+        Self::Ideal(IdealGas::new(gamma))
     }
 
     /// The ideal gas that it is; none of another.
@@ -269,9 +265,18 @@ impl Gas {
 }
 
 impl IdealGas {
+    /// One without viscosity, with temperatures in units of energy per mass.
+    pub const fn new(gamma: f64) -> Self {
+        Self {
+            gamma,
+            constant: 1.0,
+            transport: None,
+        }
+    }
+
     /// `gamma - 1`.
     #[inline(always)]
-    const fn heat(self) -> f64 {
+    pub(crate) const fn heat(self) -> f64 {
         self.gamma - 1.0
     }
 }

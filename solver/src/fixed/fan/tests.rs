@@ -2,10 +2,10 @@
 
 use approx::assert_relative_eq;
 
-use super::super::gas::IdealGas;
 use super::*;
+use crate::gas::IdealGas;
 
-const AIR: IdealGas = IdealGas { gamma: 1.4 };
+const AIR: IdealGas = IdealGas::new(1.4);
 
 /// A bend by `degrees`, turned by `way`, and seen in a mirror where `side` is -1.
 fn bend(degrees: f64, way: f64, side: f64) -> Bend<2> {

@@ -1,10 +1,10 @@
-//! What gas it is: all that the flow asks of it.
+//! The equation of state of the gas: all that the flow about points asks of it.
 
 use super::real::Real;
-use crate::gas::Air;
+use crate::gas::{Air, Gas, IdealGas};
 
-/// An equation of state, between density, pressure and internal energy per volume, `rho e`.
-pub trait Gas: Copy + Send + Sync {
+/// Between density, pressure and internal energy per volume, `rho e`, on single numbers and on vectors of them.
+pub trait EquationOfState: Copy + Send + Sync {
     /// Internal energy per volume.
     fn internal_energy<R: Real>(&self, density: R, pressure: R) -> R;
 
@@ -22,20 +22,6 @@ pub trait Gas: Copy + Send + Sync {
     fn wall_pressure(&self, density: f64, pressure: f64, speed: f64) -> f64;
 }
 
-/// Gas with constant specific heats, `p = (gamma - 1) rho e`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct IdealGas {
-    /// Ratio of specific heats.
-    pub gamma: f64,
-}
-
-impl IdealGas {
-    /// Ratio of the specific heats, less one: what makes pressure of energy.
-    pub fn heat(self) -> f64 {
-        self.gamma - 1.0
-    }
-}
-
 /// The gas of a problem.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum AnyGas {
@@ -50,11 +36,11 @@ impl AnyGas {
     ///
     /// # Errors
     /// A liquid.
-    pub fn of(gas: &crate::gas::Gas) -> Result<Self, String> {
+    pub fn of(gas: &Gas) -> Result<Self, String> {
         match gas {
-            crate::gas::Gas::Ideal(gas) => Ok(Self::Ideal(IdealGas { gamma: gas.gamma })),
-            crate::gas::Gas::Air(air) => Ok(Self::Air(*air)),
-            crate::gas::Gas::Liquid(_) => {
+            Gas::Ideal(gas) => Ok(Self::Ideal(*gas)),
+            Gas::Air(air) => Ok(Self::Air(*air)),
+            Gas::Liquid(_) => {
                 Err("a liquid goes with particles; use `scheme.motion = \"with-the-gas\"`".into())
             }
         }
@@ -88,35 +74,35 @@ macro_rules! either {
     };
 }
 
-impl Gas for AnyGas {
+impl EquationOfState for AnyGas {
     #[inline(always)]
     fn internal_energy<R: Real>(&self, density: R, pressure: R) -> R {
-        either!(self, gas => Gas::internal_energy(gas, density, pressure))
+        either!(self, gas => EquationOfState::internal_energy(gas, density, pressure))
     }
 
     #[inline(always)]
     fn pressure<R: Real>(&self, density: R, internal_energy: R) -> R {
-        either!(self, gas => Gas::pressure(gas, density, internal_energy))
+        either!(self, gas => EquationOfState::pressure(gas, density, internal_energy))
     }
 
     #[inline(always)]
     fn sound_square<R: Real>(&self, density: R, pressure: R) -> R {
-        either!(self, gas => Gas::sound_square(gas, density, pressure))
+        either!(self, gas => EquationOfState::sound_square(gas, density, pressure))
     }
 
     #[inline(always)]
     fn pressure_change(&self, density: f64, pressure: f64, change: [f64; 2]) -> f64 {
-        either!(self, gas => Gas::pressure_change(gas, density, pressure, change))
+        either!(self, gas => EquationOfState::pressure_change(gas, density, pressure, change))
     }
 
     #[inline(always)]
     fn wall_pressure(&self, density: f64, pressure: f64, speed: f64) -> f64 {
-        either!(self, gas => Gas::wall_pressure(gas, density, pressure, speed))
+        either!(self, gas => EquationOfState::wall_pressure(gas, density, pressure, speed))
     }
 }
 
 /// Lane by lane: what air is made of is no formula.
-impl Gas for Air {
+impl EquationOfState for Air {
     #[inline(always)]
     fn internal_energy<R: Real>(&self, density: R, pressure: R) -> R {
         density.each(pressure, |density, pressure| {
@@ -147,7 +133,7 @@ impl Gas for Air {
     }
 }
 
-impl Gas for IdealGas {
+impl EquationOfState for IdealGas {
     #[inline(always)]
     fn internal_energy<R: Real>(&self, _: R, pressure: R) -> R {
         pressure * (1.0 / (self.gamma - 1.0))
@@ -193,7 +179,7 @@ mod tests {
     use super::*;
     use approx::assert_relative_eq;
 
-    const AIR: IdealGas = IdealGas { gamma: 1.4 };
+    const AIR: IdealGas = IdealGas::new(1.4);
 
     #[test]
     fn energy_and_pressure_are_inverse() {
