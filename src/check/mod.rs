@@ -1,6 +1,7 @@
 //! Looks at a case before it runs: what cannot work is refused with the mend, what may go wrong is told. Packs nothing and runs
 //! nothing; `aero run` asks it first, `aero check` prints it.
 
+pub(crate) mod against;
 mod contact;
 mod describe;
 mod gaps;
@@ -75,6 +76,7 @@ pub fn check<const D: usize>(case: &Case<D>) -> Check {
     };
     sides::look(problem, &panels, &mut found);
     periods::look(problem, &panels, &mut found);
+    against::look(problem, &mut found);
     sound::look(problem, &mut found);
     ringing::look(problem, &mut found);
     warmth::look(problem, &mut found);

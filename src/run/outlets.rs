@@ -5,6 +5,7 @@ use aero_solver::frame::Frame;
 use aero_solver::problem::{Problem, Side, side_name};
 
 use super::beside::beside;
+use crate::check::against::is_against;
 
 /// Parts of an outlet beyond which gas that comes back, and gas that leaves slower than sound, are worth a word.
 const BACK: f64 = 0.005;
@@ -16,7 +17,10 @@ const AT_REST: f64 = 0.01;
 /// What there is to say of the outlets of a flow as it stands in `frame`.
 pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> Vec<Warning> {
     let outlets = problem.domain.each_side();
-    let outlets = outlets.filter(|(_, _, side, _)| *side == Side::Outlet);
+    // Those that the stream comes in by were told before the run began.
+    let outlets = outlets.filter(|(axis, end, side, _)| {
+        *side == Side::Outlet && !is_against(problem, *axis, *end, *side)
+    });
     let lines = outlets.filter_map(|(axis, end, _, plane)| {
         let [back, slow] = shares(problem.resolution.lattice(), frame, axis, end, plane);
         let name = side_name(axis, end);
