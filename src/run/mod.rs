@@ -9,6 +9,7 @@ mod coefficients;
 mod destination;
 mod error;
 mod far_field;
+mod held;
 mod inlets;
 mod lately;
 mod leaks;

@@ -5,6 +5,7 @@ use aero_solver::frame::Frame;
 use aero_solver::problem::{Problem, Side, side_name};
 
 use super::beside::beside;
+use super::held;
 use crate::check::against::is_against;
 
 /// Parts of an outlet beyond which gas that comes back, and gas that leaves slower than sound, are worth a word.
@@ -40,7 +41,8 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
             None
         }
     });
-    lines.map(|text| Warning::new(About::Scene, text)).collect()
+    let told = lines.map(|text| Warning::new(About::Scene, text));
+    told.chain(held::warnings(problem, frame)).collect()
 }
 
 /// Parts of the gas at a side, by the area that it takes there: what comes in, and what goes out slower than sound.
