@@ -14,8 +14,6 @@ use crate::sample::{Quantity, Raster, View};
 const STEEPEST: [f64; 2] = [0.0, 0.99];
 const NEARLY_ALL: [f64; 2] = [0.002, 0.998];
 
-/// Letters of the axes.
-
 /// What a picture says beside its colours.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Caption {

@@ -3,7 +3,7 @@
 
 use aero_packer::{About, Warning};
 use aero_solver::frame::Frame;
-use aero_solver::problem::{Problem, Side};
+use aero_solver::problem::{Problem, Side, side_name};
 
 use super::beside::beside;
 
@@ -33,7 +33,7 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
         let mean = mean_pressure(problem.resolution.lattice(), frame, (axis, end, plane))?;
         let off = (mean - pressure).abs() / largest;
         let is_worth = off > WORTH && !own(axis, end);
-        let name = format!("{}_{}", ["x", "y", "z"][axis], ["min", "max"][end]);
+        let name = side_name(axis, end);
         is_worth.then(|| {
             format!(
                 "the pressure at the outlet `{name}` is {mean:.5e} on the mean, {:.0} % of the dynamic pressure off the {pressure:.5e} that it \

@@ -6,8 +6,6 @@ use aero_solver::problem::side_name;
 use super::error::SceneError;
 use super::number::Finite;
 
-/// Letters of the axes.
-
 /// A vector of the scene's dimension.
 pub(super) fn vector<const D: usize>(
     place: &str,
