@@ -28,6 +28,7 @@ mod points;
 mod profiles;
 mod real_gas;
 mod report;
+mod ridge;
 mod row;
 pub mod scenes;
 pub mod sod;
@@ -89,7 +90,10 @@ static CASES: [Case; 29] = [
     ("cone", &[&cone::CONE]),
     ("cone-faceted", &[&faceted_cone::FACETED_CONE]),
     ("cone-incidence", &[&inclined_cone::INCLINED_CONE]),
-    ("expansion", &[&expansion::EXPANSION, &edge::EDGES]),
+    (
+        "expansion",
+        &[&expansion::EXPANSION, &edge::EDGES, &ridge::RIDGES],
+    ),
     ("free", &[&free::FREE_BODIES]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),

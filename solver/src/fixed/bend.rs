@@ -55,6 +55,8 @@ pub struct BentWall<const D: usize> {
     pub middle: [f64; D],
     /// How far that is from the bend, in spacings.
     pub away: f64,
+    /// Spacing of the points at the bend.
+    pub unit: f64,
 }
 
 /// A wall that gas slides along towards a bend or an edge, in the cell that holds it; towards an edge in the one before, too.

@@ -101,6 +101,9 @@ pub fn press<G: EquationOfState, const D: usize>(
     }
 }
 
+/// So far from a cell, in spacings, lie the middles of those that its slopes are drawn from, at most.
+const SLOPES: f64 = 1.5;
+
 /// Most places on a face.
 const MOST: usize = GAUSS.len() * GAUSS.len();
 
@@ -182,8 +185,9 @@ impl<const D: usize> BentWall<D> {
         let i = wall.i as usize;
         let near = fan.nearness(self.away);
         let places = [self.point, self.middle];
-        // In space gas ahead of the fan, which knows nothing of it, keeps its slopes.
-        let is_ahead = D == 3 && fan.is_behind(places.iter());
+        // In space gas keeps its slopes that is so far ahead of the fan that the cells behind it, which they are drawn from, know nothing of it either.
+        let farther = places.map(|place| fan.onwards_from(&place, SLOPES * self.unit));
+        let is_ahead = D == 3 && fan.is_behind(farther.iter());
         if near <= 0.0 || flow.slopes[i].calmness < 0.0 || is_ahead {
             return usual;
         }

@@ -32,7 +32,15 @@ impl<const D: usize> Bend<D> {
             point: self.across(&(point - at)).into(),
             middle: middle.into(),
             away: middle.norm() / self.unit,
+            unit: self.unit,
         }
+    }
+
+    /// True of a face that looks along the edge, in space. Nothing changes that way: what presses on one such face of a cell presses on the next, be
+    /// that a plane of symmetry, of which the fan says nothing.
+    pub fn faces_along(&self, shape: &FaceShape<D>) -> bool {
+        let normal = Vector::from(shape.area) / shape.size;
+        D == 3 && self.across(&normal).norm() <= LYING
     }
 
     /// From the middle of a face of this shape half of its length each way: across the edge, and where the edge does not lie in

@@ -184,6 +184,15 @@ impl<const D: usize> Fan<D> {
             .all(|place| place[0] < 0.0 || is_above(&place, first))
     }
 
+    /// The place that lies so far down the way of the gas in front from another.
+    pub fn onwards_from(&self, place: &[f64; D], far: f64) -> [f64; D] {
+        let mut there = *place;
+        for (part, way) in there.iter_mut().zip(self.onwards) {
+            *part += far * way;
+        }
+        there
+    }
+
     /// A place along and across the way of the gas in front.
     fn seen(&self, place: &[f64; D]) -> [f64; 2] {
         [dot(place, &self.onwards), dot(place, &self.aside)]

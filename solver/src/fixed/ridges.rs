@@ -135,7 +135,9 @@ impl<const D: usize> Ridges<D> {
             .collect();
         for (number, face) in (0_u32..).zip(&block.faces) {
             let middle = net.seen(&cells.points, &Vector::zeros(), face);
-            if let Some(k) = middle.and_then(|middle| nearest(&middle)) {
+            let shape = &net.face_shapes[face.shape as usize];
+            let crosses = |k: &usize| !self.pieces[near[*k]].bends[0].faces_along(shape);
+            if let Some(k) = middle.and_then(|middle| nearest(&middle)).filter(crosses) {
                 found[k].faces.push(number);
             }
         }
