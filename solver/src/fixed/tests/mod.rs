@@ -16,6 +16,7 @@ mod adapting;
 mod apart;
 mod bends;
 mod brinks;
+mod far_away;
 pub(super) mod flows;
 mod jumps;
 pub(crate) mod lattice;
