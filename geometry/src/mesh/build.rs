@@ -120,7 +120,7 @@ impl Mesh {
         repairs.extend(pinches.note(vertices));
         drop(half_edges);
         let bounds: Bounds<3> = welding::bounds((0..facets.len() as u32).flat_map(corners));
-        let smooth = Smooth::new(vertices, facets, &across, bounds.size().max());
+        let smooth = Smooth::new(vertices, facets, &across);
         let hidden: Vec<bool> = facets.iter().map(|&f| is_sliver(&closed, f)).collect();
         let mut mesh = Self {
             simple: !hidden.contains(&true),

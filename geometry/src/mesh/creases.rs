@@ -10,10 +10,10 @@ const CREASE: f64 = std::f64::consts::FRAC_PI_6;
 /// An edge that bends less than this (radians; 3 degrees) is never a crease.
 pub(super) const FLAT: f64 = std::f64::consts::PI / 60.0;
 
-/// So many bends, one after the other, are a curve.
-const CURVE: usize = 3;
+/// So many bends, one after the other, are a curve; fewer are edges, of a ramp or a rhombus.
+const CURVE: usize = 4;
 
-/// A bend goes on as another that is at least this part of it.
+/// A surface bends on at an edge that turns by at least this part of what it does there.
 const ALIKE: f64 = 1.0 / 3.0;
 
 /// The next bend of a curve is not farther than this, in widths of the wider triangle at an edge.
@@ -29,8 +29,6 @@ pub(super) struct Creases<'a> {
     pub facets: &'a [[u32; 3]],
     /// The triangle across each edge of each.
     pub across: &'a [[u32; 3]],
-    /// The extent of the body, against which bends are judged.
-    pub size: f64,
 }
 
 /// On the way across a surface.
@@ -51,8 +49,7 @@ impl Creases<'_> {
 
     /// True where an edge of a triangle parts smooth surfaces.
     ///
-    /// Some degrees between wide triangles are a ramp, between narrow ones a curve: the radius of curvature that they would stand for tells
-    /// them apart, and so does what is beside them, for a curve bends on and a ramp, as of a fin on a large body, does not.
+    /// Some degrees may be a ridge, as of a fin, or stand for a part of a curve: what is beside them tells, for a curve bends on.
     pub fn has(&self, facet: u32, edge: usize) -> bool {
         let other = self.across[facet as usize][edge];
         if other == NONE {
@@ -62,11 +59,8 @@ impl Creases<'_> {
         if bend <= FLAT || bend > CREASE {
             return bend > CREASE;
         }
-        let [own, beyond] = [
-            self.width(facet, edge),
-            self.width(other, self.back(other, facet)),
-        ];
-        own.min(beyond) > bend * self.size || !self.is_curve(facet, edge, REACH * own.max(beyond))
+        let beyond = self.width(other, self.back(other, facet));
+        !self.is_curve(facet, edge, REACH * self.width(facet, edge).max(beyond))
     }
 
     /// Angle between the triangles that share an edge, radians; positive where the surface bulges.
@@ -122,7 +116,7 @@ impl Creases<'_> {
         })
     }
 
-    /// How many bends like `bend` follow one another within `reach` each, up to as many as make a curve.
+    /// How many times the surface bends on as by `bend`, within `reach` each, up to as often as makes a curve.
     fn bends_on(&self, mut walk: Walk, bend: f64, reach: f64) -> usize {
         let mut count = 0;
         while count + 1 < CURVE {
@@ -135,19 +129,20 @@ impl Creases<'_> {
         count
     }
 
-    /// Beyond the next edge that bends like `bend`; none within `reach`, nor beyond a crease or a rim.
+    /// Where the surface has bent on, along the way, as by `bend`, be that at one edge or at several; none within `reach`, nor beyond a crease or
+    /// a rim.
     fn next_bend(&self, mut walk: Walk, bend: f64, reach: f64) -> Option<Walk> {
-        let from = walk.at;
+        let (from, ahead) = (walk.at, walk.way);
+        let above = normal(&self.corners(walk.facet));
         for _ in 0..MOST {
             let edge = self.way_out(&mut walk)?;
             if (walk.at - from).norm() > reach {
                 return None;
             }
             let other = self.across[walk.facet as usize][edge];
-            if other == NONE {
+            if other == NONE || self.bend(walk.facet, edge).abs() > CREASE {
                 return None;
             }
-            let next = self.bend(walk.facet, edge);
             let plane = normal(&self.corners(other));
             walk = Walk {
                 facet: other,
@@ -155,10 +150,8 @@ impl Creases<'_> {
                 at: walk.at,
                 way: (walk.way - plane * plane.dot(&walk.way)).try_normalize(0.0)?,
             };
-            if next.abs() > CREASE {
-                return None;
-            }
-            if next * bend.signum() >= ALIKE * bend.abs() {
+            let turned = plane.dot(&ahead).atan2(plane.dot(&above));
+            if turned * bend.signum() >= ALIKE * bend.abs() {
                 return Some(walk);
             }
         }
@@ -279,6 +272,54 @@ mod tests {
         for section in [round, arcs] {
             for cut in [[1, 1], [9, 1], [3, 2]] {
                 assert_eq!(ridges(&prism(&section, 5.0, cut)), 0.0, "{cut:?}");
+            }
+        }
+    }
+
+    /// An octahedron whose faces are cut in four, so many times, drawn out to an ellipsoid.
+    fn ellipsoid(times: usize, axes: [f64; 3]) -> Mesh {
+        let unit =
+            |k: usize, sign: f64| Vector::<3>::from_fn(|n, _| if n == k { sign } else { 0.0 });
+        let mut facets = Vec::new();
+        for [x, y, z] in [
+            [1, 1, 1],
+            [-1, 1, 1],
+            [1, -1, 1],
+            [1, 1, -1],
+            [-1, -1, 1],
+            [-1, 1, -1],
+            [1, -1, -1],
+            [-1, -1, -1],
+        ] {
+            let [a, b, c] = [
+                unit(0, f64::from(x)),
+                unit(1, f64::from(y)),
+                unit(2, f64::from(z)),
+            ];
+            facets.push(if x * y * z > 0 { [a, b, c] } else { [a, c, b] });
+        }
+        for _ in 0..times {
+            facets = facets
+                .into_iter()
+                .flat_map(|[a, b, c]| {
+                    let [d, e, f] =
+                        [a + b, b + c, c + a].map(|middle: Vector<3>| middle.normalize());
+                    [[a, d, f], [d, b, e], [f, e, c], [d, e, f]]
+                })
+                .collect();
+        }
+        let place = |at: Vector<3>| at.component_mul(&Vector::from(axes));
+        Mesh::from_facets(facets.into_iter().map(|facet| facet.map(place)).collect())
+            .expect("an ellipsoid")
+    }
+
+    /// Triangles of all shapes, and edges that run every way.
+    #[test]
+    fn round_bodies_have_no_creases() {
+        for times in [3, 4] {
+            for axes in [[1.0; 3], [1.0, 0.8, 1.3], [2.0, 1.0, 1.0]] {
+                let found = ridges(&ellipsoid(times, axes));
+                assert_eq!(found, 0.0, "{times} {axes:?}");
             }
         }
     }

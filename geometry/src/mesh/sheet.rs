@@ -76,7 +76,7 @@ impl Sheet {
             facets.len()
         ));
         let mut sheet = Self {
-            smooth: Smooth::new(&vertices, &facets, &across, flat.size().max()),
+            smooth: Smooth::new(&vertices, &facets, &across),
             vertices,
             facets,
             tree,

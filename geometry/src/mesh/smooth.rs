@@ -54,13 +54,7 @@ pub(super) fn vertex_normals(vertices: &[Vector<3>], facets: &[[u32; 3]]) -> Vec
 }
 
 impl Smooth {
-    /// `size` is the extent of the body, against which bends are judged.
-    pub fn new(
-        vertices: &[Vector<3>],
-        facets: &[[u32; 3]],
-        across: &[[u32; 3]],
-        size: f64,
-    ) -> Self {
+    pub fn new(vertices: &[Vector<3>], facets: &[[u32; 3]], across: &[[u32; 3]]) -> Self {
         let corners = |f: usize| facets[f].map(|v| vertices[v as usize]);
         let mut smooth_across = across.to_vec();
         let mut flags = vec![0_u8; facets.len()];
@@ -68,7 +62,6 @@ impl Smooth {
             vertices,
             facets,
             across,
-            size,
         };
         for f in 0..facets.len() {
             for edge in 0..3 {
