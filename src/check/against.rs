@@ -34,12 +34,12 @@ pub(crate) fn is_against<const D: usize>(
 ) -> bool {
     let stream = &problem.free_stream.velocity;
     let inwards = [1.0, -1.0][end] * stream[axis];
-    matches!(side, Side::Outlet | Side::HeldOutlet { .. }) && inwards > ALONG * stream.norm()
+    side.lets_out() && inwards > ALONG * stream.norm()
 }
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Scene;
+    use crate::check::told;
 
     const SCENE: &str = r#"
 dimension = 2
@@ -60,12 +60,7 @@ y_max = "outlet"
 "#;
 
     fn warnings(settings: &[&str]) -> Vec<String> {
-        let mut scene = Scene::parse(SCENE, "box", std::path::Path::new("")).unwrap();
-        for setting in settings {
-            scene.set(setting).unwrap();
-        }
-        let found = scene.build_any().unwrap().check();
-        found.warnings.iter().map(ToString::to_string).collect()
+        told(SCENE, settings)
     }
 
     #[test]

@@ -79,7 +79,7 @@ pub(super) fn reynolds_per_length<const D: usize>(problem: &Problem<D>) -> Optio
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Scene;
+    use crate::check::told;
 
     const SCENE: &str = r#"
 dimension = 2
@@ -104,12 +104,7 @@ y_max = "free-stream"
 "#;
 
     fn warnings(settings: &[&str]) -> Vec<String> {
-        let mut scene = Scene::parse(SCENE, "plate", std::path::Path::new("")).unwrap();
-        for setting in settings {
-            scene.set(setting).unwrap();
-        }
-        let found = scene.build_any().unwrap().check();
-        found.warnings.iter().map(ToString::to_string).collect()
+        told(SCENE, settings)
     }
 
     #[test]

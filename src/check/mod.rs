@@ -98,3 +98,14 @@ fn place<const D: usize>(point: &Vector<D>) -> String {
     let numbers: Vec<String> = point.iter().map(|x| format!("{x:.4}")).collect();
     format!("({})", numbers.join(", "))
 }
+
+/// What is told of a scene with these settings.
+#[cfg(test)]
+fn told(scene: &str, settings: &[&str]) -> Vec<String> {
+    let mut scene = crate::scene::Scene::parse(scene, "scene", std::path::Path::new("")).unwrap();
+    for setting in settings {
+        scene.set(setting).unwrap();
+    }
+    let found = scene.build_any().unwrap().check();
+    found.warnings.iter().map(ToString::to_string).collect()
+}

@@ -49,7 +49,7 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Scene;
+    use crate::check::told;
 
     const SCENE: &str = r#"
 dimension = 1
@@ -68,12 +68,7 @@ x_max = "outlet"
 "#;
 
     fn warnings(settings: &[&str]) -> Vec<String> {
-        let mut scene = Scene::parse(SCENE, "duct", std::path::Path::new("")).unwrap();
-        for setting in settings {
-            scene.set(setting).unwrap();
-        }
-        let found = scene.build_any().unwrap().check();
-        found.warnings.iter().map(ToString::to_string).collect()
+        told(SCENE, settings)
     }
 
     #[test]

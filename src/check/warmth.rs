@@ -66,7 +66,7 @@ fn at_rest(air: Air, pressure: f64, enthalpy: f64) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use crate::scene::Scene;
+    use crate::check::told;
 
     const SCENE: &str = r#"
 dimension = 1
@@ -87,12 +87,7 @@ x_max = "outlet"
 "#;
 
     fn warnings(settings: &[&str]) -> Vec<String> {
-        let mut scene = Scene::parse(SCENE, "duct", std::path::Path::new("")).unwrap();
-        for setting in settings {
-            scene.set(setting).unwrap();
-        }
-        let found = scene.build_any().unwrap().check();
-        found.warnings.iter().map(ToString::to_string).collect()
+        told(SCENE, settings)
     }
 
     #[test]

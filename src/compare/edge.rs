@@ -8,7 +8,7 @@ use super::context::{CompareError, Context, Level};
 use super::row::{Heading, Row};
 use super::scenes::{Source, scene};
 use super::suite::Suite;
-use super::surface::{as_shape, prism};
+use super::surface::{as_shape, pressed, prism};
 use super::variant::{Levels, Motion, Scheme};
 
 const CASE: &str = "expansion";
@@ -25,8 +25,6 @@ const SPACING: f64 = 0.05;
 const OFF: [f64; 3] = [0.3, 0.7, 0.2];
 /// Behind the edge, spacings, up to where the gas turns within cells.
 const FIRST: f64 = 4.0;
-/// Walls smaller than this, in squares of a spacing, are slivers.
-const SLIVER: f64 = 0.1;
 /// Half of what is looked at along the edge.
 const MIDDLE: f64 = 0.16;
 
@@ -87,29 +85,20 @@ fn rows(outcome: &Outcome, sweep: f64) -> Result<Vec<Row>, CompareError> {
     let (sine, cosine) = sweep.to_radians().sin_cos();
     let (down, along) = ANGLE.to_radians().sin_cos();
     let exact = expand(MACH * cosine, ANGLE.to_radians(), AIR)?.pressure_ratio;
-    let surface = &outcome.surface;
-    let walls = surface.position.iter().zip(&surface.pressure);
-    let (mut sum, mut size, mut farthest) = (0.0, 0.0, exact);
-    for ((foot, pressure), area) in walls.zip(&surface.area) {
+    let is_there = |foot: &[f64; 3]| {
         let [x, y, z] = [0, 1, 2].map(|k| foot[k] / SPACING - OFF[k]);
         let behind = (x * cosine - z * sine) * along - y * down;
-        let is_there = (0.1..FIRST).contains(&behind) && foot[2].abs() < MIDDLE;
-        if is_there && *area > SLIVER * SPACING * SPACING {
-            let pressure = pressure * AIR;
-            sum += area * pressure;
-            size += area;
-            if (pressure - exact).abs() > (farthest - exact).abs() {
-                farthest = pressure;
-            }
-        }
-    }
+        (0.1..FIRST).contains(&behind) && foot[2].abs() < MIDDLE
+    };
+    let found = pressed(&outcome.surface, SPACING, exact / AIR, is_there);
+    let [mean, farthest] = found.map(|pressure| pressure * AIR);
     let row = |what: &str, measured: f64, allowed: f64| {
         let quantity =
             format!("wall pressure in the first {FIRST} spacings behind the edge, {what}");
         Row::relative(quantity, THEORY, measured, exact, allowed).always()
     };
     Ok(vec![
-        row("mean", sum / size, 0.2),
+        row("mean", mean, 0.2),
         row("farthest off", farthest, 1.5),
     ])
 }

@@ -11,7 +11,7 @@ use super::context::{CompareError, Context, Level};
 use super::row::{Heading, Row};
 use super::scenes::{Source, scene};
 use super::suite::Suite;
-use super::surface::{as_shape, prism};
+use super::surface::{as_shape, pressed, prism};
 use super::variant::{Levels, Motion, Scheme};
 
 const CASE: &str = "expansion";
@@ -25,8 +25,6 @@ const SPAN: f64 = 40.0;
 const SPACING: f64 = 0.04;
 /// From the ridge, in spacings, the walls that are looked at, before it and behind.
 const LOOK: f64 = 8.0;
-/// Walls smaller than this, in squares of a spacing, are slivers.
-const SLIVER: f64 = 0.1;
 
 /// Wings.
 pub const RIDGES: Suite = Suite::of(&[(Levels::Both, compare)]);
@@ -72,26 +70,15 @@ fn rows(outcome: &Outcome) -> Result<Vec<Row>, CompareError> {
     let behind = before * expand(shock.mach, 2.0 * slope, AIR)?.pressure_ratio;
     let mut rows = Vec::new();
     for (place, exact, way) in [("before", before, -1.0), ("behind", behind, 1.0)] {
-        let surface = &outcome.surface;
-        let walls = surface.position.iter().zip(&surface.pressure);
-        let near = walls
-            .zip(&surface.area)
-            .filter(|((foot, _), _)| (0.0..LOOK * SPACING).contains(&(way * (foot[0] - 0.5))));
-        let (mut sum, mut size, mut farthest) = (0.0, 0.0, exact);
-        for ((_, pressure), area) in near.filter(|(_, area)| **area > SLIVER * SPACING * SPACING) {
-            let pressure = pressure * AIR;
-            sum += area * pressure;
-            size += area;
-            if (pressure - exact).abs() > (farthest - exact).abs() {
-                farthest = pressure;
-            }
-        }
+        let is_there = |foot: &[f64; 3]| (0.0..LOOK * SPACING).contains(&(way * (foot[0] - 0.5)));
+        let found = pressed(&outcome.surface, SPACING, exact / AIR, is_there);
+        let [mean, farthest] = found.map(|pressure| pressure * AIR);
         let row = |what: &str, measured: f64, allowed: f64| {
             let quantity =
                 format!("wall pressure in the {LOOK} spacings {place} the ridge, {what}");
             Row::relative(quantity, THEORY, measured, exact, allowed).always()
         };
-        rows.push(row("mean", sum / size, 0.2));
+        rows.push(row("mean", mean, 0.2));
         rows.push(row("farthest off", farthest, 0.6));
     }
     Ok(rows)

@@ -3,7 +3,33 @@
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 
+use aero_solver::frame::SurfaceFrame;
+
 use super::context::CompareError;
+
+/// Walls smaller than this, in squares of a spacing, are slivers.
+const SLIVER: f64 = 0.1;
+
+/// Mean by area of the pressure on walls `spacing` wide, and that which is farthest from `exact`, where `is_there`; but for slivers.
+pub fn pressed(
+    surface: &SurfaceFrame,
+    spacing: f64,
+    exact: f64,
+    is_there: impl Fn(&[f64; 3]) -> bool,
+) -> [f64; 2] {
+    let walls = surface.position.iter().zip(&surface.pressure);
+    let (mut sum, mut size, mut farthest) = (0.0, 0.0, exact);
+    for ((foot, pressure), area) in walls.zip(&surface.area) {
+        if is_there(foot) && *area > SLIVER * spacing * spacing {
+            sum += area * pressure;
+            size += area;
+            if (pressure - exact).abs() > (farthest - exact).abs() {
+                farthest = *pressure;
+            }
+        }
+    }
+    [sum / size, farthest]
+}
 
 /// A triangle.
 pub type Facet = [[f64; 3]; 3];

@@ -186,8 +186,8 @@ impl<const D: usize> BentWall<D> {
         let near = fan.nearness(self.away);
         let places = [self.point, self.middle];
         // In space gas keeps its slopes that is so far ahead of the fan that the cells behind it, which they are drawn from, know nothing of it either.
-        let farther = places.map(|place| fan.onwards_from(&place, SLOPES * self.unit));
-        let is_ahead = D == 3 && fan.is_behind(farther.iter());
+        let farther = || places.map(|place| fan.onwards_from(&place, SLOPES * self.unit));
+        let is_ahead = D == 3 && fan.is_behind(farther().iter());
         if near <= 0.0 || flow.slopes[i].calmness < 0.0 || is_ahead {
             return usual;
         }
