@@ -7,6 +7,7 @@ mod base64;
 pub mod case;
 pub mod check;
 pub mod fly;
+pub mod nearest;
 pub mod output;
 pub mod pack;
 pub mod run;

@@ -7,8 +7,6 @@ mod say;
 
 mod chart;
 mod cli;
-mod compare;
-mod nearest;
 
 use std::process::ExitCode;
 

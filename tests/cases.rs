@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 49] = [
+const SMALL: [(&str, &[&str]); 50] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -89,6 +89,15 @@ const SMALL: [(&str, &[&str]); 49] = [
     ),
     ("pitching", &["end_time=0.1", "spacing=0.05"]),
     ("poiseuille", &["end_time=0.01"]),
+    (
+        "polar",
+        &[
+            "end_time=0.1",
+            "scheme.refine=0",
+            "spacing=0.05",
+            "stop=end-time",
+        ],
+    ),
     ("sod", &["end_time=0.005"]),
     ("sod-1d", &["end_time=0.01"]),
     ("sound", &["end_time=0.02"]),

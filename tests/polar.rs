@@ -4,40 +4,8 @@ use crate::support::Workplace;
 use aero_validation::exact::shock_expansion::Biconvex;
 use serde_json::Value;
 
-/// The aerofoil of `cases/biconvex.toml` in a box that its shocks leave through the outlet.
-const AEROFOIL: &str = r#"
-dimension = 2
-spacing = 0.025
-stop = "steady"
-
-[scheme]
-motion = "fixed"
-refine = 2
-
-[free_stream]
-mach = 4.04
-density = 1.4
-pressure = 1.0
-
-[domain]
-min = [-0.25, -0.75]
-max = [1.25, 0.75]
-
-[domain.sides]
-x_min = "inlet"
-x_max = "outlet"
-y_min = "free-stream"
-y_max = "free-stream"
-
-[[body]]
-name = "aerofoil"
-shape = { biconvex = { chord = 1.0, thickness_ratio = 0.1 } }
-reference_area = 1.0
-reference_length = 1.0
-
-[output]
-frames = 1
-"#;
+/// An aerofoil in a box that its shocks leave through the outlet.
+const AEROFOIL: &str = include_str!("../cases/polar.toml");
 
 /// Departure from theory, of the largest lift and of the drag.
 const LIFT: f64 = 0.02;

@@ -36,6 +36,7 @@ mod carrier;
 mod compiled;
 mod diffusion;
 mod diffusive;
+mod each;
 mod evaluation;
 mod faces;
 mod fill;

@@ -4,6 +4,7 @@ use aero_geometry::parallel::prelude::*;
 
 use super::gas::{Gas, Gases};
 use super::particles::{Particle, Rates};
+use crate::each::each;
 use crate::scheme::{StepBound, StepRule};
 
 /// Factor of the force bound (Villodi & Ramachandran 2024, section 3.6).
@@ -30,7 +31,7 @@ impl Default for Bounds {
 impl Bounds {
     /// The smaller ones. Unlike a sum they do not depend on the order, and so not on the threads.
     pub fn tighter(self, other: Self) -> Self {
-        Self(std::array::from_fn(|k| self.0[k].min(other.0[k])))
+        Self(each(|k| self.0[k].min(other.0[k])))
     }
 }
 

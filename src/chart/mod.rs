@@ -14,9 +14,9 @@ use aero_validation::pictures::speed::{SpeedChart, SpeedPoint, SpeedSeries};
 use aero::output::{self, OutputError};
 use aero::run::{Keep, Outcome};
 
-use crate::compare::scenes::Source;
-use crate::compare::{CompareError, Context, Level, Motion, Scheme};
-use crate::nearest::nearest;
+use aero::nearest::nearest;
+use aero_compare::scenes::Source;
+use aero_compare::{CompareError, Context, Level, Motion, Scheme};
 
 /// One line of a chart.
 #[derive(Clone, Copy)]

@@ -8,8 +8,8 @@ use aero_validation::pictures::speed::peers;
 use aero_validation::reference::wedge_peers;
 
 use super::{Study, pysph, unread};
-use crate::compare::{CompareError, biconvex, cone, cylinder, double_mach, sod, sphere, wedge};
 use aero::run::Outcome;
+use aero_compare::{CompareError, biconvex, cone, cylinder, double_mach, sod, sphere, wedge};
 
 const GAMMA: f64 = 1.4;
 

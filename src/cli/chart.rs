@@ -7,7 +7,7 @@ use clap::Args;
 
 use super::CommandError;
 use crate::chart::{self, Wishes};
-use crate::compare::CompareError;
+use aero_compare::CompareError;
 
 /// What `aero chart` takes.
 #[derive(Args, Debug)]

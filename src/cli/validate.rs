@@ -7,8 +7,8 @@ use clap::Args;
 use aero_validation::table;
 
 use super::CommandError;
-use crate::compare::{CompareError, Context, Level, compare};
 use aero::output;
+use aero_compare::{CompareError, Context, Level, compare};
 
 /// What `aero validate` takes.
 #[derive(Args, Debug)]

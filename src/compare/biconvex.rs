@@ -11,10 +11,13 @@ use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant::Variant;
 
+/// Its scene.
 pub const SCENE: Source = scene!("biconvex");
 const TITLE: &str = "Biconvex aerofoil, Mach 4.04";
 const THEORY: &str = "shock-expansion theory (Anderson, Modern Compressible Flow, 4.15)";
+/// Thickness over chord.
 pub const THICKNESS: f64 = 0.1;
+/// Of the stream.
 pub const MACH: f64 = 4.04;
 const GAMMA: f64 = 1.4;
 /// Chordwise stations that are judged: the tips, thinner than the kernel, are left out.
@@ -29,6 +32,7 @@ const UNBALANCED: [f64; 2] = [0.03, 0.005];
 pub enum Halves {
     /// The upper half, on a symmetry plane.
     Upper,
+    /// The whole aerofoil.
     Both,
 }
 

@@ -13,9 +13,12 @@ use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant::Variant;
 
+/// Its scene.
 pub const SCENE: Source = scene!("cone");
 const THEORY: &str = "Taylor and Maccoll (1933)";
+/// Of the stream.
 pub const MACH: f64 = 3.0;
+/// Between the axis and the wall, degrees.
 pub const HALF_ANGLE: f64 = 20.0;
 const GAMMA: f64 = 1.4;
 /// Where along the axis the surface is read: far from the tip, which the kernel rounds, and from the outlet.

@@ -17,6 +17,7 @@ use super::variant::Variant;
 pub use flow::wall as wall_departure;
 use flow::{GAMMA, MACH, Measured, angle, nose, volumes_wall};
 
+/// Its scene.
 pub const SCENE: Source = scene!("cylinder");
 const VOLUMES: &str = "finite volumes, second order (validation/cylinder)";
 /// Stand-off by finite volumes, extrapolated to the axis.

@@ -13,6 +13,7 @@ use super::scenes::{Source, scene};
 use super::variant::Variant;
 use reflection::{Reflection, TRIPLE, turned};
 
+/// Its scene.
 pub const SCENE: Source = scene!("double-mach");
 const VOLUMES: &str = "finite volumes, second order, 240 cells (validation/double_mach)";
 const EXACT: &str = "state behind the shock (Woodward & Colella 1984)";

@@ -4,13 +4,13 @@ mod bodies;
 mod truth;
 
 use std::path::Path;
-use std::process::{Command, Stdio};
 
 use aero::fly::extrapolate;
 use aero_validation::table::{Check, Subject};
 use serde_json::Value;
 
 use super::context::{CompareError, Context, Level};
+use super::program;
 use super::suite::Suite;
 use super::variant::Levels;
 use truth::{Known, Quantity, TWELVE};
@@ -95,36 +95,21 @@ fn flight(known: &Known, finely: &[&str; 2], folder: &Path) -> Option<Value> {
     let out = folder.join(known.label.replace([' ', ','], "-"));
     let [mach, incidence] = [known.mach, known.incidence].map(|number| number.to_string());
     let threads = rayon::current_num_threads().to_string();
-    let status = Command::new(std::env::current_exe().ok()?)
-        .arg("fly")
-        .arg(&file)
-        .args([
-            "--unit",
-            "m",
-            "--axis=-x,+y",
-            "--overwrite",
+    let [file, out] = [&file, &out].map(|path| path.to_str());
+    let typed = [
+        &["fly", file?, "--unit", "m", "--axis=-x,+y", "--overwrite"][..],
+        &[
             "--altitude",
             "12km",
-        ])
-        .args([
             "--mach",
             &mach,
             "--incidence",
             &incidence,
-            "--threads",
-            &threads,
-        ])
-        .args(finely)
-        .arg("--out")
-        .arg(&out)
-        .stdout(Stdio::null())
-        .stderr(Stdio::null())
-        .status();
-    let report = std::fs::read_to_string(out.join("fly.json")).ok()?;
-    status
-        .ok()?
-        .success()
-        .then(|| serde_json::from_str(&report).ok())?
+        ],
+        &["--threads", &threads, "--out", out?],
+        finely,
+    ];
+    program::run(&typed.concat()).then(|| program::json(&Path::new(out?).join("fly.json")))?
 }
 
 impl Known {

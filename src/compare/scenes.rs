@@ -21,22 +21,22 @@ pub struct Source {
 /// The scene `cases/NAME.toml`, or `cases/FOLDER/NAME.toml`.
 macro_rules! scene {
     ($name:literal) => {
-        $crate::compare::scenes::Source {
+        $crate::scenes::Source {
             name: $name,
             text: include_str!(concat!(
                 env!("CARGO_MANIFEST_DIR"),
-                "/cases/",
+                "/../../cases/",
                 $name,
                 ".toml"
             )),
         }
     };
     ($folder:literal, $name:literal) => {
-        $crate::compare::scenes::Source {
+        $crate::scenes::Source {
             name: $name,
             text: include_str!(concat!(
                 env!("CARGO_MANIFEST_DIR"),
-                "/cases/",
+                "/../../cases/",
                 $folder,
                 "/",
                 $name,

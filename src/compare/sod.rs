@@ -13,6 +13,7 @@ use super::row::Row;
 use super::scenes::{Source, scene};
 use super::variant::Variant;
 
+/// Its scene.
 pub const SCENE: Source = scene!("sod");
 const THEORY: &str = "exact Riemann solution with reflection (Toro 2009)";
 const GAMMA: f64 = 1.4;

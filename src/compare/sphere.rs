@@ -16,6 +16,7 @@ use super::scenes::{Source, scene};
 use super::variant::Variant;
 pub use rings::RINGS;
 
+/// Its scene.
 pub const SCENE: Source = scene!("sphere");
 const TESSELLATED: Source = scene!("sphere-stl");
 const MACH: f64 = 3.0;
@@ -27,6 +28,7 @@ const ROUND_OFF: [f64; 2] = [1e-9; 2];
 /// Largest error of the stand-off, per cent; none where it only informs.
 type Allowed = Option<f64>;
 
+/// The sphere in space.
 pub const SPHERE: Comparison<Allowed> = Comparison {
     case: "sphere",
     scene: SCENE,

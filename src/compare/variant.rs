@@ -70,6 +70,7 @@ impl Scheme {
     };
 
     /// The same with ghost mirrors.
+    #[must_use]
     pub const fn wm(self) -> Self {
         Self {
             extrapolation: "wm",
@@ -78,6 +79,7 @@ impl Scheme {
     }
 
     /// The same of the published equations.
+    #[must_use]
     pub const fn paper(self) -> Self {
         Self {
             equations: "paper",
@@ -86,6 +88,7 @@ impl Scheme {
     }
 
     /// About points that stay.
+    #[must_use]
     pub const fn by_points(self, motion: Motion) -> Self {
         Self { motion, ..self }
     }
@@ -175,6 +178,7 @@ impl<P: Copy> Variant<P> {
     }
 
     /// The same with ghost mirrors.
+    #[must_use]
     pub const fn wm(self) -> Self {
         Self {
             scheme: self.scheme.wm(),
@@ -183,6 +187,7 @@ impl<P: Copy> Variant<P> {
     }
 
     /// The same by the published equations, for comparison alone.
+    #[must_use]
     pub const fn paper(self) -> Self {
         Self {
             scheme: self.scheme.paper(),

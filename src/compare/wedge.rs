@@ -15,6 +15,7 @@ use super::variant;
 use corner::Corner;
 use flow::Measured;
 
+/// Its scene.
 pub const SCENE: Source = scene!("wedge");
 const THEORY: &str = "oblique shock theory (NACA 1135, 1953)";
 const GAMMA: f64 = 1.4;
@@ -46,6 +47,7 @@ const fn row(mach: f64, angle: f64, gamma: f64, end_time: f64) -> Variant {
     })
 }
 
+/// The compression corner.
 pub const WEDGE: Comparison<Corner> = Comparison {
     case: "wedge",
     scene: SCENE,

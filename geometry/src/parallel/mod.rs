@@ -11,7 +11,7 @@ mod tests;
 
 pub use adaptors::{Copied, Enumerate, Filter, FilterMap, FlatMap, Map, MinLen, Zip};
 pub use sources::{Chunks, ChunksMut, IntoParallel, Numbers, Slices, Windows};
-use tasks::{in_tasks, joined};
+use tasks::{in_tasks, joined, made_in_tasks};
 
 /// What loops need.
 pub mod prelude {
@@ -112,7 +112,7 @@ pub trait Parallel: Sized + Send {
     where
         Self::Item: Send,
     {
-        let lists = in_tasks(self, |part| part.serial().collect());
+        let lists = made_in_tasks(self, |part| part.serial().collect());
         joined(lists).into_iter().collect()
     }
 
@@ -138,7 +138,7 @@ pub trait Parallel: Sized + Send {
     where
         Self::Item: Send,
     {
-        let parts = in_tasks(self, |part| part.serial().fold(start(), &merge));
+        let parts = made_in_tasks(self, |part| part.serial().fold(start(), &merge));
         parts.into_iter().fold(start(), &merge)
     }
 }

@@ -9,40 +9,47 @@ use super::Parallel;
 /// Tasks per thread: so many that threads which are done early find more.
 const PER_THREAD: usize = 8;
 
-/// What a task is given, and what it makes of that.
-struct Task<P, R> {
-    given: Option<P>,
-    made: Option<R>,
+/// Does `work` with `items`, cut into tasks.
+pub(super) fn in_tasks<P: Parallel>(items: P, work: impl Fn(P) + Sync) {
+    let size = size_of_tasks(items.length(), items.least());
+    numbered(items, size, &|_, part| work(part));
 }
 
-/// Cuts `items` into tasks and does them; returns what `work` makes of each, in order.
-pub(super) fn in_tasks<P: Parallel, R: Send>(items: P, work: impl Fn(P) -> R + Sync) -> Vec<R> {
+/// What `work` makes of each task, in order.
+pub(super) fn made_in_tasks<P: Parallel, R: Send>(
+    items: P,
+    work: impl Fn(P) -> R + Sync,
+) -> Vec<R> {
+    let size = size_of_tasks(items.length(), items.least());
+    let mut made = Vec::new();
+    made.resize_with(items.length().div_ceil(size).max(1), Mutex::default);
+    numbered(items, size, &|number, part| keep(&made[number], work(part)));
+    taken(made)
+}
+
+/// Items in a task.
+fn size_of_tasks(length: usize, least: usize) -> usize {
     let threads = rayon::current_num_threads();
     let most = if threads > 1 { PER_THREAD * threads } else { 1 };
-    let size = items.length().div_ceil(most).max(items.least()).max(1);
+    length.div_ceil(most).max(least).max(1)
+}
+
+/// Does `work` with the tasks and their numbers.
+fn numbered<P: Parallel>(items: P, size: usize, work: &(dyn Fn(usize, P) + Sync)) {
     let mut tasks = Vec::with_capacity(items.length() / size + 1);
-    let task = |given| {
-        Mutex::new(Task {
-            given: Some(given),
-            made: None,
-        })
-    };
     let mut rest = items;
     while rest.length() > size {
         let (first, later) = rest.part_at(size);
-        tasks.push(task(first));
+        tasks.push(Mutex::new(Some(first)));
         rest = later;
     }
-    tasks.push(task(rest));
+    tasks.push(Mutex::new(Some(rest)));
     each_number(tasks.len(), &|number| {
         let mut task = tasks[number].lock().unwrap_or_else(PoisonError::into_inner);
-        task.made = task.given.take().map(&work);
+        if let Some(part) = task.take() {
+            work(number, part);
+        }
     });
-    let made = |task: Mutex<Task<P, R>>| {
-        let task = task.into_inner();
-        task.unwrap_or_else(PoisonError::into_inner).made
-    };
-    tasks.into_iter().filter_map(made).collect()
 }
 
 /// Calls `work` with every number below `count`, on all threads. The one loop that rayon is compiled for.
@@ -53,6 +60,20 @@ fn each_number(count: usize, work: &(dyn Fn(usize) + Sync)) {
     } else {
         (0..count).into_par_iter().for_each(work);
     }
+}
+
+/// Keeps what a task made.
+fn keep<R>(place: &Mutex<Option<R>>, made: R) {
+    *place.lock().unwrap_or_else(PoisonError::into_inner) = Some(made);
+}
+
+/// All that was made.
+fn taken<R>(made: Vec<Mutex<Option<R>>>) -> Vec<R> {
+    let mut all = Vec::with_capacity(made.len());
+    for place in made {
+        all.extend(place.into_inner().unwrap_or_else(PoisonError::into_inner));
+    }
+    all
 }
 
 /// Lists one after the other.

@@ -1,7 +1,5 @@
 //! What flows through the faces of a block: reconstruct, solve the Riemann problem, add up.
 
-use std::array;
-
 use pulp::{Simd, WithSimd};
 
 use super::calmness::{smoothness, steepness};
@@ -15,6 +13,7 @@ use super::reconstruction::{Neighbours, moved, rise};
 use super::slopes::Flow;
 use super::slow::meeting;
 use super::state::{Conserved, Primitive, dot, scaled};
+use crate::each::each;
 
 /// The pass over the faces of a block, as many at once as the processor has lanes. What is not of faces is left to [`super::exchange`], which is
 /// compiled once for all processors.
@@ -98,11 +97,9 @@ impl<S: Simd, const D: usize> Batch<S, D> {
     fn new(simd: S, net: &Net<D>, faces: &[Face], flow: Flow<'_, D>) -> Self {
         // The lanes beyond the last face do the last one again.
         let face = |l: usize| &faces[l.min(faces.len() - 1)];
-        let shapes: [_; MAX_LANES] = array::from_fn(|l| &net.face_shapes[face(l).shape as usize]);
-        let numbers: [[usize; MAX_LANES]; 2] = [
-            array::from_fn(|l| face(l).i as usize),
-            array::from_fn(|l| face(l).j as usize),
-        ];
+        let shapes: [_; MAX_LANES] = each(|l| &net.face_shapes[face(l).shape as usize]);
+        let numbers: [[usize; MAX_LANES]; 2] =
+            [each(|l| face(l).i as usize), each(|l| face(l).j as usize)];
         let zero = Lane(simd, simd.splat_f64s(0.0));
         let nothing = Primitive {
             density: zero,
@@ -120,11 +117,11 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         };
         let mut calmness = [zero; 2];
         for side in 0..2 {
-            let states: [_; MAX_LANES] = array::from_fn(|l| &flow.states[numbers[side][l]]);
-            let cells: [_; MAX_LANES] = array::from_fn(|l| &flow.slopes[numbers[side][l]]);
+            let states: [_; MAX_LANES] = each(|l| &flow.states[numbers[side][l]]);
+            let cells: [_; MAX_LANES] = each(|l| &flow.slopes[numbers[side][l]]);
             gather_state(simd, &states, &mut batch.states[side]);
             for axis in 0..D {
-                let slopes: [_; MAX_LANES] = array::from_fn(|l| &cells[l].along[axis]);
+                let slopes: [_; MAX_LANES] = each(|l| &cells[l].along[axis]);
                 gather_state(simd, &slopes, &mut batch.slopes[side][axis]);
             }
             calmness[side] = gather(simd, |l| cells[l].calmness);

@@ -7,6 +7,7 @@ use pulp::Simd;
 
 use super::rough::{BLOCK, Block, LOSS, Rough};
 use super::{Candidates, REACH, Seeker};
+use crate::each::each;
 use crate::vectors::MAX_LANES;
 
 /// A cluster of seekers, and the box around it in space and in velocity.
@@ -63,7 +64,7 @@ impl<const D: usize> Hull<D> {
             hull.spread = hull.spread.max((seeker.velocity - hull.velocity).norm());
             let place = seeker.position - rough.origin;
             *member = Member {
-                position: std::array::from_fn(|k| place[k] as f32),
+                position: each(|k| place[k] as f32),
                 reach: (REACH * seeker.half_h) as f32,
             };
         }

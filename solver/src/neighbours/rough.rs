@@ -7,6 +7,7 @@ use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 
 use super::REACH;
+use crate::each::each;
 use crate::records::Near;
 
 /// Records per block: as many as the widest vectors hold.
@@ -97,18 +98,14 @@ impl<const D: usize> Rough<D> {
             let lanes = slots.start.max(first) - first..slots.end.min(first + BLOCK) - first;
             let (u, lanes) = (&block.velocity, || lanes.clone());
             Extent {
-                slowest: std::array::from_fn(|k| {
-                    lanes().fold(f32::INFINITY, |least, l| least.min(u[k][l]))
-                }),
-                fastest: std::array::from_fn(|k| {
-                    lanes().fold(f32::NEG_INFINITY, |most, l| most.max(u[k][l]))
-                }),
+                slowest: each(|k| lanes().fold(f32::INFINITY, |least, l| least.min(u[k][l]))),
+                fastest: each(|k| lanes().fold(f32::NEG_INFINITY, |most, l| most.max(u[k][l]))),
                 sight: lanes().fold(0.0, |most, l| most.max(block.sight[l])),
             }
         };
         let either = |a: Extent<D>, b: Extent<D>| Extent {
-            slowest: std::array::from_fn(|k| a.slowest[k].min(b.slowest[k])),
-            fastest: std::array::from_fn(|k| a.fastest[k].max(b.fastest[k])),
+            slowest: each(|k| a.slowest[k].min(b.slowest[k])),
+            fastest: each(|k| a.fastest[k].max(b.fastest[k])),
             sight: a.sight.max(b.sight),
         };
         let blocks = slots.start / BLOCK..slots.end.div_ceil(BLOCK);

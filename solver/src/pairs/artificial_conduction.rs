@@ -3,6 +3,7 @@
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, dot};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::particles::Rates;
 use crate::records::Read;
@@ -65,7 +66,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for ArtificialConduction {
         read: Read<'_, D, V::Number>,
         slot: impl Fn(usize) -> usize + Copy,
     ) -> Self::Own<V> {
-        std::array::from_fn(|k| Lane::gather(vectors, |l| read.state[slot(l)].energy_slope[k]))
+        each(|k| Lane::gather(vectors, |l| read.state[slot(l)].energy_slope[k]))
     }
 
     #[inline(always)]
@@ -88,8 +89,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for ArtificialConduction {
             Conduction::Pairwise => met.energy,
             Conduction::Limited => {
                 let slope = &j.read.state[j.slot].energy_slope;
-                let theirs: LaneVector<V, D> =
-                    std::array::from_fn(|k| Lane::broadcast(vectors, slope[k]));
+                let theirs: LaneVector<V, D> = each(|k| Lane::broadcast(vectors, slope[k]));
                 let own = -dot(own_slope, &pair.separation);
                 let other = -dot(&theirs, &pair.separation);
                 uneven_part(vectors, met.energy, own, other)

@@ -5,6 +5,7 @@ use aero_geometry::Vector;
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, Pair, accumulate};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::particles::Rates;
 use crate::records::Read;
@@ -99,9 +100,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for ArtificialViscosity {
         slot: impl Fn(usize) -> usize + Copy,
     ) -> Self::Own<V> {
         let strain = |l: usize| &read.state[slot(l)].strain;
-        std::array::from_fn(|a| {
-            std::array::from_fn(|b| Lane::gather(vectors, |l| strain(l).get(a, b)))
-        })
+        each(|a| each(|b| Lane::gather(vectors, |l| strain(l).get(a, b))))
     }
 
     #[inline(always)]

@@ -3,6 +3,7 @@
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, dot_add};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::particles::Rates;
 use crate::records::Read;
@@ -31,7 +32,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for DensityDiffusion {
         read: Read<'_, D, V::Number>,
         slot: impl Fn(usize) -> usize + Copy,
     ) -> Self::Own<V> {
-        std::array::from_fn(|k| Lane::gather(vectors, |l| read.state[slot(l)].half_gradient[k]))
+        each(|k| Lane::gather(vectors, |l| read.state[slot(l)].half_gradient[k]))
     }
 
     #[inline(always)]
@@ -43,9 +44,8 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for DensityDiffusion {
         sum: &mut Self::Sums<V>,
     ) {
         let (near, state) = (&j.read.near[j.slot], &j.read.state[j.slot]);
-        let slopes: LaneVector<V, D> = std::array::from_fn(|k| {
-            half_gradient[k] + Lane::broadcast(j.vectors, state.half_gradient[k])
-        });
+        let slopes: LaneVector<V, D> =
+            each(|k| half_gradient[k] + Lane::broadcast(j.vectors, state.half_gradient[k]));
         let rise = Lane::broadcast(j.vectors, near.half_density) - own.target.half_density;
         let deviation = dot_add(&slopes, &met.pair.separation, rise + rise);
         *sum = (met.sound * met.reach * deviation).mul_add(met.volume, *sum);

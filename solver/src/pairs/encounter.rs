@@ -6,6 +6,7 @@ use super::law::Basis;
 use super::pair::{LaneVector, Pair, Target, dot};
 use super::renormalisation::{Renormalisation, even_renormalisation};
 use super::unlike::{share, unlike};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::particles::Rates;
 use crate::records::{GHOSTS, Matrix, Near, Read, Records, State};
@@ -130,7 +131,7 @@ impl<const D: usize> Basis<D> for Encounters<'_, D> {
         );
         Own {
             target: Target::load(vectors, read, &slot),
-            velocity: std::array::from_fn(|k| Lane::gather(vectors, |l| near(l).velocity[k])),
+            velocity: each(|k| Lane::gather(vectors, |l| near(l).velocity[k])),
             half_sound: Lane::gather(vectors, |l| state(l).half_sound),
             energy: Lane::gather(vectors, |l| state(l).energy),
             second: share(vectors, &self.records.second, &slot),
@@ -149,7 +150,7 @@ impl<const D: usize> Basis<D> for Encounters<'_, D> {
         let pair = Pair::new(vectors, &i.target, near);
         let volume = Lane::broadcast(vectors, near.volume);
         let jump: LaneVector<V, D> =
-            std::array::from_fn(|k| Lane::broadcast(vectors, near.velocity[k]) - i.velocity[k]);
+            each(|k| Lane::broadcast(vectors, near.velocity[k]) - i.velocity[k]);
         let mut energy = Lane::broadcast(vectors, state.energy) - i.energy;
         if let Some(&second) = self.records.second.get(j) {
             energy = energy - energy * unlike(vectors, i.second, second);

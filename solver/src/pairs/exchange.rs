@@ -5,6 +5,7 @@ use aero_geometry::Vector;
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, accumulate, dot};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::particles::Rates;
 use crate::records::Read;
@@ -36,7 +37,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for Exchange {
         read: Read<'_, D, V::Number>,
         slot: impl Fn(usize) -> usize + Copy,
     ) -> Self::Own<V> {
-        std::array::from_fn(|k| Lane::gather(vectors, |l| read.shift[slot(l)][k]))
+        each(|k| Lane::gather(vectors, |l| read.shift[slot(l)][k]))
     }
 
     #[inline(always)]
@@ -49,7 +50,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for Exchange {
     ) {
         let (near, theirs) = (&j.read.near[j.slot], &j.read.shift[j.slot]);
         let shift: LaneVector<V, D> =
-            std::array::from_fn(|k| own_shift[k] - Lane::broadcast(j.vectors, theirs[k]));
+            each(|k| own_shift[k] - Lane::broadcast(j.vectors, theirs[k]));
         let rate = met.pairwise * met.pair.gradient_factor * dot(&shift, &met.pair.separation);
         let half = Lane::splat(j.vectors, 0.5);
         let heat = (half * dot(&met.jump, &met.jump)) + met.energy;

@@ -6,6 +6,7 @@ use nalgebra::{Matrix4, Vector4};
 use super::law::{Basis, Law, Neighbour};
 use super::pair::{LaneVector, Separation, Target, accumulate};
 use crate::backend::Backend;
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::neighbours::{Lists, Seeker};
 use crate::records::{Matrix, Number, Read, Records};
@@ -164,8 +165,8 @@ impl<F: Fn(usize) -> Seeker<D> + Sync, const D: usize> Law<Points<F>, D> for Con
         }
         *weights += weight;
         // r_j - r = -r_ij.
-        let arm: LaneVector<V, D> = std::array::from_fn(|k| -(weight * seen.separation[k]));
-        let velocity: LaneVector<V, D> = std::array::from_fn(|k| lane(near.velocity[k]));
+        let arm: LaneVector<V, D> = each(|k| -(weight * seen.separation[k]));
+        let velocity: LaneVector<V, D> = each(|k| lane(near.velocity[k]));
         let half_h = lane(near.half_h);
         let fields = [lane(state.pressure), lane(state.energy), half_h + half_h];
         for a in 0..D {

@@ -2,6 +2,7 @@
 
 use aero_geometry::kernel::{QuinticSpline, shape, steepness};
 
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::records::{Near, Read};
 use crate::vectors::{Place, Vectors};
@@ -43,7 +44,7 @@ impl<V: Vectors, const D: usize> Target<V, D> {
         half_density: Lane<V>,
     ) -> Self {
         Self {
-            position: std::array::from_fn(|k| vectors.places(|l| place(l, k))),
+            position: each(|k| vectors.places(|l| place(l, k))),
             half_h,
             half_density,
             least: Lane::splat(vectors, V::LEAST_SQUARE) * half_h * half_h,
@@ -65,8 +66,7 @@ impl<V: Vectors, const D: usize> Separation<V, D> {
     /// That of the particles in `i` from `j`.
     #[inline(always)]
     pub fn new(vectors: V, i: &Target<V, D>, j: &Near<D, V::Number>) -> Self {
-        let vector: LaneVector<V, D> =
-            std::array::from_fn(|k| Lane::apart(vectors, i.position[k], j.position[k]));
+        let vector: LaneVector<V, D> = each(|k| Lane::apart(vectors, i.position[k], j.position[k]));
         Self {
             vector,
             squared: dot_add(&vector, &vector, i.least),

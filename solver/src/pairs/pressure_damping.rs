@@ -3,6 +3,7 @@
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, accumulate};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::particles::Rates;
 use crate::records::Read;
@@ -42,7 +43,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for PressureDamping {
         slot: impl Fn(usize) -> usize + Copy,
     ) -> Self::Own<V> {
         Damped {
-            half_gradient: std::array::from_fn(|k| {
+            half_gradient: each(|k| {
                 Lane::gather(vectors, |l| read.state[slot(l)].half_gradient[k])
             }),
             volume: Lane::gather(vectors, |l| read.near[slot(l)].volume),

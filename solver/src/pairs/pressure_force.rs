@@ -5,6 +5,7 @@ use aero_geometry::Vector;
 use super::encounter::{Encounter, Encounters, Own, Site};
 use super::law::{Law, Neighbour};
 use super::pair::{LaneVector, accumulate, dot};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::particles::{ByPressure, Rates};
 use crate::records::Read;
@@ -53,7 +54,7 @@ impl<const D: usize> Law<Encounters<'_, D>, D> for PressureForce {
         accumulate(gradient, met.gradient_volume, &pair.separation);
         for a in 0..D {
             let row: LaneVector<V, D> =
-                std::array::from_fn(|b| Lane::broadcast(j.vectors, state.stress.get(a, b)));
+                each(|b| Lane::broadcast(j.vectors, state.stress.get(a, b)));
             stress[a] = dot(&row, &pair.separation).mul_add(pair.gradient_factor, stress[a]);
         }
     }

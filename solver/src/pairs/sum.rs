@@ -1,14 +1,15 @@
 //! What a law sums, whatever it is made of: lanes, arrays and tuples of them.
 
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::vectors::{MAX_LANES, Vectors};
 
 /// Running sums of all lanes.
 pub trait Sum<V: Vectors>: Copy {
     /// The same in memory.
-    type Lanes;
+    type Lanes: Copy;
     /// That of one lane.
-    type Number;
+    type Number: Copy;
 
     /// All zero.
     fn zero(vectors: V) -> Self;
@@ -57,17 +58,17 @@ impl<V: Vectors, S: Sum<V>, const N: usize> Sum<V> for [S; N] {
 
     #[inline(always)]
     fn scaled(self, factor: Lane<V>) -> Self {
-        self.map(|sum| sum.scaled(factor))
+        each(|k| self[k].scaled(factor))
     }
 
     #[inline(always)]
     fn lanes(self) -> Self::Lanes {
-        self.map(S::lanes)
+        each(|k| self[k].lanes())
     }
 
     #[inline(always)]
     fn number(lanes: &Self::Lanes, l: usize) -> Self::Number {
-        std::array::from_fn(|k| S::number(&lanes[k], l))
+        each(|k| S::number(&lanes[k], l))
     }
 }
 

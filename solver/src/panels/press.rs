@@ -70,7 +70,8 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     let reach = reach.fold(0.0, f64::max);
     let seen = seen(flow, panels, reach);
     let places: Vec<Vector<D>> = seen.iter().map(|seen| seen.centre).collect();
-    let grid = Pencils::new(&places, reach.max(flow.problem.resolution.lattice()));
+    let widest = reach.max(flow.problem.resolution.lattice());
+    let grid = Pencils::new(&places, widest);
     let met_by = |at: &Vector<D>, reach: f64| {
         let mut met: Vec<Met<'_, D>> = Vec::new();
         grid.for_each_run_near(at, at, reach, |run| {
@@ -145,7 +146,9 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     for &(number, part) in solid.iter().flatten() {
         sums[number as usize].solid += part;
     }
-    let bends = bends(&seen, &grid, |panel| sums[panel.number as usize].reach());
+    let bends = bends(&seen, &grid, widest, |panel| {
+        sums[panel.number as usize].reach()
+    });
     let mut bent = vec![(Vector::zeros(), 0.0); sums.len()];
     for (panel, bend) in seen.iter().zip(bends).filter(|(panel, _)| !panel.is_image) {
         bent[panel.number as usize] = (panel.normal, bend);

@@ -31,8 +31,10 @@ impl<S: Simd> Vectors for Double<S> {
     #[inline(always)]
     fn gather(self, numbers: impl Fn(usize) -> f64) -> S::f64s {
         let mut buffer = [0.0; MAX_LANES];
-        for (l, slot) in buffer.iter_mut().enumerate().take(Self::LANES) {
-            *slot = numbers(l);
+        let mut l = 0;
+        while l < Self::LANES {
+            buffer[l] = numbers(l);
+            l += 1;
         }
         let (vectors, _) = S::as_simd_f64s(&buffer);
         vectors[0]

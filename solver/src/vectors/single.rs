@@ -30,8 +30,10 @@ impl<S: Simd> Vectors for Single<S> {
     #[inline(always)]
     fn gather(self, numbers: impl Fn(usize) -> f32) -> S::f32s {
         let mut buffer = [0.0_f32; MAX_LANES];
-        for (l, slot) in buffer.iter_mut().enumerate().take(Self::LANES) {
-            *slot = numbers(l);
+        let mut l = 0;
+        while l < Self::LANES {
+            buffer[l] = numbers(l);
+            l += 1;
         }
         let (vectors, _) = S::as_simd_f32s(&buffer);
         vectors[0]

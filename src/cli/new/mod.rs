@@ -7,7 +7,7 @@ use std::path::PathBuf;
 use clap::Args;
 
 use super::CommandError;
-use crate::nearest::nearest;
+use aero::nearest::nearest;
 
 /// What `aero new` takes.
 #[derive(Args, Debug)]

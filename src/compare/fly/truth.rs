@@ -5,7 +5,7 @@ use aero_validation::exact::oblique::{Strength, oblique_shock};
 use aero_validation::exact::prandtl_meyer::expand;
 
 use super::bodies::{self, Facet};
-use crate::compare::context::CompareError;
+use crate::context::CompareError;
 
 const GAMMA: f64 = 1.4;
 

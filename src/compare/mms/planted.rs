@@ -5,8 +5,8 @@ use aero_validation::table::{Check, Subject};
 use super::mistake::{Equation, Mistake, Term};
 use super::series::Series;
 use super::{NAME, PLANE, VISCOSITY};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context, Level};
+use crate::variant::Scheme;
 
 /// A mistake is caught where the order of the error of what its equation is for falls below this.
 const CAUGHT: f64 = 1.5;

@@ -11,9 +11,9 @@ use aero_solver::frame::Frame;
 use aero_solver::problem::State;
 
 use super::mistake::{Mistake, Mistaken};
-use crate::compare::context::{CompareError, Context};
-use crate::compare::scenes::Source;
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context};
+use crate::scenes::Source;
+use crate::variant::Scheme;
 
 /// What errors are measured of.
 pub const QUANTITIES: [&str; 3] = ["velocity", "density", "pressure"];

@@ -6,7 +6,7 @@ use aero_geometry::outline::{Outline, Piece};
 use aero_geometry::{Bounds, Vector};
 use aero_packer::{PackOptions, pack};
 
-use crate::compare::context::CompareError;
+use crate::context::CompareError;
 
 /// Layers of ghosts: gradients are asked for at ghosts that reach the gas.
 const LAYERS: f64 = 8.0;

@@ -9,7 +9,7 @@ use super::ghosts::{Now, Overridden, Treated};
 use super::operators::{Fields, Gradient, Gradients, volumes};
 use super::solution::{Condition, Exact, Family, Solution};
 use super::treatment::{Mistake, Treatment};
-use crate::compare::points::cloud::{Cloud, SMOOTHING_RATIO};
+use crate::points::cloud::{Cloud, SMOOTHING_RATIO};
 
 /// Time that passes: 100 of the paper's steps, s [eq 6], which are those of its finest spacing.
 const TIME: f64 = 100.0 * 0.00012;

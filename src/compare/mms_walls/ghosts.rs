@@ -7,8 +7,8 @@ use super::arrangement::Ghost;
 use super::equations::{SOUND, stiffness};
 use super::solution::{Condition, Exact, Solution};
 use super::treatment::Rule;
-use crate::compare::points::cloud::Cloud;
-use crate::compare::points::weights::Weights;
+use crate::points::cloud::Cloud;
+use crate::points::weights::Weights;
 
 /// A ghost, how it follows from the gas, and the solution at the wall.
 pub struct Treated {

@@ -5,7 +5,7 @@ use aero_geometry::kernel::QuinticSpline;
 use nalgebra::Matrix2;
 use rayon::prelude::*;
 
-use crate::compare::points::cloud::Cloud;
+use crate::points::cloud::Cloud;
 
 /// Pressure and velocity of each particle.
 pub type Fields = Vec<[f64; 3]>;

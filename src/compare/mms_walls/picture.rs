@@ -6,7 +6,7 @@ use aero_validation::pictures::{BLACK, Colour};
 use super::solution::Condition;
 use super::study::{Errors, Study};
 use super::treatments::ALL;
-use crate::compare::context::{CompareError, Context};
+use crate::context::{CompareError, Context};
 
 /// Lines of one condition, by name.
 pub type Lines = Vec<(&'static str, Errors)>;

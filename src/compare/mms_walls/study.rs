@@ -4,7 +4,7 @@ use super::arrangement::{Arrangement, Manner, Places};
 use super::flow::{Outcome, Trial};
 use super::solution::{Condition, Family, Solution};
 use super::treatment::{Mistake, Treatment};
-use crate::compare::context::CompareError;
+use crate::context::CompareError;
 
 /// Particles beside one wall at several spacings, coarse to fine.
 pub struct Study {

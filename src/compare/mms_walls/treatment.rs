@@ -2,8 +2,8 @@
 
 use super::arrangement::{Ghost, Layers, Manner};
 use super::solution::Condition;
-use crate::compare::points::cloud::Cloud;
-use crate::compare::points::weights::Weights;
+use crate::points::cloud::Cloud;
+use crate::points::weights::Weights;
 
 /// How ghosts of a wall get their state.
 pub trait Treatment: Sync {

@@ -6,11 +6,11 @@ use aero_validation::exact::nozzle::{BackNozzle, Section, shock_for_back_pressur
 
 use super::stations::{INCH, INLET};
 use super::{GAMMA, THEORY};
-use crate::compare::comparison::{Comparison, Flow};
-use crate::compare::context::CompareError;
-use crate::compare::row::Row;
-use crate::compare::scenes::scene;
-use crate::compare::variant::Variant;
+use crate::comparison::{Comparison, Flow};
+use crate::context::CompareError;
+use crate::row::Row;
+use crate::scenes::scene;
+use crate::variant::Variant;
 
 const HELD: &str = "what is held";
 /// Total pressure of the reservoir: 230 412 Pa at Mach 0.29615.

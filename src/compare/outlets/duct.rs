@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::SUPPORT;
 
 use super::particle::Particle;
-use crate::compare::points::cloud::{Cloud, SMOOTHING_RATIO};
+use crate::points::cloud::{Cloud, SMOOTHING_RATIO};
 
 /// Density, kg/m^3.
 pub const DENSITY: f64 = 1.0;

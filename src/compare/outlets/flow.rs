@@ -6,7 +6,7 @@ use super::duct::{Crowd, DENSITY, Duct};
 use super::particle::Particle;
 use super::sums::Sums;
 use super::treatment::{Mistake, Next, Sight, Treatment};
-use crate::compare::points::weights::{linear, shepard};
+use crate::points::weights::{linear, shepard};
 
 /// The gas, what comes in and what is beyond the outlet.
 pub struct Flow<'a> {

@@ -5,7 +5,7 @@ use aero_validation::pictures::{BLACK, Colour};
 
 use super::cases::{Case, Record, Suite};
 use super::treatments::ALL;
-use crate::compare::context::{CompareError, Context};
+use crate::context::{CompareError, Context};
 
 /// Of the treatments in their order: those of Okabe & Ito 2008.
 const COLOURS: [Colour; 6] = [

@@ -3,7 +3,7 @@
 use super::duct::{Crowd, DENSITY, Duct};
 use super::particle::Particle;
 use super::wave::Sound;
-use crate::compare::points::weights::{Weights, shepard};
+use crate::points::weights::{Weights, shepard};
 
 /// The part of a sound that may come back, as of the project's open sides.
 pub const ECHO: f64 = 0.05;

@@ -6,8 +6,8 @@ use aero_validation::exact::hot_air::HotAir;
 use aero_validation::table::{Check, Subject};
 
 use super::{NAME, at_60_km, state};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("hemisphere-hot");
 

@@ -6,9 +6,9 @@ use aero_validation::exact::hot_air::{Hot, HotAir};
 use aero_validation::table::{Check, Subject};
 
 use super::{NAME, THEORY, at_60_km, state};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::profiles::median;
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::profiles::median;
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("hot-shock");
 

@@ -7,9 +7,9 @@ use aero_validation::metrics::shock_line::{ShockSearch, fit_shock_line};
 use aero_validation::table::{Check, Subject};
 
 use super::{NAME, THEORY, state};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::profiles::median;
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::profiles::median;
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("wedge-hot");
 

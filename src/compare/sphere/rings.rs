@@ -9,11 +9,11 @@ use aero_validation::metrics::invariants::total_enthalpy;
 use aero_validation::metrics::stagnation::stagnation_pressure;
 
 use super::{GAMMA, SPHERE};
-use crate::compare::comparison::{Comparison, Flow};
-use crate::compare::context::CompareError;
-use crate::compare::row::Row;
-use crate::compare::scenes::scene;
-use crate::compare::variant::Variant;
+use crate::comparison::{Comparison, Flow};
+use crate::context::CompareError;
+use crate::row::Row;
+use crate::scenes::scene;
+use crate::variant::Variant;
 
 /// Stand-off of a sphere in a perfect gas at Mach 10, radii.
 const STAND_OFF: f64 = 0.136;
@@ -24,6 +24,7 @@ const HALVINGS: u32 = 2;
 /// Density over that behind a normal shock above which gas is behind the bow shock.
 const BEHIND: f64 = 0.9;
 
+/// The sphere about the axis.
 pub const RINGS: Comparison<f64> = Comparison {
     case: SPHERE.case,
     scene: scene!("sphere-axisymmetric"),

@@ -6,7 +6,7 @@ use aero_validation::pictures::BLACK;
 use aero_validation::pictures::curves::{Curves, Panel, Series, Style};
 use aero_validation::reference::rotating_square;
 
-use crate::compare::context::{CompareError, Context};
+use crate::context::{CompareError, Context};
 
 /// From here the impulsive start is over and the reference's digits are its own, ms.
 const FROM: f64 = 0.3;

@@ -5,10 +5,10 @@ use aero_validation::table::Check;
 
 use super::schemes::GAMMA;
 use super::trial::Trial;
-use crate::compare::context::{CompareError, Context};
-use crate::compare::row::Row;
-use crate::compare::scenes::{Source, scene};
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context};
+use crate::row::Row;
+use crate::scenes::{Source, scene};
+use crate::variant::Scheme;
 
 const CAPSULE: Source = scene!("apollo-axisymmetric");
 /// Largest radius of the body, m.

@@ -9,12 +9,12 @@ use aero_validation::table::Check;
 use super::schemes::{GAMMA, PRESSURE, schemes};
 use super::trial::Trial;
 use super::{base, edge, plate};
-use crate::compare::context::{CompareError, Context};
-use crate::compare::profiles::median;
-use crate::compare::row::Row;
-use crate::compare::scenes::{Source, scene};
-use crate::compare::variant::Scheme;
-use crate::compare::wedge::SCENE as WEDGE;
+use crate::context::{CompareError, Context};
+use crate::profiles::median;
+use crate::row::Row;
+use crate::scenes::{Source, scene};
+use crate::variant::Scheme;
+use crate::wedge::SCENE as WEDGE;
 
 const CORNER: Source = scene!("stress", "expansion-corner");
 const BLUNT: Source = scene!("stress", "blunt-body");

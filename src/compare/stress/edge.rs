@@ -8,11 +8,11 @@ use aero_validation::table::Check;
 
 use super::schemes::{GAMMA, PRESSURE};
 use super::trial::Trial;
-use crate::compare::context::{CompareError, Context};
-use crate::compare::profiles::median;
-use crate::compare::row::Row;
-use crate::compare::scenes::{Source, scene};
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context};
+use crate::profiles::median;
+use crate::row::Row;
+use crate::scenes::{Source, scene};
+use crate::variant::Scheme;
 
 const EDGE: Source = scene!("stress", "sharp-trailing-edge");
 const THEORY: &str = "shock-expansion theory";

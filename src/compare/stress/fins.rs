@@ -4,11 +4,11 @@ use aero::run::Outcome;
 use aero_validation::table::Check;
 
 use super::trial::Trial;
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::row::Row;
-use crate::compare::scenes::{Source, scene};
-use crate::compare::surface::{Facet, as_shape, prism};
-use crate::compare::variant::{Motion, Scheme};
+use crate::context::{CompareError, Context, Level};
+use crate::row::Row;
+use crate::scenes::{Source, scene};
+use crate::surface::{Facet, as_shape, prism};
+use crate::variant::{Motion, Scheme};
 
 const TAIL: Source = scene!("stress", "finned-tail");
 

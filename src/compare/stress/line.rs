@@ -10,10 +10,10 @@ use aero_validation::table::{Check, Subject};
 use super::schemes::schemes;
 use super::trial::Trial;
 use super::tubes::{NOH, Profile, SOD, TORO_3, TUBES, Tube, gamma};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::profiles::Profiles;
-use crate::compare::row::Row;
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context, Level};
+use crate::profiles::Profiles;
+use crate::row::Row;
+use crate::variant::Scheme;
 
 /// Largest mean error of the density, in per cent of its mean, at the spacing of the scenes.
 const ALLOWED: f64 = 5.0;

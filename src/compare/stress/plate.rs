@@ -7,11 +7,11 @@ use aero_validation::table::Check;
 
 use super::schemes::{GAMMA, PRESSURE};
 use super::trial::Trial;
-use crate::compare::context::{CompareError, Context};
-use crate::compare::profiles::median;
-use crate::compare::row::Row;
-use crate::compare::scenes::{Source, scene};
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context};
+use crate::profiles::median;
+use crate::row::Row;
+use crate::scenes::{Source, scene};
+use crate::variant::Scheme;
 
 pub(super) const PLATE: Source = scene!("stress", "thin-plate");
 pub(super) const THEORY: &str = "shock-expansion theory";

@@ -8,11 +8,11 @@ use aero_validation::table::Check;
 
 use super::schemes::equations;
 use super::trial::Trial;
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::profiles::median;
-use crate::compare::row::Row;
-use crate::compare::scenes::{Source, scene};
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context, Level};
+use crate::profiles::median;
+use crate::row::Row;
+use crate::scenes::{Source, scene};
+use crate::variant::Scheme;
 
 /// Largest mean error of the density, in per cent of its mean.
 const ALLOWED: f64 = 5.0;

@@ -1,7 +1,7 @@
 //! What the flows of the suite share: the gas past bodies, and which schemes are compared.
 
-use crate::compare::context::Level;
-use crate::compare::variant::{Motion, Scheme};
+use crate::context::Level;
+use crate::variant::{Motion, Scheme};
 
 pub const GAMMA: f64 = 1.4;
 /// Pressure of the stream past bodies where lengths, densities and speeds are of order one, `1 / gamma`.

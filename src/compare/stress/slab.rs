@@ -4,10 +4,10 @@ use aero_validation::table::Check;
 
 use super::plate::{EDGE, INCIDENCE, MACH, PLATE, THEORY, coefficients};
 use super::trial::Trial;
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::row::Row;
-use crate::compare::surface::{Facet, as_shape, prism};
-use crate::compare::variant::{Motion, Scheme};
+use crate::context::{CompareError, Context, Level};
+use crate::row::Row;
+use crate::surface::{Facet, as_shape, prism};
+use crate::variant::{Motion, Scheme};
 
 /// Spacings along the chord, and across the slab.
 const CHORD: f64 = 60.0;

@@ -7,10 +7,10 @@ use aero_validation::table::{Check, Subject};
 
 use super::schemes::equations;
 use super::trial::Trial;
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::row::Row;
-use crate::compare::scenes::{Source, scene};
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context, Level};
+use crate::row::Row;
+use crate::scenes::{Source, scene};
+use crate::variant::Scheme;
 
 /// Least order of convergence of the isentropic vortex: of particles, and of points.
 const LEAST_ORDER: [f64; 2] = [1.5, 1.8];

@@ -3,10 +3,10 @@
 use aero::run::Outcome;
 use aero_validation::table::Check;
 
-use crate::compare::context::{CompareError, Context};
-use crate::compare::row::{Heading, Row};
-use crate::compare::scenes::{Attempt, Source};
-use crate::compare::variant::Scheme;
+use crate::context::{CompareError, Context};
+use crate::row::{Heading, Row};
+use crate::scenes::{Attempt, Source};
+use crate::variant::Scheme;
 
 /// Largest drift of mass, momentum and energy: what is left when no law loses anything but the
 /// time step's error.

@@ -11,7 +11,7 @@ use aero::case::Case;
 use aero_solver::problem;
 use aero_solver::problem::{Initial, Side};
 
-use crate::compare::scenes::{Source, scene};
+use crate::scenes::{Source, scene};
 
 /// Gas along a line at the end time.
 pub type Profile = Box<dyn Fn(f64) -> State>;

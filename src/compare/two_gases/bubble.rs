@@ -5,8 +5,8 @@ use aero_solver::frame::Frame;
 use aero_validation::table::{Check, Subject};
 
 use super::{NAME, places};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("helium-bubble");
 const EXPERIMENT: &str =

@@ -6,9 +6,9 @@ use aero_validation::table::{Check, Subject};
 
 use super::bubble_gas::{AIR, GAMMAS, HELIUM, MACH};
 use super::{NAME, places};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::profiles::median;
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::profiles::median;
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("helium-bubble");
 const THEORY: &str = "regular refraction by shock polars (Henderson 1966)";

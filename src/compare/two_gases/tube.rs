@@ -8,9 +8,9 @@ use aero_validation::table::{Check, Subject};
 
 use super::bubble_gas::{AIR, GAMMAS, HELIUM, MACH};
 use super::{NAME, places};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::profiles::median;
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::profiles::median;
+use crate::scenes::{Source, scene};
 use aero_validation::exact::normal::normal_shock;
 
 const SCENE: Source = scene!("two-gases");

@@ -3,8 +3,8 @@
 use aero_validation::table::{Check, Subject};
 
 use super::NAME;
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("cylinder-viscous");
 

@@ -6,8 +6,8 @@ use aero_validation::metrics::nose::at_nose;
 use aero_validation::table::{Check, Subject};
 
 use super::{GAMMA, GAS_CONSTANT, NAME};
-use crate::compare::context::{CompareError, Context};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("hemisphere-viscous");
 /// A sphere that gas slides along: how fast it goes away from the nose.

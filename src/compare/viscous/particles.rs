@@ -5,7 +5,7 @@ use aero_validation::table::{Check, Subject};
 
 use super::shear::{self, HEIGHT, TEMPERATURE};
 use super::{GAMMA, GAS_CONSTANT, NAME};
-use crate::compare::context::{CompareError, Context, Level};
+use crate::context::{CompareError, Context, Level};
 
 /// Time over that in which friction gets from wall to wall, `H^2 / nu`: the flow starts all but settled.
 const SETTLING: f64 = 0.3;

@@ -6,9 +6,9 @@ use aero_validation::exact::flat_plate::{FlatPlate, Layer};
 use aero_validation::table::{Check, Subject};
 
 use super::{GAMMA, GAS_CONSTANT, NAME};
-use crate::compare::context::{CompareError, Context};
-use crate::compare::profiles::median;
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context};
+use crate::profiles::median;
+use crate::scenes::{Source, scene};
 
 const FASTER: Source = scene!("flat-plate");
 /// The same, turned: no row of points lies along the plate.

@@ -4,8 +4,8 @@ use aero_solver::frame::PanelFrame;
 use aero_validation::table::{Check, Subject};
 
 use super::NAME;
-use crate::compare::context::{CompareError, Context};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("backward-step");
 const SOURCE: &str = "measured (Armaly, Durst, Pereira & Schoenung 1983)";

@@ -4,8 +4,8 @@ use aero_validation::exact::couette::{Couette, air_viscosity};
 use aero_validation::table::{Check, Subject};
 
 use super::{GAMMA, GAS_CONSTANT, NAME};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::scenes::{Source, scene};
 
 pub(super) const SCENE: Source = scene!("couette");
 pub(super) const THEORY: &str =

@@ -5,8 +5,8 @@ use aero_validation::exact::becker::width;
 use aero_validation::table::{Check, Subject};
 
 use super::{GAMMA, NAME};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("becker");
 const THEORY: &str = "Becker 1922, Prandtl number 3/4";

@@ -5,8 +5,8 @@ use std::f64::consts::TAU;
 use aero_validation::table::{Check, Subject};
 
 use super::NAME;
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("taylor-green");
 const THEORY: &str = "exp(-4 nu k^2 t) (Taylor & Green 1937)";

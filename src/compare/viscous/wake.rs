@@ -6,8 +6,8 @@ use aero_validation::metrics::shedding::{Shedding, shedding};
 use aero_validation::table::{Check, Subject};
 
 use super::NAME;
-use crate::compare::context::{CompareError, Context};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("cylinder-shedding");
 

@@ -4,8 +4,8 @@ use aero_solver::frame::Frame;
 use aero_validation::table::{Check, Subject};
 
 use super::NAME;
-use crate::compare::context::{CompareError, Context};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("cavity");
 const THEORY: &str = "Ghia, Ghia & Shin 1982, J. Comput. Phys. 48, 387-411, tables I and II";

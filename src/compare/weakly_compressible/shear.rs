@@ -4,8 +4,8 @@ use aero_validation::exact::channel::Channel;
 use aero_validation::table::{Check, Subject};
 
 use super::NAME;
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("cavity");
 const THEORY: &str = "channel flow from rest (Morris, Fox & Zhu 1997, eqs 35 and 36)";

@@ -4,8 +4,8 @@ use aero_validation::exact::liquid::{Liquid, Moving};
 use aero_validation::table::{Check, Subject};
 
 use super::NAME;
-use crate::compare::context::{CompareError, Context};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("water-hammer");
 const THEORY: &str = "Tait's equation, jumps of mass and momentum (Cole 1948)";

@@ -6,8 +6,8 @@ use aero_solver::frame::Frame;
 use aero_validation::table::{Check, Subject};
 
 use super::{NAME, SCHEMES};
-use crate::compare::context::{CompareError, Context, Level};
-use crate::compare::scenes::{Source, scene};
+use crate::context::{CompareError, Context, Level};
+use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("vortices-liquid");
 const THEORY: &str = "exp(-8 pi^2 t / Re) (Taylor & Green 1937)";

@@ -2,7 +2,7 @@
 
 use aero_validation::exact::oblique::{ObliqueShock, Strength, oblique_shock};
 
-use crate::compare::context::CompareError;
+use crate::context::CompareError;
 
 /// A corner and its stream.
 #[derive(Clone, Copy, Debug)]

@@ -10,7 +10,7 @@ use aero_validation::metrics::plateau::{Plateau, Ramp, Stream, plateau};
 use aero_validation::metrics::shock_line::{ShockLine, ShockSearch, fit_shock_line};
 
 use super::corner::Corner;
-use crate::compare::comparison::Flow;
+use crate::comparison::Flow;
 
 /// Distance from corner, wall and shock at which the flow is read, in smoothing lengths.
 const CLEARANCE: f64 = 6.0;

@@ -5,8 +5,8 @@ use aero_validation::exact::oblique::ObliqueShock;
 
 use super::corner::Corner;
 use super::flow::Measured;
-use crate::compare::row::Row;
-use crate::compare::variant;
+use crate::row::Row;
+use crate::variant;
 
 type Variant = variant::Variant<Corner>;
 

@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 
 use super::{Met, Neighbours, Own, Site};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::pairs::law::{Law, Neighbour};
 use crate::pairs::pair::{LaneVector, accumulate, dot, dot_add};
@@ -42,17 +43,15 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for CoupledStress<'_, D> {
         let of = |l: usize| &read.diffusive[slot(l)];
         let per_volume = Lane::gather(vectors, |l| read.near[slot(l)].volume).recip();
         Sheared {
-            half_gradient: std::array::from_fn(|a| {
-                std::array::from_fn(|b| Lane::gather(vectors, |l| of(l).half_gradient[(a, b)]))
+            half_gradient: each(|a| {
+                each(|b| Lane::gather(vectors, |l| of(l).half_gradient[(a, b)]))
             }),
             half_viscosity: Lane::gather(vectors, |l| of(l).half_viscosity),
-            stress: std::array::from_fn(|a| {
-                std::array::from_fn(|b| {
-                    Lane::gather(vectors, |l| of(l).stress[(a, b)]) * per_volume
-                })
+            stress: each(|a| {
+                each(|b| Lane::gather(vectors, |l| of(l).stress[(a, b)]) * per_volume)
             }),
-            matrix: std::array::from_fn(|a| {
-                std::array::from_fn(|b| {
+            matrix: each(|a| {
+                each(|b| {
                     let own = |l: usize| self.0[slot(l)].matrix[(a, b)];
                     Lane::gather(vectors, |l| V::Number::rounded(own(l)))
                 })
@@ -72,17 +71,16 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for CoupledStress<'_, D> {
         let lane = |number| Lane::broadcast(j.vectors, number);
         let volume = lane(j.read.near[j.slot].volume);
         let r = &met.pair.separation;
-        let turned: LaneVector<V, D> = std::array::from_fn(|a| dot(&own.matrix[a], r));
+        let turned: LaneVector<V, D> = each(|a| dot(&own.matrix[a], r));
         let viscosity = own.half_viscosity + lane(other.half_viscosity);
         let exchange = (viscosity + viscosity) * met.gradient_volume;
         let mut apart = met.jump;
         for a in 0..D {
             let rise: LaneVector<V, D> =
-                std::array::from_fn(|b| lane(other.stress[(a, b)]) - volume * own.stress[a][b]);
+                each(|b| lane(other.stress[(a, b)]) - volume * own.stress[a][b]);
             sum[a] = dot(&rise, &turned).mul_add(met.pair.gradient_factor, sum[a]);
-            let slope: LaneVector<V, D> = std::array::from_fn(|b| {
-                -(own.half_gradient[a][b] + lane(other.half_gradient[(a, b)]))
-            });
+            let slope: LaneVector<V, D> =
+                each(|b| -(own.half_gradient[a][b] + lane(other.half_gradient[(a, b)])));
             apart[a] = dot_add(&slope, r, met.jump[a]);
         }
         accumulate(sum, exchange, &apart);

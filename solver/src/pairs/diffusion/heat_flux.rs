@@ -1,6 +1,7 @@
 //! What heat conduction does.
 
 use super::{Met, Neighbours, Own, Site};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::pairs::law::{Law, Neighbour};
 use crate::pairs::pair::{LaneVector, dot, dot_add};
@@ -35,7 +36,7 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for HeatFlux {
     ) -> Self::Own<V> {
         let of = |l: usize| &read.diffusive[slot(l)];
         Heated {
-            half_slope: std::array::from_fn(|k| Lane::gather(vectors, |l| of(l).half_slope[k])),
+            half_slope: each(|k| Lane::gather(vectors, |l| of(l).half_slope[k])),
             half_conductivity: Lane::gather(vectors, |l| of(l).half_conductivity),
         }
     }
@@ -51,11 +52,10 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for HeatFlux {
         let other = &j.read.diffusive[j.slot];
         let lane = |number| Lane::broadcast(j.vectors, number);
         let r = &met.pair.separation;
-        let flux: LaneVector<V, D> = std::array::from_fn(|k| lane(other.flux[k]));
+        let flux: LaneVector<V, D> = each(|k| lane(other.flux[k]));
         let conductivity = own.half_conductivity + lane(other.half_conductivity);
         let exchange = (conductivity + conductivity) * met.gradient_volume;
-        let slope: LaneVector<V, D> =
-            std::array::from_fn(|k| -(own.half_slope[k] + lane(other.half_slope[k])));
+        let slope: LaneVector<V, D> = each(|k| -(own.half_slope[k] + lane(other.half_slope[k])));
         let apart = dot_add(&slope, r, met.energy);
         *heat = dot(&flux, r).mul_add(met.pair.gradient_factor, *heat);
         *heat = apart.mul_add(exchange, *heat);

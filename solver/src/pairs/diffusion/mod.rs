@@ -21,6 +21,7 @@ use super::law::Basis;
 use super::pair::{LaneVector, Pair, Target};
 use super::renormalisation::Renormalisation;
 use crate::backend::Backend;
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::neighbours::Lists;
 use crate::particles::Rates;
@@ -148,7 +149,7 @@ impl<const D: usize> Basis<D> for Neighbours<'_, D> {
         let velocity = |l: usize, k: usize| read.near[slot(l)].velocity[k];
         Own {
             target: Target::load(vectors, read, &slot),
-            velocity: std::array::from_fn(|k| Lane::gather(vectors, |l| velocity(l, k))),
+            velocity: each(|k| Lane::gather(vectors, |l| velocity(l, k))),
             energy: Lane::gather(vectors, |l| read.state[slot(l)].energy),
         }
     }
@@ -165,9 +166,7 @@ impl<const D: usize> Basis<D> for Neighbours<'_, D> {
         let pair = Pair::new(vectors, &i.target, near);
         Met {
             gradient_volume: Lane::broadcast(vectors, near.volume) * pair.gradient_factor,
-            jump: std::array::from_fn(|k| {
-                i.velocity[k] - Lane::broadcast(vectors, near.velocity[k])
-            }),
+            jump: each(|k| i.velocity[k] - Lane::broadcast(vectors, near.velocity[k])),
             energy: i.energy - Lane::broadcast(vectors, read.state[j].energy),
             pair,
         }

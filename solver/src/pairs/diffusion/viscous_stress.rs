@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 
 use super::{Met, Neighbours, Own, Site};
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::pairs::law::{Law, Neighbour};
 use crate::pairs::pair::{LaneVector, accumulate, dot, dot_add};
@@ -50,8 +51,8 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for ViscousStress {
     ) -> Self::Own<V> {
         let of = |l: usize| &read.diffusive[slot(l)];
         Sheared {
-            half_gradient: std::array::from_fn(|a| {
-                std::array::from_fn(|b| Lane::gather(vectors, |l| of(l).half_gradient[(a, b)]))
+            half_gradient: each(|a| {
+                each(|b| Lane::gather(vectors, |l| of(l).half_gradient[(a, b)]))
             }),
             half_viscosity: Lane::gather(vectors, |l| of(l).half_viscosity),
         }
@@ -72,11 +73,10 @@ impl<const D: usize> Law<Neighbours<'_, D>, D> for ViscousStress {
         let exchange = (viscosity + viscosity) * met.gradient_volume;
         let mut apart = met.jump;
         for a in 0..D {
-            let row: LaneVector<V, D> = std::array::from_fn(|b| lane(other.stress[(a, b)]));
+            let row: LaneVector<V, D> = each(|b| lane(other.stress[(a, b)]));
             stress[a] = dot(&row, r).mul_add(met.pair.gradient_factor, stress[a]);
-            let slope: LaneVector<V, D> = std::array::from_fn(|b| {
-                -(own.half_gradient[a][b] + lane(other.half_gradient[(a, b)]))
-            });
+            let slope: LaneVector<V, D> =
+                each(|b| -(own.half_gradient[a][b] + lane(other.half_gradient[(a, b)])));
             apart[a] = dot_add(&slope, r, met.jump[a]);
         }
         accumulate(departure, exchange, &apart);

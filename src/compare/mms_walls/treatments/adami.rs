@@ -1,10 +1,10 @@
 //! Ghosts take the mean of the gas about them.
 
-use crate::compare::mms_walls::arrangement::{Ghost, Manner};
-use crate::compare::mms_walls::solution::Condition;
-use crate::compare::mms_walls::treatment::{Rule, Treatment};
-use crate::compare::points::cloud::Cloud;
-use crate::compare::points::weights::shepard;
+use crate::mms_walls::arrangement::{Ghost, Manner};
+use crate::mms_walls::solution::Condition;
+use crate::mms_walls::treatment::{Rule, Treatment};
+use crate::points::cloud::Cloud;
+use crate::points::weights::shepard;
 
 /// Adami, Hu & Adams 2012, doi:10.1016/j.jcp.2012.05.005: `q = sum_j q_j W / sum_j W` at the ghost (eq 22), the pressure with the rise from
 /// the gas to the ghost, `dp/dn sum_j n.r_gj W / sum_j W` (eq 27), the velocity `2 u_w - q` (eq 23).

@@ -1,9 +1,9 @@
 //! Ghosts are images of the gas.
 
-use crate::compare::mms_walls::arrangement::{Ghost, Layers, Manner};
-use crate::compare::mms_walls::solution::Condition;
-use crate::compare::mms_walls::treatment::{Mistake, Rule, Treatment};
-use crate::compare::points::cloud::Cloud;
+use crate::mms_walls::arrangement::{Ghost, Layers, Manner};
+use crate::mms_walls::solution::Condition;
+use crate::mms_walls::treatment::{Mistake, Rule, Treatment};
+use crate::points::cloud::Cloud;
 
 /// Colagrossi & Landrini 2003, doi:10.1016/S0021-9991(03)00324-3: each particle of the gas near the wall has an image behind it, with its
 /// pressure and the reversed velocity. The published pressure has no rise towards the image.

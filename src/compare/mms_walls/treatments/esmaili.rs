@@ -1,10 +1,10 @@
 //! Ghosts go on as the gas does.
 
-use crate::compare::mms_walls::arrangement::{Ghost, Manner};
-use crate::compare::mms_walls::solution::Condition;
-use crate::compare::mms_walls::treatment::{Rule, Treatment};
-use crate::compare::points::cloud::Cloud;
-use crate::compare::points::weights::linear;
+use crate::mms_walls::arrangement::{Ghost, Manner};
+use crate::mms_walls::solution::Condition;
+use crate::mms_walls::treatment::{Rule, Treatment};
+use crate::points::cloud::Cloud;
+use crate::points::weights::linear;
 
 /// Esmaili Sikarudi & Nikseresht 2016, doi:10.1016/j.cpc.2015.07.004, as Negi & Ramachandran 2022 have it for the velocity: a first-order
 /// extrapolation to the ghost. It goes on linearly through the wall, whose own velocity it never asks for; the sign of Adami's would turn the

@@ -4,11 +4,11 @@ use aero_geometry::Vector;
 use aero_geometry::kernel::QuinticSpline;
 use nalgebra::Matrix2;
 
-use crate::compare::mms_walls::arrangement::{Ghost, Layers, Manner};
-use crate::compare::mms_walls::solution::Condition;
-use crate::compare::mms_walls::treatment::{Rule, Treatment};
-use crate::compare::points::cloud::Cloud;
-use crate::compare::points::weights::Weights;
+use crate::mms_walls::arrangement::{Ghost, Layers, Manner};
+use crate::mms_walls::solution::Condition;
+use crate::mms_walls::treatment::{Rule, Treatment};
+use crate::points::cloud::Cloud;
+use crate::points::weights::Weights;
 
 /// Hashemi, Fatehi & Manzari 2012, doi:10.1016/j.ijnonlinmec.2011.10.007: the pressure for which the corrected gradient at the ghost has the
 /// slope that the wall asks for, `p = (sum_j p_j n.L grad W omega_j - dp/dn) / sum_j n.L grad W omega_j` [Negi & Ramachandran 2022, eq 11, which

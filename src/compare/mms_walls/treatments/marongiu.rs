@@ -1,10 +1,10 @@
 //! One row of ghosts on the wall, whose pressure follows the waves that arrive.
 
-use crate::compare::mms_walls::arrangement::{Ghost, Layers, Manner};
-use crate::compare::mms_walls::solution::Condition;
-use crate::compare::mms_walls::treatment::{Rule, Treatment};
-use crate::compare::points::cloud::Cloud;
-use crate::compare::points::weights::shepard;
+use crate::mms_walls::arrangement::{Ghost, Layers, Manner};
+use crate::mms_walls::solution::Condition;
+use crate::mms_walls::treatment::{Rule, Treatment};
+use crate::points::cloud::Cloud;
+use crate::points::weights::shepard;
 
 /// Marongiu, Leboeuf & Parkinson 2007, doi:10.1243/09576509JPE465: `dp/dt = c dp/dn - rho c^2 du_n/dn - rho c g.n` on the wall [Negi &
 /// Ramachandran 2022, eq 9, corrected]; slopes by finite differences of fourth order of the ghost and four points in the gas, a spacing apart,

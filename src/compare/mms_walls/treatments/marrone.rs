@@ -1,10 +1,10 @@
 //! Ghosts take what lies at their mirror points.
 
-use crate::compare::mms_walls::arrangement::{Ghost, Manner};
-use crate::compare::mms_walls::solution::Condition;
-use crate::compare::mms_walls::treatment::{Rule, Treatment};
-use crate::compare::points::cloud::Cloud;
-use crate::compare::points::weights::linear;
+use crate::mms_walls::arrangement::{Ghost, Manner};
+use crate::mms_walls::solution::Condition;
+use crate::mms_walls::treatment::{Rule, Treatment};
+use crate::points::cloud::Cloud;
+use crate::points::weights::linear;
 
 /// Marrone et al. 2011, doi:10.1016/j.cma.2010.12.016, the `wm` of the solver: a fit that is right for what is linear at the ghost's mirror
 /// point, the pressure with the rise over twice its depth, the velocity reversed.

@@ -1,9 +1,9 @@
 //! Ghosts lie on the line from a particle of gas through the wall.
 
-use crate::compare::mms_walls::arrangement::{Ghost, Manner};
-use crate::compare::mms_walls::solution::Condition;
-use crate::compare::mms_walls::treatment::{Rule, Treatment};
-use crate::compare::points::cloud::Cloud;
+use crate::mms_walls::arrangement::{Ghost, Manner};
+use crate::mms_walls::solution::Condition;
+use crate::mms_walls::treatment::{Rule, Treatment};
+use crate::points::cloud::Cloud;
 
 /// Takeda, Miyama & Sekiya 1994, doi:10.1143/ptp/92.5.939: `u_g = u_w - (depth / height) (u - u_w)` with the velocity and the height above
 /// the wall of the nearest particle of gas along the normal [Negi & Ramachandran 2022, eq 13]. Where the wall has steps the height may vanish.

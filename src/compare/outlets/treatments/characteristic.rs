@@ -1,7 +1,7 @@
 //! What has left has the wave that goes out, and none that comes in.
 
-use crate::compare::outlets::particle::Particle;
-use crate::compare::outlets::treatment::{Next, Sight, Treatment};
+use crate::outlets::particle::Particle;
+use crate::outlets::treatment::{Next, Sight, Treatment};
 
 /// Lastiwka, Basa & Quinlan 2009, doi:10.1002/fld.1971; Negi et al. 2020, eqs 25 to 27: `J = rho c (u - u_ref) + (p - p_ref)` is the mean
 /// of the gas in reach, what comes in is zero, the velocity across the duct stays; the reference is the stream.

@@ -1,8 +1,8 @@
 //! The wave that goes out goes on through what has left, and the one that comes in relaxes: the project's outlet that holds a pressure.
 
-use crate::compare::outlets::duct::{Crowd, DENSITY};
-use crate::compare::outlets::particle::Particle;
-use crate::compare::outlets::treatment::{Next, Sight, Treatment};
+use crate::outlets::duct::{Crowd, DENSITY};
+use crate::outlets::particle::Particle;
+use crate::outlets::treatment::{Next, Sight, Treatment};
 use aero_geometry::kernel::QuinticSpline;
 
 /// `dJ+/dt = -c dJ+/dx` along the particle's way, with the slope of what is upstream of it; `J-` rides along and relaxes,

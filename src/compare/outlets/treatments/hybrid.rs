@@ -1,8 +1,8 @@
 //! What changes slowly stays as it was, what is sound goes on.
 
-use crate::compare::outlets::particle::Particle;
-use crate::compare::outlets::treatment::{ECHO, Next, SLOW, Sight, Treatment};
-use crate::compare::outlets::wave::Sound;
+use crate::outlets::particle::Particle;
+use crate::outlets::treatment::{ECHO, Next, SLOW, Sight, Treatment};
+use crate::outlets::wave::Sound;
 
 /// Negi et al. 2020, section 3.4: the particle keeps the mean of its last steps in the gas [eq 28], taken where the sound was weaker than
 /// eq 30 says, and on top of that hears the wave that goes out, relative to the means of the gas in reach [eq 31].

@@ -2,10 +2,10 @@
 
 use aero_geometry::Vector;
 
-use crate::compare::outlets::particle::Particle;
-use crate::compare::outlets::treatment::{ECHO, Next, SLOW, Sight, Treatment};
-use crate::compare::outlets::wave::Sound;
-use crate::compare::points::weights::linear;
+use crate::outlets::particle::Particle;
+use crate::outlets::treatment::{ECHO, Next, SLOW, Sight, Treatment};
+use crate::outlets::wave::Sound;
+use crate::points::weights::linear;
 
 /// Tafuni et al. 2018, doi:10.1016/j.cma.2018.08.004, as Negi et al. 2020 mean it: the state of the gas at the mirror point, by a linear fit
 /// [Liu & Liu 2006], so that nothing changes along the duct at the outlet. Their eq 24, `f - (r_o - r_k).grad f`, makes `a - 3 b d` of

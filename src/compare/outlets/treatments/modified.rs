@@ -1,9 +1,9 @@
 //! What has left stays as it was, and drifts as fast as the gas.
 
-use crate::compare::outlets::particle::Particle;
-use crate::compare::outlets::treatment::{ECHO, Next, SLOW, Sight, Treatment};
-use crate::compare::outlets::wave::Sound;
-use crate::compare::points::weights::shepard;
+use crate::outlets::particle::Particle;
+use crate::outlets::treatment::{ECHO, Next, SLOW, Sight, Treatment};
+use crate::outlets::wave::Sound;
+use crate::points::weights::shepard;
 
 /// Negi et al. 2020, eqs 17, 18: as do-nothing, but the particle drifts with the mean speed of the gas in reach.
 pub struct ModifiedDoNothing;

@@ -25,7 +25,9 @@ mod mms_walls;
 mod nozzle;
 mod outlets;
 mod points;
+mod polar;
 mod profiles;
+mod program;
 mod real_gas;
 mod report;
 mod ridge;
@@ -51,7 +53,7 @@ use std::sync::{Mutex, PoisonError};
 
 use rayon::prelude::*;
 
-use crate::nearest::nearest;
+use aero::nearest::nearest;
 use aero_validation::table::Check;
 
 use comparison::Compare;
@@ -62,7 +64,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 29] = [
+static CASES: [Case; 30] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -97,6 +99,7 @@ static CASES: [Case; 29] = [
     ("free", &[&free::FREE_BODIES]),
     ("sphere", &[&sphere::SPHERE, &sphere::RINGS]),
     ("apollo", &[&apollo::QUARTER, &apollo::RINGS]),
+    ("polar", &[&polar::POLAR]),
     ("fly", &[&fly::FLIGHTS]),
 ];
 
