@@ -6,6 +6,7 @@ use aero_geometry::parallel::prelude::*;
 use super::cells::Cells;
 use super::cloud::{Cloud, NOBODY};
 use super::cut_cell::CutCell;
+use super::levels::parts;
 use super::merge::Nodes;
 use super::plot::Plot;
 use super::site::{Site, steps};
@@ -100,7 +101,20 @@ impl<'a, const D: usize> Builder<'a, D> {
             index[k] = index[k].rem_euclid(count);
         }
         let there = Site { index, ..*site };
-        self.cloud.at(&there).map_or(Beside::Nothing, Beside::Point)
+        match self.cloud.at(&there) {
+            Some(other) => Beside::Point(other),
+            None if self.is_over_the_end(&there) => Beside::Side,
+            None => Beside::Nothing,
+        }
+    }
+
+    /// True of a cell without a point, and without parts that have any, whose middle lies beyond a side or close before it.
+    fn is_over_the_end(&self, site: &Site<D>) -> bool {
+        let spacing = self.cloud.spacing / f64::from(1 << site.level);
+        let corner = &self.cloud.corner;
+        let middle = Vector::from_fn(|k, _| corner[k] + (f64::from(site.index[k]) + 0.5) * spacing);
+        self.plot.is_over_the_end(&middle, spacing)
+            && parts(site).all(|part| self.cloud.at(&part).is_none())
     }
 
     /// The same, with the pieces' outlines kept.
@@ -130,15 +144,18 @@ impl<'a, const D: usize> Builder<'a, D> {
                 if self.plot.domain.sides[k][0] == Side::Periodic {
                     continue;
                 }
-                let last = (self.cloud.counts[k] << site.level) - 1;
                 let bounds = &self.plot.domain.bounds;
                 let [start, end] = [bounds.min[k], bounds.max[k]].map(|at| at - place.position[k]);
                 // The first and the last cells end at the sides, wherever those are.
                 let differ = |a: f64, b: f64| (a - b).abs() > 1e-9 * place.spacing;
-                if site.index[k] == 0 && differ(start, -half) {
+                let ends = |way: i32| {
+                    let step = std::array::from_fn(|axis| if axis == k { way } else { 0 });
+                    matches!(self.beside(&site, &step), Beside::Side)
+                };
+                if differ(start, -half) && -start < 2.0 * place.spacing && ends(-1) {
                     low[k] = start;
                 }
-                if site.index[k] == last && differ(end, half) {
+                if differ(end, half) && end < 2.0 * place.spacing && ends(1) {
                     high[k] = end;
                 }
             }

@@ -8,7 +8,6 @@ use super::levels::Levels;
 use super::plot::{Plot, off_the_walls};
 use super::site::{Site, children};
 use crate::lattice::displacement;
-use crate::problem::Side;
 
 impl<const D: usize> Cloud<D> {
     /// The lattice, its cells split as `levels` say, each point displaced at random by up to `disorder` of a spacing
@@ -36,9 +35,6 @@ const BLOCK: i32 = 16;
 
 /// Distance from walls in spacings beyond which nothing there matters.
 const FAR: f64 = 3.0;
-
-/// Least distance of points from the sides, in spacings.
-const LEAST_TO_SIDE: f64 = 0.25;
 
 /// The points of the lattice, its cells split as `levels` say, in their order; those that an `earlier` cloud had are taken from there.
 pub fn filled<const D: usize>(
@@ -155,16 +151,6 @@ impl<const D: usize> Filler<'_, D> {
         self.leaf(site, None, places);
     }
 
-    /// True of a point beyond a side that is not a side of lattice cells, or close before it: its neighbour's cell ends at the side then.
-    fn is_over_the_end(&self, position: &Vector<D>, spacing: f64) -> bool {
-        let domain = self.plot.domain;
-        (0..D).any(|k| {
-            let least = LEAST_TO_SIDE * spacing;
-            let within = domain.bounds.min[k] + least..=domain.bounds.max[k] - least;
-            domain.sides[k][1] != Side::Periodic && !within.contains(&position[k])
-        })
-    }
-
     /// The point of a cell, or those of the cells it is split into.
     fn leaf(&self, site: Site<D>, clear: Option<f64>, places: &mut Vec<Place<D>>) {
         if self.levels.is_split(&site) {
@@ -190,7 +176,7 @@ impl<const D: usize> Filler<'_, D> {
         let spacing = self.plot.spacing / f64::from(1 << site.level);
         let mut position =
             Vector::from_fn(|k, _| self.corner[k] + (f64::from(site.index[k]) + 0.5) * spacing);
-        if self.is_over_the_end(&position, spacing) {
+        if self.plot.is_over_the_end(&position, spacing) {
             return;
         }
         let mut is_moved = false;

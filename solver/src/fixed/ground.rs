@@ -272,6 +272,10 @@ fn corner<const D: usize>(problem: &Problem<D>) -> Vector<D> {
     let (spacing, domain) = (problem.resolution.lattice(), &problem.domain);
     let velocity = &problem.free_stream.velocity;
     let is_along = |axis: usize| velocity[axis] != 0.0 && axis == velocity.iamax();
+    let may_split = problem
+        .method
+        .fixed()
+        .is_some_and(|points| points.refine.levels() > 0);
     let mut corner = domain.bounds.min;
     for axis in (0..D).filter(|&axis| !is_along(axis)) {
         let Some(plane) = parted(problem, axis) else {
@@ -279,7 +283,10 @@ fn corner<const D: usize>(problem: &Problem<D>) -> Vector<D> {
         };
         let off = (plane - corner[axis]) / spacing;
         let off = off - off.round();
-        if off.abs() > EXACT {
+        if off > EXACT && may_split {
+            // Cells that are split end at the sides, too, if the lattice covers all of the domain.
+            corner[axis] += (off - 1.0) * spacing;
+        } else if off.abs() > EXACT {
             corner[axis] += off * spacing;
         }
     }

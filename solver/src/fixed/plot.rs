@@ -3,10 +3,13 @@
 use aero_geometry::Vector;
 
 use super::solids::Solids;
-use crate::problem::Domain;
+use crate::problem::{Domain, Side};
 
 /// Least distance from walls in spacings: points nearer than that are moved there.
 pub const LEAST_DISTANCE: f64 = 0.3;
+
+/// Least distance of points from the sides, in spacings.
+const LEAST_TO_SIDE: f64 = 0.25;
 
 /// What a cloud is made for.
 #[derive(Clone, Copy, Debug)]
@@ -22,10 +25,31 @@ pub struct Plot<'a, const D: usize> {
 }
 
 impl<const D: usize> Plot<'_, D> {
-    /// Lattice cells along each axis.
+    /// Lattice cells along each axis, as many as it takes to cover the domain: the last ones may have no points of their own, but have them once
+    /// they are split.
     pub fn counts(&self) -> [i32; D] {
+        /// Cells are told from none by this part of one.
+        const EXACT: f64 = 1e-6;
         let size = self.domain.bounds.max - self.corner;
-        std::array::from_fn(|k| ((size[k] / self.spacing).round() as i32).max(1))
+        std::array::from_fn(|k| {
+            let cells = size[k] / self.spacing;
+            let whole = if self.domain.sides[k][0] == Side::Periodic {
+                cells.round()
+            } else {
+                (cells - EXACT).ceil()
+            };
+            (whole as i32).max(1)
+        })
+    }
+
+    /// True of a point beyond a side that is not a side of lattice cells, or close before it: its neighbour's cell ends at the side then.
+    pub fn is_over_the_end(&self, position: &Vector<D>, spacing: f64) -> bool {
+        let domain = self.domain;
+        (0..D).any(|k| {
+            let least = LEAST_TO_SIDE * spacing;
+            let within = domain.bounds.min[k] + least..=domain.bounds.max[k] - least;
+            domain.sides[k][1] != Side::Periodic && !within.contains(&position[k])
+        })
     }
 }
 

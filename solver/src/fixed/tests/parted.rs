@@ -44,6 +44,36 @@ fn cells_are_closed_and_fill_the_domain_wherever_the_lattice_begins() {
     }
 }
 
+/// Where the lattice is not in step with a side, cells that are split up to it are as fine there as along it: one that lost its neighbour ends at
+/// the side instead, by less than a cell further.
+#[test]
+fn split_cells_are_as_fine_at_the_sides_as_elsewhere() {
+    for off in [-0.87, -0.5, -0.31, -0.07] {
+        let mut scene = Scene::new(domain([-0.6, -0.5], [0.63, 0.56]), Vec::new(), 0.1);
+        scene.off = off;
+        let mut levels = Levels::on(&scene.plot());
+        let [across, up] = scene.plot().counts();
+        for level in [0, 1] {
+            for i in 0..across << level {
+                for j in [0, 1, (up << level) - 2, (up << level) - 1] {
+                    levels.split(&Site {
+                        level,
+                        index: [i, j],
+                    });
+                }
+            }
+        }
+        let made = scene.made_with(&levels);
+        assert!(made.open(false) < 1e-12 && (made.volume() - 1.23 * 1.06).abs() < 1e-12);
+        let finest = made.cloud.places.iter().filter(|p| p.spacing < 0.03);
+        assert!(finest.count() > 20, "{off}");
+        for (volume, place) in made.cells.volumes.iter().zip(&made.cloud.places) {
+            let size = volume / (place.spacing * place.spacing);
+            assert!(size < 1.6, "{off}: {size} at {}", place.position);
+        }
+    }
+}
+
 /// Both points of a pair are there, as far from the edge's bisector, and each of their cells holds one face of the body.
 #[test]
 fn a_point_at_a_sharp_edge_becomes_two() {
