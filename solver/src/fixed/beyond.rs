@@ -11,6 +11,8 @@ use crate::sides::{Answering, Place};
 pub enum Beyond<const D: usize> {
     /// Gas in this state: inlets and free streams.
     Stream(Primitive<D>),
+    /// A stream in this state that is slower than sound, in a flow that settles: what comes in has its entropy and total enthalpy.
+    Total(Primitive<D>),
     /// More of the same gas.
     Same,
     /// More of the same gas, as long as it leaves. Gas that came back would bring what the flow itself holds, and more of it the more
@@ -33,6 +35,9 @@ impl<const D: usize> Beyond<D> {
         let stream = Primitive::of(&problem.free_stream);
         let Place { axis, end, .. } = place;
         match side {
+            SideKind::FreeStream if problem.method.settles() && problem.stream_mach() < 1.0 => {
+                Ok(Self::Total(stream))
+            }
             // The Riemann problem with the free stream lets sound out.
             SideKind::Inlet | SideKind::SoftInlet | SideKind::FreeStream => {
                 Ok(Self::Stream(stream))
@@ -57,15 +62,25 @@ impl<const D: usize> Beyond<D> {
     #[must_use]
     pub fn at(self, given: &State<D>) -> Self {
         match self {
-            Self::Stream(_) => Self::Stream(Primitive::of(given)),
+            Self::Stream(_) | Self::Total(_) => self.with_stream(Primitive::of(given)),
             Self::Answers(answering) => Self::Answers(answering.at(given)),
             Self::Rides(riding) => Self::Rides(riding.at(given.pressure)),
             Self::Same | Self::OneWay | Self::Mirror => self,
         }
     }
 
+    /// The same where that is another stream.
+    #[must_use]
+    pub fn with_stream(self, stream: Primitive<D>) -> Self {
+        match self {
+            Self::Stream(_) => Self::Stream(stream),
+            Self::Total(_) => Self::Total(stream),
+            other => other,
+        }
+    }
+
     /// True where the state beyond counts in the gradients.
     pub fn is_known(&self) -> bool {
-        matches!(self, Self::Stream(_) | Self::Mirror)
+        matches!(self, Self::Stream(_) | Self::Total(_) | Self::Mirror)
     }
 }

@@ -1,93 +1,134 @@
-//! What the lift of bodies does to a stream slower than sound far away: it goes around them as around a vortex, and on the sides of any box
-//! that is felt, by `1 / r` in the plane. Sides that held the stream straight would hold the lift down: an aerofoil at Mach 0.8 by an
-//! eighth, ten chords from it.
+//! What bodies do to a stream slower than sound far away. It goes around those with lift as around a vortex, aside of the wake of those with drag as
+//! of a source, and of those with a volume as of a doublet; on the sides of any box that is felt, by `1 / r` and `1 / r^2` in the plane. Sides that
+//! held the stream straight would hold the lift down, of an aerofoil at Mach 0.8 by an eighth, ten chords from it, and squeeze the stream past
+//! a body as the walls of a channel do.
 //!
-//! [Thomas & Salas 1986, AIAA J. 24, 1074-1080]
+//! Changes of the velocity, `u` along the stream and `v` across it, are small there: `(1 - M^2) du/dx + dv/dy = 0` and `du/dy = dv/dx`, so that
+//! `w = u - i v / b`, `b = sqrt(1 - M^2)`, is an analytic function of `z = x + i b y` [Prandtl and Glauert], and beyond all bodies
+//! `w = sum a_k / z^k`. Whatever comes in from beyond the sides is a sum of powers of `z`, and no part of `a_k = 1/(2 pi i) of the integral of
+//! w z^(k - 1) dz` around the bodies: what they do is told from the gas at the sides, what the sides do is not.
+//!
+//! [Vortex: Thomas & Salas 1986, AIAA J. 24, 1074-1080; source and doublet: Giles & Drela 1987, AIAA J. 25, 1199-1206]
 
 use aero_geometry::{Bounds, Vector};
+use nalgebra::Complex;
 
 use super::FixedSimulation;
 use super::beyond::Beyond;
-use super::cells::Cells;
+use super::cells::{Cells, SideFace};
 use super::given::standing;
 use super::net::Net;
+use super::poles::{Frame, Poles, left_of};
 use super::state::Primitive;
-use crate::method::Time;
 use crate::problem::{Problem, Side, State};
 
-/// Part of the way that the circulation goes in one iteration to that of the lift now, which swings before it settles.
+/// Part of the way that the poles go in one iteration to those of the flow now, which swings before it settles.
 const RATE: f64 = 0.05;
 
 /// The stream, and the faces that it comes and goes through.
 #[derive(Clone, Debug)]
 pub struct FarField<const D: usize> {
+    /// Those of all sides but planes of symmetry.
     faces: Vec<FarFace<D>>,
     stream: State<D>,
     /// Its speed of sound.
     sound: f64,
+    frame: Frame<D>,
+    /// True where a plane of symmetry along the stream bounds the flow, with the other half beyond it.
+    is_half: bool,
 }
 
-/// A face with the stream beyond it.
+/// A face with the stream beyond it, or that the stream leaves by.
 #[derive(Clone, Debug)]
 struct FarFace<const D: usize> {
     /// Block of its cell.
     block: usize,
     /// Its number there.
     side: usize,
-    /// The velocity that a circulation of one adds there.
-    turn: Vector<D>,
+    /// Where its middle is.
+    place: Complex<f64>,
+    /// Along it, with the bodies on the left.
+    way: Complex<f64>,
+    holds_stream: bool,
 }
 
 impl<const D: usize> Problem<D> {
     /// True of a plane stream slower than sound around bodies that nothing but the stream and outlets bound: what lift does to it is felt
     /// on all sides.
     pub fn feels_lift_far_away(&self) -> bool {
-        use Side::{FreeStream, HeldOutlet, Inlet, Outlet, SoftInlet};
-        let is_free = |side: &Side| {
-            matches!(
-                side,
-                Inlet | SoftInlet | FreeStream | Outlet | HeldOutlet { .. }
-            )
-        };
+        self.is_slow_around_bodies() && self.domain.sides.iter().flatten().all(is_free)
+    }
+
+    /// The same where a plane of symmetry along the stream may bound one half of all that: its axis.
+    fn half_far_away(&self) -> Option<usize> {
+        let sides = &self.domain.sides;
+        let mut mirrors = (0..D).filter(|&axis| sides[axis].contains(&Side::Symmetry));
+        let axis = mirrors.next()?;
+        let is_one = sides.iter().flatten().filter(|side| !is_free(side)).count() == 1;
+        let is_along = self.free_stream.velocity[axis] == 0.0;
+        (is_one && is_along && self.is_slow_around_bodies()).then_some(axis)
+    }
+
+    fn is_slow_around_bodies(&self) -> bool {
         let stream = &self.free_stream;
         let speed = stream.velocity.norm();
         D == 2
             && !self.bodies.is_empty()
             && self.domain.openings.is_empty()
-            && self.domain.sides.iter().flatten().all(is_free)
             && speed > 0.0
             && speed < self.gas.sound_speed_at(stream.density, stream.pressure)
     }
 }
 
+fn is_free(side: &Side) -> bool {
+    use Side::{FreeStream, HeldOutlet, Inlet, Outlet, SoftInlet};
+    matches!(
+        side,
+        Inlet | SoftInlet | FreeStream | Outlet | HeldOutlet { .. }
+    )
+}
+
 impl<const D: usize> FarField<D> {
     /// That of `problem` on `cells`, which stand in `net`; none but of a plane stream slower than sound around bodies, which settles and
-    /// which nothing but the stream and outlets bound.
+    /// which nothing but the stream, outlets and a plane of symmetry along it bound.
     pub fn of(problem: &Problem<D>, cells: &Cells<D>, net: &Net<D>) -> Option<Self> {
         let bodies = problem.bodies.iter().map(|body| body.shape.bounds());
         let bodies = bodies.reduce(|a, b| Bounds::new(a.min.inf(&b.min), a.max.sup(&b.max)))?;
         let stream = problem.free_stream;
         let sound = problem.gas.sound_speed_at(stream.density, stream.pressure);
         let speed = stream.velocity.norm();
-        let settles = problem.method.fixed().map(|points| points.time) == Some(Time::Settle);
-        if !settles || !problem.feels_lift_far_away() {
+        let half = problem.half_far_away();
+        let is_asked = problem.feels_lift_far_away() || half.is_some();
+        if !problem.method.settles() || !is_asked {
             return None;
         }
-        let centre = (bodies.min + bodies.max) * 0.5;
-        let along = stream.velocity / speed;
-        let faces = standing(cells).map(|(block, side, face)| FarFace {
-            block,
-            side,
-            turn: turn(&(face.centre - centre), &along, speed / sound),
-        });
-        let holds_stream = |face: &FarFace<D>| {
-            let side = &net.blocks[face.block].sides[face.side];
-            matches!(side.beyond, Beyond::Stream(_))
+        let mut centre = (bodies.min + bodies.max) * 0.5;
+        if let Some(axis) = half {
+            let domain = &problem.domain;
+            let end = usize::from(domain.sides[axis][1] == Side::Symmetry);
+            centre[axis] = [domain.bounds.min, domain.bounds.max][end][axis];
+        }
+        let frame = Frame::new(stream.velocity / speed, speed / sound);
+        let far = |(block, side, face): (usize, usize, &SideFace<D>)| {
+            let beyond = &net.blocks[block].sides[side].beyond;
+            FarFace {
+                block,
+                side,
+                place: frame.plane(&(face.centre - centre)),
+                way: frame.plane(&left_of(&face.area)),
+                holds_stream: matches!(beyond, Beyond::Stream(_) | Beyond::Total(_)),
+            }
         };
+        let is_mirror = |face: &SideFace<D>| {
+            problem.domain.sides[usize::from(face.axis)][usize::from(face.end)] == Side::Symmetry
+        };
+        let faces = standing(cells).filter(|(.., face)| !is_mirror(face));
         Some(Self {
-            faces: faces.filter(holds_stream).collect(),
+            faces: faces.map(far).collect(),
             stream,
             sound,
+            frame,
+            is_half: half.is_some(),
         })
     }
 
@@ -105,20 +146,39 @@ impl<const D: usize> FarField<D> {
             pressure: pressure + rise,
         }
     }
-}
 
-/// The velocity at `arm` from a vortex of circulation one, clockwise, in a stream `along` at `mach`:
-/// `sqrt(1 - M^2) / (2 pi r (1 - M^2 sin^2))` across the arm, with the sine of its angle to the stream.
-fn turn<const D: usize>(arm: &Vector<D>, along: &Vector<D>, mach: f64) -> Vector<D> {
-    let across = |v: &Vector<D>| Vector::<D>::from_fn(|k, _| [v[1], -v[0]][k.min(1)]);
-    let square = arm.norm_squared();
-    let sine = across(along).dot(arm);
-    let slimmer = (1.0 - mach * mach).sqrt();
-    across(arm) * (slimmer / (std::f64::consts::TAU * (square - (mach * sine).powi(2))))
+    /// The source and the doublet that gas at the sides tells of, with what it is at each face. In wakes the pressure knows how fast the stream is
+    /// beside them, and it changes by `-rho U u`.
+    fn told(&self, at: impl Fn(&FarFace<D>) -> Primitive<D>) -> (f64, [f64; 2]) {
+        let speed = self.stream.velocity.norm();
+        let (mut first, mut second) = (Complex::default(), Complex::default());
+        for face in &self.faces {
+            let gas = at(face);
+            let along = (self.stream.pressure - gas.pressure) / (self.stream.density * speed);
+            let part = self.frame.change(along, &gas.velocity.into()) * face.way;
+            first += part;
+            second += part * face.place;
+        }
+        // Around one half, and its mirror image the other way.
+        let whole = |half: Complex<f64>| {
+            let all = if self.is_half {
+                half - half.conj()
+            } else {
+                half
+            };
+            all / Complex::new(0.0, std::f64::consts::TAU)
+        };
+        let doublet = whole(second);
+        (
+            std::f64::consts::TAU * whole(first).re,
+            [doublet.re, doublet.im],
+        )
+    }
 }
 
 impl<const D: usize> FixedSimulation<D> {
-    /// Turns the stream beyond the sides as the lift does that all bodies have now, `L = rho U Gamma` [Kutta, Joukowski].
+    /// Turns the stream beyond the sides as the bodies ask that are there now, with the lift that all of them have, `L = rho U Gamma` [Kutta,
+    /// Joukowski].
     pub(super) fn turn_far_field(&mut self) {
         let Some(far) = &self.outside.far_field else {
             return;
@@ -127,18 +187,29 @@ impl<const D: usize> FixedSimulation<D> {
         let loads = self.loads();
         let force = |k: usize| -> f64 { loads.iter().map(|load| load.force[k]).sum() };
         let lift = (force(1) * velocity[0] - force(0) * velocity[1]) / velocity.norm();
-        let now = lift / (far.stream.density * velocity.norm());
-        let circulation = match self.settling.circulation {
-            None if self.settling.is_near => now,
-            before => {
-                let before = before.unwrap_or_default();
-                before + RATE * (now - before)
-            }
+        let (source, doublet) = far.told(|face| {
+            let side = &self.net.blocks[face.block].sides[face.side];
+            let i = side.i as usize;
+            side.reached(&self.columns.states[i], &self.columns.slopes[i])
+        });
+        let now = Poles {
+            circulation: if far.is_half {
+                0.0
+            } else {
+                lift / (far.stream.density * velocity.norm())
+            },
+            source,
+            doublet,
         };
-        self.settling.circulation = Some(circulation);
-        for face in &far.faces {
+        let poles = match self.settling.poles {
+            None if self.settling.is_near => now,
+            before => before.unwrap_or_default().towards(now, RATE),
+        };
+        self.settling.poles = Some(poles);
+        for face in far.faces.iter().filter(|face| face.holds_stream) {
             let side = &mut self.net.blocks[face.block].sides[face.side];
-            side.beyond = Beyond::Stream(far.turned(&(face.turn * circulation)));
+            let turn = far.frame.velocity(poles.turn(face.place));
+            side.beyond = side.beyond.with_stream(far.turned(&turn));
         }
     }
 }
@@ -147,62 +218,50 @@ impl<const D: usize> FixedSimulation<D> {
 mod tests {
     use super::*;
 
-    const MACH: f64 = 0.6;
-
-    fn along() -> Vector<2> {
-        Vector::<2>::new(0.8, 0.6)
-    }
-
-    fn velocity(arm: &Vector<2>) -> Vector<2> {
-        turn(arm, &along(), MACH)
-    }
-
-    #[test]
-    fn its_circulation_is_one_clockwise() {
-        let count = 2000;
-        let around = (0..count).map(|k| {
-            let angle = std::f64::consts::TAU * f64::from(k) / f64::from(count);
-            let [tangent, arm] = [angle + 0.5 * std::f64::consts::PI, angle]
-                .map(|angle| Vector::<2>::new(angle.cos(), angle.sin()));
-            velocity(&(arm * 3.0)).dot(&tangent) * 3.0
-        });
-        let circulation = around.sum::<f64>() * std::f64::consts::TAU / f64::from(count);
-        assert!((circulation + 1.0).abs() < 1e-12, "{circulation}");
-        assert!(
-            velocity(&-along()).dot(&Vector::<2>::new(-0.6, 0.8)) > 0.0,
-            "ahead it goes up"
-        );
-    }
-
-    /// `(1 - M^2) du/ds + dv/dn = 0` of small changes, and no vorticity, along and across the stream.
-    #[test]
-    fn it_neither_makes_gas_nor_turns_it() {
-        let [s, n] = [along(), Vector::<2>::new(-0.6, 0.8)];
-        let step = 1e-4;
-        for arm in [[2.0, 0.3], [-0.5, 1.7], [0.4, -3.0]].map(Vector::from) {
-            let slope = |way: &Vector<2>, of: &Vector<2>| {
-                (velocity(&(arm + way * step)) - velocity(&(arm - way * step))).dot(of)
-                    / (2.0 * step)
-            };
-            let made = (1.0 - MACH * MACH) * slope(&s, &s) + slope(&n, &n);
-            let turned = slope(&s, &n) - slope(&n, &s);
-            let size = slope(&s, &s).abs() + slope(&s, &n).abs();
-            assert!(made.abs() < 1e-6 * size, "{made}");
-            assert!(turned.abs() < 1e-6 * size, "{turned}");
+    /// A box about the middle, of faces of a tenth, in a stream at Mach 0.6.
+    fn far(is_half: bool) -> FarField<2> {
+        let stream = State {
+            density: 1.4,
+            velocity: if is_half {
+                Vector::<2>::new(0.6, 0.0)
+            } else {
+                Vector::<2>::new(0.48, 0.36)
+            },
+            pressure: 1.0,
+        };
+        let frame = Frame::new(stream.velocity / 0.6, 0.6);
+        let mut faces = Vec::new();
+        for (axis, end) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
+            for k in 0..100 {
+                let mut arm = Vector::<2>::zeros();
+                let mut area = Vector::<2>::zeros();
+                area[axis] = [-0.1, 0.1][end];
+                arm[axis] = 50.0 * area[axis];
+                arm[1 - axis] = 0.1 * (f64::from(k) + 0.5) - 5.0;
+                if is_half && (arm[1] < 0.0) {
+                    continue;
+                }
+                faces.push(FarFace {
+                    block: 0,
+                    side: 0,
+                    place: frame.plane(&arm),
+                    way: frame.plane(&left_of(&area)),
+                    holds_stream: true,
+                });
+            }
+        }
+        FarField {
+            faces,
+            stream,
+            sound: 1.0,
+            frame,
+            is_half,
         }
     }
 
     #[test]
     fn the_stream_that_is_turned_keeps_its_total_state() {
-        let far = FarField {
-            faces: Vec::new(),
-            stream: State {
-                density: 1.4,
-                velocity: Vector::<2>::new(0.5, 0.2),
-                pressure: 1.0,
-            },
-            sound: 1.0,
-        };
+        let far = far(false);
         let kept = |size: f64| {
             let state = far.turned(&(Vector::<2>::new(0.3, -0.7) * size));
             let speed: f64 = state.velocity.iter().map(|u| u * u).sum();
@@ -214,5 +273,29 @@ mod tests {
         };
         let ([s0, h0], [s, h]) = (kept(0.0), kept(0.01));
         assert!((s / s0 - 1.0).abs() < 1e-4 && (h / h0 - 1.0).abs() < 1e-4);
+    }
+
+    /// Gas at the sides, as small changes of a stream: those that `poles` make and what comes in from beyond the sides, even, sheared and curved.
+    #[test]
+    fn what_bodies_do_is_told_from_gas_at_the_sides_and_what_sides_do_is_not() {
+        for is_half in [false, true] {
+            let far = far(is_half);
+            let across = if is_half { 0.0 } else { 1e-6 };
+            let poles = Poles {
+                circulation: 4.0 * across,
+                source: 2e-6,
+                doublet: [3e-6, -5.0 * across],
+            };
+            let incoming = [(1e-6, 3.0), (2e-7, -2.0), (1e-7, 1.0)]
+                .map(|(size, turn)| Complex::new(size, turn * size * across * 1e6));
+            let (source, doublet) = far.told(|face| {
+                let even = incoming[0] + face.place * (incoming[1] + face.place * incoming[2]);
+                far.turned(&far.frame.velocity(poles.turn(face.place) + even))
+            });
+            assert!((source / poles.source - 1.0).abs() < 1e-3, "{source}");
+            for (told, is) in doublet.iter().zip(poles.doublet) {
+                assert!((told - is).abs() < 1e-8, "{told} {is}");
+            }
+        }
     }
 }

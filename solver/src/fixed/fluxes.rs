@@ -58,8 +58,8 @@ impl<G: EquationOfState, const D: usize> WithSimd for Through<'_, G, D> {
         let mut fluxes = Vec::new();
         for faces in block.faces.chunks(S::F64_LANES) {
             let mut batch = Batch::new(simd, net, faces, flow);
-            if self.has_layers {
-                batch.has_layers = true;
+            batch.has_layers = self.has_layers;
+            if self.has_layers || self.least_mach < 1.0 {
                 batch.find_skews(simd, net, faces);
             }
             let flux = batch.flux(self.gas, self.energy, self.least_mach);

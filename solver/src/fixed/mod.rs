@@ -58,6 +58,7 @@ mod part;
 mod passes;
 mod pieces;
 mod plot;
+mod poles;
 mod polytope;
 mod prandtl_meyer;
 mod quiet;
@@ -91,6 +92,7 @@ mod sweeps;
 mod tally;
 #[cfg(test)]
 pub(crate) mod tests;
+mod total;
 mod twins;
 mod viscous;
 mod voronoi;

@@ -8,8 +8,9 @@ use serde::{Deserialize, Serialize};
 use super::FixedSimulation;
 use super::equation_of_state::EquationOfState;
 use super::pace::{Pace, RAMP_LENGTH};
+use super::poles::Poles;
 use super::state::dot;
-use super::stillness::{Look, WINDOW, change, range};
+use super::stillness::{LONGEST, Look, WINDOW, change, range};
 use super::sweeps::Sweeps;
 use crate::Failure;
 use crate::frame::Load;
@@ -69,9 +70,9 @@ pub struct Settling {
     /// Mass of closed-in gas.
     #[serde(default)]
     pub(super) mass: Option<f64>,
-    /// Circulation that the stream far away goes around the bodies with, clockwise; none before the first iteration.
+    /// What the bodies are to the stream far away; none before the first iteration.
     #[serde(default)]
-    pub(super) circulation: Option<f64>,
+    pub(super) poles: Option<Poles>,
     /// What was watched in the last iterations.
     pub(super) watched: Vec<Vec<f64>>,
     /// What changes of each of that are measured by.
@@ -107,6 +108,7 @@ impl<const D: usize> FixedSimulation<D> {
         let (watched, measures) = self.watched().into_iter().unzip();
         let is_viscous = self.fluid.viscous.is_some();
         let is_slow_to_rest = is_viscous || self.throws_sound_back();
+        let is_turned = self.outside.far_field.is_some();
         let settling = &mut self.settling;
         settling.measures = measures;
         settling.iterations += 1;
@@ -116,7 +118,7 @@ impl<const D: usize> FixedSimulation<D> {
         if settling.first == 0.0 {
             settling.first = residual;
         }
-        if settling.watched.len() > 2 * WINDOW {
+        if settling.watched.len() > 2 * LONGEST {
             settling.watched.remove(0);
         }
         settling.watched.push(watched);
@@ -124,10 +126,11 @@ impl<const D: usize> FixedSimulation<D> {
             // Walls stop the gas before anything else changes.
             settling.first = settling.first.max(residual);
         }
-        let look = match (is_slow_to_rest, settling.is_near) {
-            (true, _) => Look::LONG,
-            (false, true) => Look::NEAR,
-            (false, false) => Look::USUAL,
+        let look = match (is_slow_to_rest, is_turned, settling.is_near) {
+            (true, ..) => Look::LONG,
+            (_, true, _) => Look::TURNED,
+            (.., true) => Look::NEAR,
+            _ => Look::USUAL,
         };
         let (change, is_still) = settling.change(look);
         let settled = Settled {

@@ -10,6 +10,7 @@ use super::mach_lines;
 use super::reconstruction::rise;
 use super::slopes::Slopes;
 use super::state::{Conserved, Primitive, dot};
+use super::total;
 use crate::sides::Along;
 use aero_geometry::Vector;
 
@@ -55,6 +56,7 @@ impl<const D: usize> Side<D> {
     pub fn known<G: EquationOfState>(&self, gas: &G, cell: &Primitive<D>) -> Option<Primitive<D>> {
         match &self.beyond {
             Beyond::Stream(state) => Some(mach_lines::beyond(gas, cell, state, &self.image.normal)),
+            Beyond::Total(state) => Some(total::beyond(gas, cell, state, &self.image.normal)),
             Beyond::Mirror => Some(cell.mirrored(&self.image.normal)),
             Beyond::Same | Beyond::OneWay | Beyond::Answers(_) | Beyond::Rides(_) => None,
         }
@@ -76,6 +78,7 @@ impl<const D: usize> Side<D> {
         };
         let other = match &self.beyond {
             Beyond::Stream(state) => mach_lines::beyond(gas, cell, state, &normal),
+            Beyond::Total(state) => total::beyond(gas, cell, state, &normal),
             Beyond::Same => drawn,
             Beyond::OneWay => {
                 let speed = dot(&drawn.velocity, &normal);
@@ -123,10 +126,14 @@ impl<const D: usize> Side<D> {
             .sum()
     }
 
-    /// Gas of `cell` that reaches the middle of the face, its speed out of the domain.
+    /// Gas of `cell` that reaches the middle of the face.
+    pub fn reached(&self, cell: &Primitive<D>, slopes: &Slopes<D>) -> Primitive<D> {
+        drawn_out(cell, slopes, &self.way())
+    }
+
+    /// The same, its speed out of the domain.
     pub fn reaching(&self, cell: &Primitive<D>, slopes: &Slopes<D>) -> Along {
-        let drawn = drawn_out(cell, slopes, &self.way());
-        along(&drawn, &self.image.normal)
+        along(&self.reached(cell, slopes), &self.image.normal)
     }
 
     /// The state of `cell` at the side itself, where gas leaves as it is; the cell's own where it would not. A layer along a wall changes all the

@@ -14,7 +14,7 @@ const PATIENCE_VISCOUS: u64 = 4000;
 /// little.
 const SOON: u64 = 5;
 
-/// Part of all points that is hardly any.
+/// Part of the points of split cells that is hardly any: how large the domain is around them does not matter.
 const FEW: f64 = 0.02;
 
 /// Part of all points above which a flow that began near its end starts anew.
@@ -42,9 +42,10 @@ impl<const D: usize> FixedSimulation<D> {
         }
         let most = u32::from(ground.most());
         let new = self.adapt_settling()?;
+        let split: usize = self.points_per_level()[1..].iter().sum();
         let settling = &mut self.settling;
         settling.adaptions += 1;
-        let is_enough = (new as f64) < FEW * self.points.len() as f64;
+        let is_enough = new as f64 <= FEW * split as f64;
         settling.has_points = is_enough || settling.adaptions >= most + AFTER;
         if new > 0 {
             settling.since = 0;

@@ -3,6 +3,9 @@
 /// Iterations over which nothing may change.
 pub const WINDOW: usize = 20;
 
+/// The most iterations of a window.
+pub const LONGEST: usize = 3 * WINDOW;
+
 /// How what was watched is looked at.
 #[derive(Clone, Copy, Debug)]
 pub struct Look {
@@ -22,6 +25,12 @@ impl Look {
     pub const NEAR: Self = Self {
         window: WINDOW / 2,
         slowest: 0.99, // the square root of that of twice the window
+    };
+    /// Of a plane stream slower than sound that bodies turn far away: their lift goes by that turn, and the turn by their lift, a little in each
+    /// iteration, so that a lift near its end creeps.
+    pub const TURNED: Self = Self {
+        window: LONGEST,
+        slowest: SLOWEST,
     };
     /// Of a flow that takes long to come to rest: of viscous gas, or slower than sound between sides that hold a pressure.
     pub const LONG: Self = Self {
@@ -50,7 +59,7 @@ pub fn range(values: &[f64]) -> f64 {
 /// each window goes on to take the same part of the one before, at most the slowest.
 pub fn change(values: &[f64], Look { window, slowest }: Look) -> f64 {
     let (first, second) = (&values[..=window], &values[window..]);
-    let last = range(&values[values.len() - 1 - WINDOW..]);
+    let last = range(&values[values.len() - 1 - window.max(WINDOW)..]);
     let way = |values: &[f64]| values[values.len() - 1] - values[0];
     let creeps = |values: &[f64]| way(values).abs() > STRAIGHT * range(values);
     let (before, now) = (way(first), way(second));
@@ -88,6 +97,17 @@ mod tests {
         let rest = near(&|k| (-0.005 * k).exp()) / (-0.005 * 0.5 * WINDOW as f64).exp();
         assert!((rest - 1.0).abs() < 1e-9, "{rest}");
         assert_eq!(near(&|k| if k < 3.0 { 1.0 } else { 0.0 }), 1.0);
+    }
+
+    /// A lift that creeps and swings a little, so that no window goes one way: what it creeps by in a long one tells.
+    #[test]
+    fn what_creeps_and_swings_is_seen_over_many_iterations() {
+        let lift = |k: usize| 2e-5 * k as f64 + 2e-4 * (0.7 * k as f64).sin();
+        let values: Vec<f64> = (0..=2 * LONGEST).map(lift).collect();
+        let usual = change(&values[2 * (LONGEST - WINDOW)..], Look::USUAL);
+        assert!(usual < 1e-3, "{usual}");
+        let turned = change(&values, Look::TURNED);
+        assert!(turned > 1e-3, "{turned}");
     }
 
     #[test]

@@ -1,5 +1,7 @@
 //! What bodies do to a stream slower than sound, far away.
 
+use aero_geometry::bodies;
+
 use super::adapting::{refined, slender};
 use super::lattice::problem;
 use super::*;
@@ -25,4 +27,37 @@ fn lift_does_not_depend_on_how_far_away_the_sides_are() {
     };
     let [small, large] = [48, 96].map(lift);
     assert!((small / large - 1.0).abs() < 0.03, "{small} {large}");
+}
+
+/// A circle in the middle of a box of eight radii, in a stream along it at this Mach number.
+fn around_circle(mach: f64, refine: Refine) -> FixedSimulation<2> {
+    let mut flight = problem([64; 2], 0.25, [[Side::FreeStream; 2]; 2]);
+    let shape = bodies::circle(2.0).unwrap();
+    let place = aero_geometry::Placement::default().moved(Vector::from([8.0, 8.0]));
+    flight.bodies = vec![slip_body(Arc::new(aero_geometry::Placed::new(
+        shape, place,
+    )))];
+    flight.free_stream.velocity = Vector::<2>::new(mach, 0.0);
+    let mut flow = FixedSimulation::new(refined(flight, Time::Settle, refine)).unwrap();
+    flow.settle(1500).unwrap();
+    flow
+}
+
+/// Sides three radii ahead are reached by what a circle does to the stream: held as it is beyond them it came in with a third more of the dynamic
+/// pressure than it has.
+#[test]
+fn gas_before_a_body_has_the_total_pressure_of_the_stream() {
+    let mach = 0.3;
+    let frame = around_circle(mach, Refine::Levels(0)).frame();
+    let rest = |mach: f64| (1.0 + 0.2 * mach * mach).powf(3.5);
+    let whole = rest(mach) / 1.4;
+    let before = (0..frame.kind.len()).filter(|&i| frame.position[i][0] < 5.5);
+    for i in before {
+        let off = frame.pressure[i] * rest(frame.mach[i]) - whole;
+        assert!(
+            off.abs() < 0.015 * 0.5 * mach * mach,
+            "{off} {:?}",
+            frame.position[i]
+        );
+    }
 }

@@ -154,7 +154,7 @@ impl<const D: usize> Rubbing<'_, D> {
             };
         }
         let gradient = match side.beyond {
-            Beyond::Stream(_) => *gradient,
+            Beyond::Stream(_) | Beyond::Total(_) => *gradient,
             _ => gradient.along(&image.normal, &[0.0; D], 0.0),
         };
         let mut divergence = gradient.divergence();
