@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 50] = [
+const SMALL: [(&str, &[&str]); 51] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -123,6 +123,7 @@ const SMALL: [(&str, &[&str]); 50] = [
     ("step", &["end_time=0.05", "spacing=0.05"]),
     ("store", &["end_time=0.0005", "spacing=0.06"]),
     ("taylor-green", &["end_time=0.02"]),
+    ("transonic", &["end_time=0.03", "stop=end-time"]),
     ("two-gases", &["end_time=2e-5"]),
     ("vortices-liquid", &["end_time=0.02"]),
     ("water-hammer", &["end_time=1e-4"]),

@@ -42,6 +42,7 @@ mod step;
 mod stress;
 mod suite;
 mod surface;
+mod transonic;
 mod two_gases;
 mod variant;
 mod view;
@@ -64,7 +65,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 30] = [
+static CASES: [Case; 31] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -88,6 +89,7 @@ static CASES: [Case; 30] = [
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),
     ("aerofoil", &[&aerofoil::AEROFOIL]),
+    ("transonic", &[&transonic::TRANSONIC]),
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
     ("cone-faceted", &[&faceted_cone::FACETED_CONE]),
