@@ -48,6 +48,35 @@ pub struct Frame {
 }
 
 impl Frame {
+    /// Makes room for so many points that stay.
+    pub(crate) fn reserve_exact(&mut self, count: usize) {
+        self.position.reserve_exact(count);
+        self.velocity.reserve_exact(count);
+        for column in [
+            &mut self.density,
+            &mut self.pressure,
+            &mut self.energy,
+            &mut self.mach,
+            &mut self.smoothing_length,
+            &mut self.volume,
+            &mut self.spacing,
+        ] {
+            column.reserve_exact(count);
+        }
+        self.kind.reserve_exact(count);
+        self.id.reserve_exact(count);
+    }
+
+    /// The same as [`Self::chosen`] where this frame is not needed any more: nothing is copied where all are chosen.
+    #[must_use]
+    pub fn only(self, is_chosen: impl Fn(u8) -> bool) -> Self {
+        if self.kind.iter().all(|&kind| is_chosen(kind)) {
+            self
+        } else {
+            self.chosen(is_chosen)
+        }
+    }
+
     /// The particles whose kind, a number as in [`Frame::kind`], is one that is chosen.
     #[must_use]
     pub fn chosen(&self, is_chosen: impl Fn(u8) -> bool) -> Self {

@@ -157,7 +157,7 @@ impl<const D: usize> FixedSimulation<D> {
             .collect();
         let pressure = self.problem.free_stream.pressure;
         self.columns = Columns::new(held, states, &net, pressure, self.fluid.viscous.is_some());
-        self.points = cells.points;
+        self.points = cells.into_points();
         self.net = net;
         self.take_over_waves(&waves);
         self.settling.sweeps = None;

@@ -4,9 +4,11 @@ use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 
 use super::build::{Beside, Builder};
-use super::cells::{Cells, Face, SideFace, WallFace, WallOwner, ordered, settled};
+use super::cells::{Cells, SideFace, WallFace, WallOwner};
+use super::cloud::NOBODY;
 use super::cut_cell::CutCell;
-use super::folding::{folded_faces, folded_sides, folded_walls};
+use super::face_list::{FaceFiller, ordered, settled};
+use super::folding::{folded_sides, folded_walls};
 use super::merge::{Nodes, Target, given};
 use super::voronoi::IN_BODY;
 use crate::problem::Side;
@@ -18,15 +20,40 @@ const SMALLEST: f64 = 1e-13;
 /// The faces of some cells.
 #[derive(Clone, Debug, Default)]
 struct Found<const D: usize> {
-    faces: Vec<Face<D>>,
+    faces: FaceFiller<D>,
     walls: Vec<WallFace<D>>,
     sides: Vec<SideFace<D>>,
+}
+
+impl<const D: usize> Found<D> {
+    /// Adds what is found `of` each of so many cells, in their order.
+    fn add(&mut self, count: usize, of: impl Fn(usize, &mut Self) + Sync) {
+        /// Cells that one thread looks at, one after another.
+        const CHUNK: usize = 4096;
+        /// Chunks that are kept until they are added.
+        const CHUNKS: usize = 64;
+        for first in (0..count).step_by(CHUNKS * CHUNK) {
+            let last = count.min(first + CHUNKS * CHUNK);
+            let starts: Vec<usize> = (first..last).step_by(CHUNK).collect();
+            let chunks = starts.par_iter().map(|&start| {
+                let mut found = Self::default();
+                for number in start..last.min(start + CHUNK) {
+                    of(number, &mut found);
+                }
+                found
+            });
+            for found in chunks.collect::<Vec<Self>>() {
+                self.faces.append(&found.faces.list());
+                self.walls.extend(found.walls);
+                self.sides.extend(found.sides);
+            }
+        }
+    }
 }
 
 impl<const D: usize> Builder<'_, D> {
     /// All cells, those that were `cut` among them.
     pub(super) fn assemble(&self, positions: Vec<Vector<D>>, cut: &[CutCell<D>]) -> Cells<D> {
-        const CHUNK: usize = 4096;
         let nodes = Nodes::new(&self.is_plain, cut);
         let targets = given(&nodes, cut);
         let mut volumes: Vec<f64> = (0..positions.len())
@@ -46,40 +73,19 @@ impl<const D: usize> Builder<'_, D> {
                 }
             }
         }
-        let starts: Vec<usize> = (0..positions.len()).step_by(CHUNK).collect();
-        let plain: Vec<Found<D>> = starts
-            .par_iter()
-            .map(|&first| {
-                let mut found = Found::default();
-                for number in first..(first + CHUNK).min(positions.len()) {
-                    if self.is_plain[number] {
-                        self.plain_faces(number, &mut found);
-                    }
-                }
-                found
-            })
-            .collect();
-        let of_cut: Vec<Found<D>> = (0..cut.len())
-            .collect::<Vec<_>>()
-            .par_chunks(CHUNK)
-            .map(|chunk| {
-                let mut found = Found::default();
-                for &k in chunk {
-                    self.cut_faces(k, cut, &nodes, &targets.of_parts, &mut found);
-                }
-                found
-            })
-            .collect();
         let mut all = Found::default();
-        for found in plain.into_iter().chain(of_cut) {
-            all.faces.extend(found.faces);
-            all.walls.extend(found.walls);
-            all.sides.extend(found.sides);
-        }
+        all.add(positions.len(), |number, found| {
+            if self.is_plain[number] {
+                self.plain_faces(number, found);
+            }
+        });
+        all.add(cut.len(), |k, found| {
+            self.cut_faces(k, cut, &nodes, &targets.of_parts, found);
+        });
         let mut cells = Cells {
             points: positions,
             volumes,
-            faces: folded_faces(all.faces, self.plot.spacing),
+            faces: all.faces.list().folded(self.plot.spacing),
             walls: folded_walls(all.walls, self.about_axis),
             sides: folded_sides(all.sides),
             lost: targets.lost,
@@ -146,7 +152,7 @@ impl<const D: usize> Builder<'_, D> {
                         skew[axis] = 0.0;
                         let skew = settled(skew, place.spacing);
                         let ends = (number as u32, other as u32);
-                        found.faces.push(ordered(ends, area, apart, skew));
+                        found.faces.push(&ordered(ends, area, apart, skew));
                     }
                     _ => self.add_side(number as u32, (axis, end as usize), area, centre, found),
                 }
@@ -211,7 +217,8 @@ impl<const D: usize> Builder<'_, D> {
                             let skew = face.centre - target.offset - apart * 0.5;
                             let skew = settled(skew, unit);
                             let ends = (target.cell, beyond.cell);
-                            found.faces.push(ordered(ends, face.area, apart, skew));
+                            let joined = ordered(ends, face.area, apart, skew);
+                            found.faces.push(&joined);
                         }
                     }
                     None => self.add_open(target.cell, face.area, origin + face.centre, found),
@@ -275,19 +282,19 @@ impl<const D: usize> Builder<'_, D> {
     /// Lets the walls take what rounding left open.
     fn close(&self, cells: &mut Cells<D>) {
         let sums = cells.open_areas(self.about_axis);
-        let mut largest: Vec<Option<usize>> = vec![None; cells.points.len()];
-        for (number, wall) in cells.walls.iter().enumerate() {
+        let mut largest = vec![NOBODY; cells.points.len()];
+        for (number, wall) in (0..).zip(&cells.walls) {
             let known = &mut largest[wall.i as usize];
-            let larger = known.is_none_or(|k| wall.area.norm() > cells.walls[k].area.norm());
-            if larger {
-                *known = Some(number);
+            let before = cells.walls.get(*known as usize);
+            if before.is_none_or(|before| wall.area.norm() > before.area.norm()) {
+                *known = number;
             }
         }
         for (i, sum) in sums.iter().enumerate() {
             let unit = self.cloud.places[i].spacing.powi(D as i32 - 1);
             cells.open = cells.open.max(sum.norm() / unit);
-            if let Some(wall) = largest[i] {
-                cells.walls[wall].area -= sum;
+            if let Some(wall) = cells.walls.get_mut(largest[i] as usize) {
+                wall.area -= sum;
             }
         }
     }

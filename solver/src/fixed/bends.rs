@@ -7,8 +7,9 @@ use super::bent_face::middle;
 use super::brinks::brinks;
 use super::cells::Cells;
 use super::chain::Chain;
+use super::face_list::Join;
 use super::fan::farthest;
-use super::net::{Face, Net};
+use super::net::Net;
 use super::ridges::Ridges;
 use super::sight::Sight;
 use crate::problem::Problem;
@@ -55,7 +56,7 @@ impl<const D: usize> Net<D> {
                         && is_nearest(at, &(middle + at), bend.unit)
                 };
                 let block = &self.blocks[number];
-                let is_face = |face: &Face| {
+                let is_face = |face: &Join| {
                     self.seen(&cells.points, at, face)
                         .is_some_and(|middle| is_own(&middle) && sight.reaches(&middle))
                 };
@@ -91,7 +92,7 @@ impl<const D: usize> Net<D> {
         &self,
         points: &[Vector<D>],
         from: &Vector<D>,
-        face: &Face,
+        face: &Join,
     ) -> Option<Vector<D>> {
         let shape = &self.face_shapes[face.shape as usize];
         let apart = Vector::<D>::from(shape.apart);

@@ -7,9 +7,10 @@ use aero_geometry::Vector;
 
 use super::bend::{Bend, BentFace, BentWall, Surroundings};
 use super::equation_of_state::EquationOfState;
+use super::face_list::Join;
 use super::fan::Fan;
 use super::hll::Jump;
-use super::net::{Block, Face, FaceShape, Net};
+use super::net::{Block, FaceShape, Net};
 use super::slopes::Flow;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Wall;
@@ -136,7 +137,7 @@ impl<const D: usize> Standing<'_, D> {
         &self,
         gas: &G,
         bent: &BentFace<D>,
-        (face, shape): (&Face, &FaceShape<D>),
+        (face, shape): (&Join, &FaceShape<D>),
         flow: Flow<'_, D>,
         usual: &Conserved<D>,
     ) -> Option<Conserved<D>> {

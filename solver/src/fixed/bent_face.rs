@@ -3,7 +3,8 @@
 use aero_geometry::Vector;
 
 use super::bend::{Bend, BentFace, BentWall, turned};
-use super::net::{Face, FaceShape};
+use super::face_list::Join;
+use super::net::FaceShape;
 use super::polytope::cross;
 
 /// Cosine between an edge and the normal of a face up to which it lies in the face.
@@ -11,7 +12,7 @@ const LYING: f64 = 1e-3;
 
 impl<const D: usize> Bend<D> {
     /// The `face` of this shape, whose first cell is at `point`.
-    pub fn face(&self, points: &[Vector<D>], face: &Face, shape: &FaceShape<D>) -> BentFace<D> {
+    pub fn face(&self, points: &[Vector<D>], face: &Join, shape: &FaceShape<D>) -> BentFace<D> {
         let at = Vector::from(self.at);
         let arm = |i: u32| points[i as usize] - at;
         let [first, second] = [arm(face.i), arm(face.j)];

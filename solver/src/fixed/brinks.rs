@@ -60,7 +60,7 @@ pub fn brinks<const D: usize>(net: &Net<D>, cells: &Cells<D>) -> Vec<(usize, Kin
         }
     }
     let mut beside: HashMap<u32, Vec<(u32, Vector<D>)>> = HashMap::new();
-    for face in &cells.faces {
+    for face in cells.faces.iter() {
         if of_cell.contains_key(&face.i) && of_cell.contains_key(&face.j) {
             beside.entry(face.i).or_default().push((face.j, face.apart));
             beside

@@ -8,6 +8,7 @@ use super::cloud::{Cloud, NOBODY};
 use super::cut_cell::CutCell;
 use super::levels::parts;
 use super::merge::Nodes;
+use super::part::Part;
 use super::plot::Plot;
 use super::site::{Site, steps};
 use super::voronoi::Voronoi;
@@ -176,7 +177,8 @@ impl<'a, const D: usize> Builder<'a, D> {
     }
 
     pub(super) fn cut_cell(&self, voronoi: &Voronoi<'_, D>, number: usize) -> CutCell<D> {
-        let (cell, links) = voronoi.cell(number);
+        let (cell, mut links) = voronoi.cell(number);
+        links.shrink_to_fit();
         let place = &self.cloud.places[number];
         let whole = Whole {
             cell: &cell,
@@ -185,11 +187,12 @@ impl<'a, const D: usize> Builder<'a, D> {
             about_axis: self.about_axis,
             keeps_rings: self.keeps_rings,
         };
-        let parts = if place.distance > cell.reach_squared().sqrt() * (1.0 + 1e-9) {
+        let mut parts = if place.distance > cell.reach_squared().sqrt() * (1.0 + 1e-9) {
             vec![whole.uncut()]
         } else {
             whole.parts(self.plot.solids)
         };
+        parts.iter_mut().for_each(Part::shrink_to_fit);
         CutCell {
             number: number as u32,
             links,

@@ -3,6 +3,8 @@
 use aero_geometry::Vector;
 use nalgebra::SMatrix;
 
+use super::face_list::FaceList;
+
 /// Axis in the meridian plane along which the radius is measured.
 pub const RADIAL: usize = 1;
 
@@ -17,7 +19,7 @@ pub struct Cells<const D: usize> {
     /// Volume in space, area in the plane, length on a line; per radian about an axis.
     pub volumes: Vec<f64>,
     /// Between two cells, sorted by `(i, j)`.
-    pub faces: Vec<Face<D>>,
+    pub faces: FaceList<D>,
     /// On bodies and walls.
     pub walls: Vec<WallFace<D>>,
     /// On the other sides of the domain.
@@ -26,21 +28,6 @@ pub struct Cells<const D: usize> {
     pub lost: usize,
     /// Largest part of a cell's faces that did not close before its wall took it, in spacings to their power.
     pub open: f64,
-}
-
-/// A face between two cells, `i < j`.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct Face<const D: usize> {
-    /// First cell.
-    pub i: u32,
-    /// Second cell.
-    pub j: u32,
-    /// Area times the unit normal from `i` to `j`; times the radius about an axis.
-    pub area: Vector<D>,
-    /// From the point of `i` to that of `j`, or its periodic image.
-    pub apart: Vector<D>,
-    /// From halfway between both points to the middle of the face.
-    pub skew: Vector<D>,
 }
 
 /// What a wall belongs to.
@@ -90,10 +77,15 @@ pub struct SideFace<const D: usize> {
 }
 
 impl<const D: usize> Cells<D> {
+    /// The points alone.
+    pub fn into_points(self) -> Vec<Vector<D>> {
+        self.points
+    }
+
     /// Mean distance of each point from those of its neighbours, by the areas of the faces between.
     pub fn spacings(&self) -> Vec<f64> {
         let mut sums = vec![[0.0; 2]; self.points.len()];
-        for face in &self.faces {
+        for face in self.faces.iter() {
             let size = face.area.norm();
             for i in [face.i, face.j] {
                 sums[i as usize][0] += size * face.apart.norm();
@@ -107,7 +99,7 @@ impl<const D: usize> Cells<D> {
     /// radial part is the cell's area in the plane instead, and is left out.
     pub fn open_areas(&self, about_axis: bool) -> Vec<Vector<D>> {
         let mut sums = vec![Vector::<D>::zeros(); self.points.len()];
-        for face in &self.faces {
+        for face in self.faces.iter() {
             sums[face.i as usize] += face.area;
             sums[face.j as usize] -= face.area;
         }
@@ -124,41 +116,4 @@ impl<const D: usize> Cells<D> {
         }
         sums
     }
-}
-
-/// A face between two cells, from the one with the lower number to the other.
-pub(super) fn ordered<const D: usize>(
-    (i, j): (u32, u32),
-    area: Vector<D>,
-    apart: Vector<D>,
-    skew: Vector<D>,
-) -> Face<D> {
-    if i < j {
-        Face {
-            i,
-            j,
-            area,
-            apart,
-            skew,
-        }
-    } else {
-        Face {
-            i: j,
-            j: i,
-            area: -area,
-            apart: -apart,
-            skew,
-        }
-    }
-}
-
-/// A `skew` less what is but rounding.
-pub(super) fn settled<const D: usize>(skew: Vector<D>, spacing: f64) -> Vector<D> {
-    skew.map(|part| {
-        if part.abs() > 1e-9 * spacing {
-            part
-        } else {
-            0.0
-        }
-    })
 }

@@ -41,7 +41,7 @@ impl<'a, const D: usize> Chain<'a, D> {
             of_cell[wall.i as usize].push(number);
         }
         let mut nearby = vec![Vec::new(); walls.len()];
-        for face in &cells.faces {
+        for face in cells.faces.iter() {
             for (i, j) in [(face.i, face.j), (face.j, face.i)] {
                 let (own, others) = (&of_cell[i as usize], &of_cell[j as usize]);
                 if own.is_empty() {

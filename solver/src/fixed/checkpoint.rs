@@ -3,7 +3,8 @@
 use std::borrow::Cow;
 
 use aero_geometry::Vector;
-use serde::{Deserialize, Serialize};
+use serde::ser::SerializeSeq;
+use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
 use super::FixedSimulation;
 use super::cells::Cells;
@@ -19,11 +20,11 @@ use crate::sides::Incoming;
 pub struct FixedMemory<'a, const D: usize> {
     time: f64,
     steps: u64,
-    points: Cow<'a, [Vector<D>]>,
+    points: Known,
     /// Which lattice cells are split, where the flow may ask for that: level and index of each.
     split: Option<Vec<i32>>,
     /// Mass, momentum and energy per volume of each cell.
-    held: Vec<f64>,
+    held: Held<'a, D>,
     received: Vec<f64>,
     pressures: Cow<'a, [Vec<f64>]>,
     /// What comes in through outlets that relax, in the order of their faces.
@@ -34,15 +35,55 @@ pub struct FixedMemory<'a, const D: usize> {
     min_energy: f64,
 }
 
+/// Points by which they are known again: their number and the sum of Fowler, Noll & Vo over the bits of their places.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
+struct Known {
+    count: usize,
+    sum: u64,
+}
+
+impl Known {
+    fn of<const D: usize>(points: &[Vector<D>]) -> Self {
+        /// Of FNV-1a with 64 bits, here number by number.
+        const START: u64 = 0xcbf2_9ce4_8422_2325;
+        const PRIME: u64 = 0x100_0000_01b3;
+        let places = points.iter().flat_map(Vector::iter);
+        Self {
+            count: points.len(),
+            sum: places.fold(START, |sum, x| (sum ^ x.to_bits()).wrapping_mul(PRIME)),
+        }
+    }
+}
+
+/// What cells hold, as one row of numbers where it is written.
+#[derive(Clone, Debug)]
+struct Held<'a, const D: usize>(Cow<'a, [Conserved<D>]>);
+
+impl<const D: usize> Serialize for Held<'_, D> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut row = serializer.serialize_seq(Some(self.0.len() * (D + 2)))?;
+        let mut all = self.0.iter().flat_map(numbers);
+        all.try_for_each(|number| row.serialize_element(&number))?;
+        row.end()
+    }
+}
+
+impl<'de, const D: usize> Deserialize<'de> for Held<'_, D> {
+    fn deserialize<R: Deserializer<'de>>(deserializer: R) -> Result<Self, R::Error> {
+        let row: Vec<f64> = Vec::deserialize(deserializer)?;
+        Ok(Self(row.chunks_exact(D + 2).map(conserved).collect()))
+    }
+}
+
 impl<const D: usize> FixedSimulation<D> {
     /// What [`Self::resume_on`] needs to go on from here.
     pub fn memory(&self) -> FixedMemory<'_, D> {
         FixedMemory {
             time: self.tally.time,
             steps: self.tally.steps,
-            points: Cow::Borrowed(&self.points),
+            points: Known::of(&self.points),
             split: self.ground.as_ref().map(|ground| ground.levels.numbers()),
-            held: self.columns.held.iter().flat_map(numbers).collect(),
+            held: Held(Cow::Borrowed(&self.columns.held)),
             received: numbers(&self.tally.received).collect(),
             pressures: Cow::Borrowed(&self.columns.pressures),
             waves: self.waves(),
@@ -62,10 +103,9 @@ impl<const D: usize> FixedSimulation<D> {
         if let Some(split) = &memory.split {
             (ground, cells) = ground.with_numbers(&problem, split);
         }
+        let ground = ground.if_wanted();
         let mut simulation = Self::resume_on(cells, problem, memory)?;
-        if ground.may_change() {
-            simulation.ground = Some(Box::new(ground));
-        }
+        simulation.ground = ground;
         Ok(simulation)
     }
 
@@ -79,15 +119,15 @@ impl<const D: usize> FixedSimulation<D> {
         problem: Problem<D>,
         memory: FixedMemory<'_, D>,
     ) -> Result<Self, String> {
-        let found = cells.points.len();
-        if *memory.points != cells.points {
+        if memory.points != Known::of(&cells.points) {
             return Err(format!(
-                "it holds {} points, which are not the {found} that bodies and domain now give",
-                memory.points.len()
+                "it holds {} points, which are not the {} that bodies and domain now give",
+                memory.points.count,
+                cells.points.len()
             ));
         }
         let gas = super::AnyGas::of(&problem.gas)?;
-        let held: Vec<Conserved<D>> = memory.held.chunks_exact(D + 2).map(conserved).collect();
+        let held = memory.held.0.into_owned();
         let received = conserved(&memory.received);
         let states = held.iter().map(|held| held.primitive(&gas)).collect();
         let mut simulation = Self::from_states(cells, problem, states)?;
@@ -117,5 +157,32 @@ fn conserved<const D: usize>(numbers: &[f64]) -> Conserved<D> {
         mass: numbers[0],
         momentum: std::array::from_fn(|k| numbers[k + 1]),
         energy: numbers[D + 1],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::tests::lattice::{lattice, problem};
+    use super::*;
+    use crate::problem::Side;
+
+    /// One point a bit off, one more, and two that have changed places.
+    #[test]
+    fn a_memory_is_of_the_same_points_alone() {
+        let closed = || problem::<2>([3, 2], 0.5, [[Side::Symmetry; 2]; 2]);
+        let flow = FixedSimulation::on(lattice(&closed()), closed()).unwrap();
+        assert!(FixedSimulation::resume_on(lattice(&closed()), closed(), flow.memory()).is_ok());
+        let refused = |change: fn(&mut Vec<Vector<2>>)| {
+            let mut cells = lattice(&closed());
+            change(&mut cells.points);
+            FixedSimulation::resume_on(cells, closed(), flow.memory()).unwrap_err()
+        };
+        for error in [
+            refused(|points| points[4].y = points[4].y.next_up()),
+            refused(|points| points.push(Vector::zeros())),
+            refused(|points| points.swap(1, 2)),
+        ] {
+            assert!(error.contains("it holds 6 points"), "{error}");
+        }
     }
 }

@@ -5,9 +5,10 @@ use pulp::{Simd, WithSimd};
 use super::calmness::{smoothness, steepness};
 use super::energy::{EnergyFlux, carried};
 use super::equation_of_state::EquationOfState;
+use super::face_list::Join;
 use super::gather::{gather, gather_state, stored};
 use super::hll::Jump;
-use super::net::{Block, Face, Net};
+use super::net::{Block, Net};
 use super::real::{Lane, MAX_LANES, Real};
 use super::reconstruction::{Neighbours, moved, rise};
 use super::slopes::Flow;
@@ -94,7 +95,7 @@ struct Batch<S: Simd, const D: usize> {
 
 impl<S: Simd, const D: usize> Batch<S, D> {
     #[inline(always)]
-    fn new(simd: S, net: &Net<D>, faces: &[Face], flow: Flow<'_, D>) -> Self {
+    fn new(simd: S, net: &Net<D>, faces: &[Join], flow: Flow<'_, D>) -> Self {
         // The lanes beyond the last face do the last one again.
         let face = |l: usize| &faces[l.min(faces.len() - 1)];
         let shapes: [_; MAX_LANES] = each(|l| &net.face_shapes[face(l).shape as usize]);
@@ -136,7 +137,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
 
     /// Where the middles of the faces are.
     #[inline(always)]
-    fn find_skews(&mut self, simd: S, net: &Net<D>, faces: &[Face]) {
+    fn find_skews(&mut self, simd: S, net: &Net<D>, faces: &[Join]) {
         let shape = |l: usize| &net.face_shapes[faces[l.min(faces.len() - 1)].shape as usize].skew;
         if (0..faces.len()).all(|l| *shape(l) == [0.0; D]) {
             return;

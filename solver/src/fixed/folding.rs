@@ -1,29 +1,6 @@
 //! Faces in their order, those between the same two cells as one.
 
-use rayon::slice::ParallelSliceMut;
-
-use super::cells::{Face, RADIAL, SideFace, WallFace, WallOwner};
-
-/// Sorts the faces and adds up those between the same points.
-pub fn folded_faces<const D: usize>(mut faces: Vec<Face<D>>, spacing: f64) -> Vec<Face<D>> {
-    faces.par_sort_by_key(|face| (face.i, face.j));
-    let mut kept: Vec<Face<D>> = Vec::with_capacity(faces.len());
-    for face in faces {
-        let mut same = kept
-            .iter_mut()
-            .rev()
-            .take_while(|known| (known.i, known.j) == (face.i, face.j));
-        match same.find(|known| (known.apart - face.apart).norm() < 1e-6 * spacing) {
-            Some(known) => {
-                let (a, b) = (known.area.norm(), face.area.norm());
-                known.skew += (face.skew - known.skew) * (b / (a + b));
-                known.area += face.area;
-            }
-            None => kept.push(face),
-        }
-    }
-    kept
-}
+use super::cells::{RADIAL, SideFace, WallFace, WallOwner};
 
 /// Sorts the walls and adds up those of one smooth face in one cell. Their foot is the middle of their sizes, which are lengths in the plane of rings, as
 /// those grow with the radius.

@@ -125,9 +125,9 @@ impl<const D: usize> Ground<D> {
         keeps_cells::<D>(self.settles)
     }
 
-    /// True where points are of more than one spacing, or may come to be.
-    pub fn may_change(&self) -> bool {
-        self.deepest > 0
+    /// This where points are of more than one spacing, or may come to be.
+    pub fn if_wanted(self) -> Option<Box<Self>> {
+        (self.deepest > 0).then(|| Box::new(self))
     }
 
     /// True where the points are those of an earlier flow.

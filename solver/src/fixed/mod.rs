@@ -14,6 +14,7 @@ mod brinks;
 mod build;
 mod calmness;
 mod carry;
+mod cell_shapes;
 mod cells;
 mod chain;
 mod checkpoint;
@@ -26,6 +27,7 @@ mod edges;
 mod energy;
 mod equation_of_state;
 mod exchange;
+mod face_list;
 mod fan;
 mod far_field;
 mod filler;
@@ -105,8 +107,9 @@ use std::sync::{Arc, OnceLock};
 
 use aero_geometry::Vector;
 
-pub use cells::{Cells, Face, SideFace, WallFace, WallOwner};
+pub use cells::{Cells, SideFace, WallFace, WallOwner};
 pub use checkpoint::FixedMemory;
+pub use face_list::{Face, FaceList};
 pub use settle::{Settled, Settling};
 
 use crate::frame::CellFrame;
@@ -179,10 +182,11 @@ impl<const D: usize> FixedSimulation<D> {
     pub fn new(problem: Problem<D>) -> Result<Self, String> {
         problem.check_fixed()?;
         let (ground, cells) = Ground::new(&problem)?;
+        let ground = ground.if_wanted();
         let mut simulation = Self::on(cells, problem)?;
-        if ground.may_change() {
+        if let Some(ground) = ground {
             let (starts_settled, most) = (ground.starts_settled(), u32::from(ground.most()));
-            simulation.ground = Some(Box::new(ground));
+            simulation.ground = Some(ground);
             if starts_settled {
                 simulation.settling = Settling::from_earlier(most);
             } else {
@@ -230,7 +234,7 @@ impl<const D: usize> FixedSimulation<D> {
                 gas,
                 viscous: Viscous::of(&problem.gas),
             },
-            points: cells.points,
+            points: cells.into_points(),
             ground: None,
             net,
             outside,

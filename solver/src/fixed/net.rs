@@ -3,33 +3,20 @@
 //! A face between two blocks stands in both, so that each block sums up its own cells alone, in an order that no number of threads
 //! changes. Faces and cells of a lattice are alike: what they look like stands once in a table.
 
-use std::collections::HashMap;
-use std::hash::Hash;
 use std::ops::Range;
 
 use aero_geometry::Vector;
-use foldhash::fast::FixedState;
 
 use super::bend::{Kink, Surroundings};
 use super::beyond::Beyond;
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
+use super::face_list::{Face, Join};
 use super::image::Image;
 use super::sides::Side;
 use super::walls::Wall;
 
 /// Cells of a block.
 pub const BLOCK: usize = 512;
-
-/// A face between two cells.
-#[derive(Clone, Copy, Debug)]
-pub struct Face {
-    /// First cell.
-    pub i: u32,
-    /// Second cell.
-    pub j: u32,
-    /// Its number in [`Net::face_shapes`].
-    pub shape: u32,
-}
 
 /// What a face looks like.
 #[derive(Clone, Copy, Debug)]
@@ -63,7 +50,7 @@ pub struct Block<const D: usize> {
     /// Cells.
     pub cells: Range<usize>,
     /// Faces of these cells, in fixed order.
-    pub faces: Vec<Face>,
+    pub faces: Vec<Join>,
     /// Walls of these cells.
     pub walls: Vec<Wall<D>>,
     /// Sides of these cells.
@@ -132,17 +119,8 @@ impl<const D: usize> Net<D> {
             face_shapes: Vec::new(),
             lost: cells.lost,
         };
-        // What counts is how near a cell is, not how far around the axis it goes: the ring next to the axis would not feel its own image.
         let radius = |place: f64| if is_axisymmetric { place } else { 1.0 };
-        let weights: Vec<f64> = cells
-            .faces
-            .iter()
-            .map(|face| {
-                let middle = cells.points[face.i as usize] + face.apart * 0.5;
-                face.area.norm() / face.apart.norm() / radius(middle[RADIAL.min(D - 1)])
-            })
-            .collect();
-        net.add_faces(cells, &weights);
+        net.add_faces(cells, is_axisymmetric);
         for wall in &cells.walls {
             let foot = wall.foot[RADIAL.min(D - 1)];
             let mut wall = Wall::new(wall, &cells.points[wall.i as usize], owner(wall.owner));
@@ -159,7 +137,7 @@ impl<const D: usize> Net<D> {
         if is_axisymmetric {
             net.add_axis(cells);
         }
-        net.add_cell_shapes(cells, &weights, is_axisymmetric);
+        net.add_cell_shapes(cells, is_axisymmetric);
         net.find_nearby();
         Ok(net)
     }
@@ -181,7 +159,7 @@ impl<const D: usize> Net<D> {
         /// Least part of a cell's width that has to lie on the axis.
         const LEAST: f64 = 0.05;
         let mut lengths = vec![0.0; cells.points.len()];
-        for face in &cells.faces {
+        for face in cells.faces.iter() {
             let middle = cells.points[face.i as usize][RADIAL] + 0.5 * face.apart[RADIAL];
             let length = face.area[RADIAL] / middle;
             lengths[face.i as usize] += length;
@@ -208,139 +186,88 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    fn add_faces(&mut self, cells: &Cells<D>, weights: &[f64]) {
-        let mut shapes = Table::default();
-        for (face, weight) in cells.faces.iter().zip(weights) {
-            let size = face.area.norm();
-            let key = [&face.area, &face.apart, &face.skew].map(bits);
-            let shape = shapes.number(key, || {
-                self.face_shapes.push(FaceShape {
-                    area: face.area.into(),
-                    apart: face.apart.into(),
-                    skew: face.skew.into(),
-                    size,
-                    weight: *weight,
-                });
-            });
-            let face = Face {
-                i: face.i,
-                j: face.j,
-                shape,
-            };
-            let (first, second) = (face.i as usize / BLOCK, face.j as usize / BLOCK);
-            self.blocks[first].faces.push(face);
-            if second != first {
-                self.blocks[second].faces.push(face);
-            }
+    fn add_faces(&mut self, cells: &Cells<D>, is_axisymmetric: bool) {
+        let looks = cells.faces.looks();
+        self.face_shapes = (looks.iter())
+            .map(|look| FaceShape {
+                area: look.area.into(),
+                apart: look.apart.into(),
+                skew: look.skew.into(),
+                size: look.area.norm(),
+                weight: f64::NAN,
+            })
+            .collect();
+        let mut counts = vec![0; self.blocks.len()];
+        for face in cells.faces.joins() {
+            face.blocks().for_each(|block| counts[block] += 1);
         }
-    }
-
-    fn add_cell_shapes(&mut self, cells: &Cells<D>, weights: &[f64], is_axisymmetric: bool) {
-        let mut moments = vec![Matrix::<D>::zeros(); cells.points.len()];
-        let mut hoops = vec![0.0; cells.points.len()];
-        let radial = |area: &Vector<D>| if is_axisymmetric { area[RADIAL] } else { 0.0 };
-        for (face, weight) in cells.faces.iter().zip(weights) {
-            let moment = face.apart * face.apart.transpose() * *weight;
-            moments[face.i as usize] += moment;
-            moments[face.j as usize] += moment;
-            hoops[face.i as usize] += radial(&face.area);
-            hoops[face.j as usize] -= radial(&face.area);
+        for (block, count) in self.blocks.iter_mut().zip(counts) {
+            block.faces.reserve_exact(count);
         }
-        for block in &self.blocks {
-            for wall in &block.walls {
-                moments[wall.i as usize] += wall.image.moment();
-                hoops[wall.i as usize] += radial(&wall.image.area());
+        for &face in cells.faces.joins() {
+            let known = &mut self.face_shapes[face.shape as usize].weight;
+            if known.is_nan() {
+                let face = face.in_full(looks);
+                *known = weight(&cells.points, &face, is_axisymmetric);
             }
-            for side in &block.sides {
-                if side.beyond.is_known() {
-                    moments[side.i as usize] += side.image.moment();
-                }
-                hoops[side.i as usize] += radial(&side.image.area());
+            for block in face.blocks() {
+                self.blocks[block].faces.push(face);
             }
-        }
-        let mut shapes = Table::default();
-        for (i, (moment, hoop)) in moments.iter().zip(hoops).enumerate() {
-            let volume = cells.volumes[i];
-            let rows = moment
-                .column_iter()
-                .map(|column| bits(&column.into_owned()));
-            let mut key = ([[0; D]; D], [volume, hoop].map(f64::to_bits));
-            for (row, bits) in key.0.iter_mut().zip(rows) {
-                *row = bits;
-            }
-            let shape = shapes.number(key, || {
-                self.cell_shapes.push(CellShape {
-                    volume,
-                    inverse: inverse(moment),
-                    hoop,
-                });
-            });
-            self.shape_of.push(shape);
         }
     }
 
     /// Blocks at most two faces away.
     fn find_nearby(&mut self) {
-        let mut around: Vec<Vec<u32>> = vec![Vec::new(); self.len()];
-        for block in &self.blocks {
+        let block_of = |i: u32| i / BLOCK as u32;
+        // Which blocks cells have faces to, other than their own.
+        let mut beside: Vec<[u32; 2]> = Vec::new();
+        for (number, block) in (0..).zip(&self.blocks) {
             for face in &block.faces {
-                let [first, second] = [face.i, face.j].map(|i| i / BLOCK as u32);
-                if first != second {
-                    around[face.i as usize].push(second);
-                    around[face.j as usize].push(first);
+                match [face.i, face.j].map(block_of) {
+                    [first, second] if first == second => {}
+                    [first, second] if first == number => beside.push([face.i, second]),
+                    [first, _] => beside.push([face.j, first]),
                 }
             }
         }
-        let mut nearby: Vec<Vec<u32>> = (0..self.blocks.len()).map(|b| vec![b as u32]).collect();
-        for (block, near) in self.blocks.iter().zip(&mut nearby) {
+        beside.sort_unstable();
+        beside.dedup();
+        for (number, block) in (0..).zip(&mut self.blocks) {
+            let mut near = vec![number];
             for face in &block.faces {
-                for i in [face.i, face.j] {
-                    near.push(i / BLOCK as u32);
-                    near.extend(&around[i as usize]);
+                let ends = [face.i, face.j];
+                for i in ends.into_iter().filter(|&i| block_of(i) != number) {
+                    near.push(block_of(i));
+                    let first = beside.partition_point(|[cell, _]| *cell < i);
+                    let beyond = beside[first..].iter().take_while(|[cell, _]| *cell == i);
+                    near.extend(beyond.map(|[_, block]| *block));
                 }
             }
             near.sort_unstable();
             near.dedup();
-        }
-        for (block, nearby) in self.blocks.iter_mut().zip(nearby) {
-            block.nearby = nearby;
+            block.nearby = near;
         }
     }
 }
 
-/// The inverse of a moment; in directions without any neighbour the cell has no gradient.
-fn inverse<const D: usize>(moment: &Matrix<D>) -> Matrix<D> {
-    /// Least over mean eigenvalue, below which all neighbours lie in a plane.
-    const FLAT: f64 = 1e-9;
-    let mean = moment.trace() / D as f64;
-    let inverse = moment.try_inverse();
-    match inverse {
-        Some(inverse) if 1.0 / (inverse.trace() * mean) > FLAT => inverse,
-        _ => (moment + Matrix::identity() * (FLAT * mean))
-            .try_inverse()
-            .unwrap_or_else(Matrix::zeros),
+impl Join {
+    /// The blocks that a face stands in.
+    fn blocks(&self) -> impl Iterator<Item = usize> + use<> {
+        let [first, second] = [self.i, self.j].map(|i| i as usize / BLOCK);
+        [first]
+            .into_iter()
+            .chain((second != first).then_some(second))
     }
 }
 
-fn bits<const D: usize>(vector: &Vector<D>) -> [u64; D] {
-    std::array::from_fn(|k| vector[k].to_bits())
-}
-
-/// Numbers for what is alike.
-struct Table<K>(HashMap<K, u32, FixedState>);
-
-impl<K> Default for Table<K> {
-    fn default() -> Self {
-        Self(HashMap::default())
-    }
-}
-
-impl<K: Eq + Hash> Table<K> {
-    fn number(&mut self, key: K, add: impl FnOnce()) -> u32 {
-        let next = self.0.len() as u32;
-        *self.0.entry(key).or_insert_with(|| {
-            add();
-            next
-        })
+/// Weight of a `face` in gradients. What counts is how near a cell is, not how far around the axis it goes: the ring next to the axis would not
+/// feel its own image.
+pub fn weight<const D: usize>(points: &[Vector<D>], face: &Face<D>, about_axis: bool) -> f64 {
+    let weight = face.area.norm() / face.apart.norm();
+    if about_axis {
+        let middle = points[face.i as usize] + face.apart * 0.5;
+        weight / middle[RADIAL.min(D - 1)]
+    } else {
+        weight
     }
 }

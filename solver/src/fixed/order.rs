@@ -12,18 +12,13 @@ pub struct Link {
 }
 
 impl Link {
-    /// To a neighbour behind a face of this shape, whose area points out of the cell or into it.
-    pub fn new(cell: u32, shape: u32, is_inward: bool) -> Self {
+    /// To a neighbour at this place in the order, behind a face of this shape, whose area points out of the cell or into it.
+    pub fn new(cell: u32, place: u32, shape: u32, is_inward: bool) -> Self {
         Self {
             cell,
-            place: 0,
+            place,
             face: 2 * shape + u32::from(is_inward),
         }
-    }
-
-    /// The same to a cell at this place in the order.
-    pub fn at(self, place: u32) -> Self {
-        Self { place, ..self }
     }
 
     /// Number of the face's shape.
@@ -39,11 +34,12 @@ impl Link {
     }
 }
 
-/// The level of each cell: above those of its neighbours with a smaller key, and none that a neighbour with the same key has.
-pub fn levels(starts: &[u32], links: &[Link], keys: &[f64]) -> Vec<u32> {
+/// The level of each cell: above those of its neighbours with a smaller key, and none that a neighbour with the same key has. Those `beside` each cell
+/// follow one another from its place in `starts` on.
+pub fn levels(starts: &[u32], beside: &[u32], keys: &[f64]) -> Vec<u32> {
     const NONE: u32 = u32::MAX;
     let mut order: Vec<u32> = (0..keys.len() as u32).collect();
-    order.sort_by(|&a, &b| {
+    order.sort_unstable_by(|&a, &b| {
         keys[a as usize]
             .total_cmp(&keys[b as usize])
             .then(a.cmp(&b))
@@ -54,8 +50,8 @@ pub fn levels(starts: &[u32], links: &[Link], keys: &[f64]) -> Vec<u32> {
         let i = cell as usize;
         let mut level = 0;
         taken.clear();
-        for link in &links[starts[i] as usize..starts[i + 1] as usize] {
-            let j = link.cell as usize;
+        for &j in &beside[starts[i] as usize..starts[i + 1] as usize] {
+            let j = j as usize;
             if levels[j] == NONE || i == j {
                 continue;
             }

@@ -55,6 +55,12 @@ impl<const D: usize> Part<D> {
         }
     }
 
+    /// Gives back the room for more.
+    pub fn shrink_to_fit(&mut self) {
+        self.faces.shrink_to_fit();
+        self.walls.shrink_to_fit();
+    }
+
     /// Adds a face. Those of one label stay apart: beyond them there may be different pieces.
     pub fn add_face(&mut self, face: PartFace<D>) {
         self.faces.push(face);

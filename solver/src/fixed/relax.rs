@@ -53,8 +53,8 @@ enum Sweep {
 }
 
 impl<const D: usize> FixedSimulation<D> {
-    /// Goes the part of the way that `parts` says block by block, and that the rates of the flow as it is ask for, from `start` or from where
-    /// the flow is; returns the square mean of the relative rates of density, times the time in which a wave crosses a cell.
+    /// Goes the part of the way that `parts` says block by block, and that the rates of the flow as it is ask for, from what blocks held at the
+    /// `start` or from where the flow is; returns the square mean of the relative rates of density, times the time in which a wave crosses a cell.
     ///
     /// # Errors
     /// A [`Failure`] where a cell's state makes no sense any more.
@@ -62,7 +62,7 @@ impl<const D: usize> FixedSimulation<D> {
         &mut self,
         courant: f64,
         parts: impl Fn(usize) -> f64,
-        start: Option<&[Conserved<D>]>,
+        start: Option<&[Vec<Conserved<D>>]>,
     ) -> Result<f64, Failure> {
         self.find_slopes();
         self.exchange(|_, part, gains| part.before.copy_from_slice(&gains.cells));
@@ -90,7 +90,7 @@ impl<const D: usize> FixedSimulation<D> {
             let i = i as usize;
             if self.is_awake(i) {
                 if let Some(start) = start {
-                    self.columns.held[i] = start[i];
+                    self.columns.held[i] = start[i / BLOCK][i % BLOCK];
                 }
                 let change = Conserved::ZERO.plus(parts(i / BLOCK), change);
                 self.columns.held[i] = self.changed(i, &change);

@@ -7,7 +7,8 @@ use aero_geometry::{Bounds, Vector};
 
 use super::FixedSimulation;
 use super::equation_of_state::EquationOfState;
-use super::net::{Block, Face};
+use super::face_list::Join;
+use super::net::Block;
 use super::state::Conserved;
 use crate::Statistics;
 use crate::frame::{Frame, Kind, SurfaceFrame, Totals};
@@ -29,6 +30,8 @@ impl<const D: usize> FixedSimulation<D> {
             time: self.tally.time,
             ..Frame::default()
         };
+        let shown = self.points.iter().filter(|point| is_shown(point)).count();
+        frame.reserve_exact(shown);
         for (i, (point, state)) in self.points.iter().zip(&self.columns.states).enumerate() {
             if !is_shown(point) {
                 continue;
@@ -149,6 +152,6 @@ impl<const D: usize> FixedSimulation<D> {
 
 /// Faces whose first cell is in this block: each face once, over all blocks.
 fn inner_faces<const D: usize>(block: &Block<D>) -> usize {
-    let is_first = |face: &&Face| block.cells.contains(&(face.i as usize));
+    let is_first = |face: &&Join| block.cells.contains(&(face.i as usize));
     block.faces.iter().filter(is_first).count()
 }

@@ -17,7 +17,7 @@ use aero_geometry::parallel::prelude::*;
 use super::FixedSimulation;
 use super::equation_of_state::EquationOfState;
 use super::net::BLOCK;
-use super::state::{Primitive, dot};
+use super::state::{Conserved, Primitive, dot};
 use crate::Failure;
 use crate::problem::Side;
 
@@ -36,7 +36,17 @@ impl<const D: usize> FixedSimulation<D> {
         if !staged.contains(&true) {
             return self.implicit_stage(courant, |_| 1.0, None);
         }
-        let start = self.columns.held.clone();
+        let held = self.columns.held.chunks(BLOCK);
+        let start = held.zip(&staged);
+        let start: Vec<Vec<Conserved<D>>> = start
+            .map(|(held, is_staged)| {
+                if *is_staged {
+                    held.to_vec()
+                } else {
+                    Vec::new()
+                }
+            })
+            .collect();
         let first = |block: usize| if staged[block] { FIRST_STAGE } else { 1.0 };
         let residual = self.implicit_stage(courant, first, None)?;
         let awake: Vec<bool> = self.quiet.blocks.iter().map(|rest| rest.is_awake).collect();

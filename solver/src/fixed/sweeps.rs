@@ -5,6 +5,7 @@
 
 use std::ops::Range;
 
+use super::face_list::Join;
 use super::net::Net;
 use super::order::{Link, levels};
 
@@ -27,62 +28,64 @@ impl Sweeps {
     /// The cells of `net`, `along` the flow.
     pub fn new<const D: usize>(net: &Net<D>, along: impl Fn(usize) -> f64) -> Self {
         let count = net.len();
-        let mut starts = vec![0_u32; count + 1];
         let each = || {
             net.blocks.iter().flat_map(|block| {
-                let is_first = |face: &&super::net::Face| block.cells.contains(&(face.i as usize));
+                let is_first = |face: &&Join| block.cells.contains(&(face.i as usize));
                 block.faces.iter().filter(is_first)
             })
         };
+        let mut numbers = vec![0_u32; count];
         for face in each() {
-            starts[face.i as usize + 1] += 1;
-            starts[face.j as usize + 1] += 1;
+            numbers[face.i as usize] += 1;
+            numbers[face.j as usize] += 1;
         }
-        for i in 0..count {
-            starts[i + 1] += starts[i];
-        }
-        let nothing = Link::new(0, 0, false);
-        let mut links = vec![nothing; starts[count] as usize];
+        let starts = starts(numbers.iter().copied());
+        let mut beside = vec![0_u32; starts[count] as usize];
         let mut next = starts.clone();
         for face in each() {
-            for (i, cell, is_inward) in [(face.i, face.j, false), (face.j, face.i, true)] {
-                let place = &mut next[i as usize];
-                links[*place as usize] = Link::new(cell, face.shape, is_inward);
-                *place += 1;
+            for (i, cell) in [(face.i, face.j), (face.j, face.i)] {
+                beside[taken(&mut next[i as usize])] = cell;
             }
         }
+        drop(next);
         let keys: Vec<f64> = (0..count).map(along).collect();
-        let level_of = levels(&starts, &links, &keys);
-        Self::ordered(&level_of, &starts, &links)
-    }
-
-    /// The same links in the order of the levels.
-    fn ordered(level_of: &[u32], starts: &[u32], links: &[Link]) -> Self {
-        let mut order: Vec<u32> = (0..level_of.len() as u32).collect();
-        order.sort_by_key(|&i| (level_of[i as usize], i));
-        let mut places = vec![0_u32; order.len()];
-        let mut sweeps = Self {
-            order: Vec::new(),
-            levels: Vec::new(),
-            starts: vec![0],
-            links: Vec::with_capacity(links.len()),
-        };
-        for (place, &i) in (0..).zip(&order) {
+        let level_of = levels(&starts, &beside, &keys);
+        drop((starts, beside, keys));
+        let mut sweeps = Self::ordered(&level_of, &numbers);
+        let mut places = vec![0_u32; count];
+        for (place, &i) in (0..).zip(&sweeps.order) {
             places[i as usize] = place;
         }
-        for (place, &i) in order.iter().enumerate() {
-            let level = level_of[i as usize] as usize;
-            if level == sweeps.levels.len() {
-                sweeps.levels.push(place);
+        let nothing = Link::new(0, 0, 0, false);
+        sweeps.links = vec![nothing; sweeps.starts[count] as usize];
+        let mut next = sweeps.starts.clone();
+        for face in each() {
+            for (i, cell, is_inward) in [(face.i, face.j, false), (face.j, face.i, true)] {
+                let [own, other] = [i, cell].map(|i| places[i as usize]);
+                let link = Link::new(cell, other, face.shape, is_inward);
+                sweeps.links[taken(&mut next[own as usize])] = link;
             }
-            let range = starts[i as usize] as usize..starts[i as usize + 1] as usize;
-            let at_place = |link: &Link| link.at(places[link.cell as usize]);
-            sweeps.links.extend(links[range].iter().map(at_place));
-            sweeps.starts.push(sweeps.links.len() as u32);
         }
-        sweeps.levels.push(order.len());
-        sweeps.order = order;
         sweeps
+    }
+
+    /// The cells in the order of their levels, each with so many links, which are still to come.
+    fn ordered(level_of: &[u32], numbers: &[u32]) -> Self {
+        let mut order: Vec<u32> = (0..level_of.len() as u32).collect();
+        order.sort_unstable_by_key(|&i| (level_of[i as usize], i));
+        let mut levels = Vec::new();
+        for (place, &i) in order.iter().enumerate() {
+            if level_of[i as usize] as usize == levels.len() {
+                levels.push(place);
+            }
+        }
+        levels.push(order.len());
+        Self {
+            starts: starts(order.iter().map(|&i| numbers[i as usize])),
+            order,
+            levels,
+            links: Vec::new(),
+        }
     }
 
     /// The cell at `place`.
@@ -104,6 +107,22 @@ impl Sweeps {
     pub fn levels(&self) -> impl DoubleEndedIterator<Item = Range<usize>> {
         self.levels.windows(2).map(|ends| ends[0]..ends[1])
     }
+}
+
+/// Where each of lists of these `numbers` starts, and where the last one ends.
+fn starts(numbers: impl Iterator<Item = u32>) -> Vec<u32> {
+    let mut sum = 0;
+    let ends = numbers.map(|number| {
+        sum += number;
+        sum
+    });
+    std::iter::once(0).chain(ends).collect()
+}
+
+/// The next place of a list, which is taken now.
+fn taken(next: &mut u32) -> usize {
+    *next += 1;
+    *next as usize - 1
 }
 
 #[cfg(test)]

@@ -57,6 +57,7 @@ pub fn lattice<const D: usize>(problem: &Problem<D>) -> Cells<D> {
     let numbers: std::collections::HashMap<[usize; D], u32> =
         places.iter().copied().zip(0..).collect();
     let mut cells = Cells::default();
+    let mut faces = Vec::new();
     let area = dx.powi(D as i32 - 1);
     let is_axisymmetric = problem.domain.is_axisymmetric();
     for (i, place) in (0_u32..).zip(&places) {
@@ -106,7 +107,7 @@ pub fn lattice<const D: usize>(problem: &Problem<D>) -> Cells<D> {
                 }
                 let j = numbers[&next];
                 if i < j {
-                    cells.faces.push(Face {
+                    faces.push(Face {
                         i,
                         j,
                         area: full,
@@ -117,7 +118,8 @@ pub fn lattice<const D: usize>(problem: &Problem<D>) -> Cells<D> {
             }
         }
     }
-    cells.faces.sort_by_key(|face| (face.i, face.j));
+    faces.sort_by_key(|face: &Face<D>| (face.i, face.j));
+    cells.faces = faces.into_iter().collect();
     cells
 }
 
@@ -164,6 +166,7 @@ pub fn bent(
         (sum / (2.0 * area), area)
     };
     let mut cells = Cells::default();
+    let mut faces = Vec::new();
     for (i, place) in (0_u32..).zip(&places) {
         let (point, area) = middle(*place);
         cells.points.push(point);
@@ -209,7 +212,7 @@ pub fn bent(
             next[axis] = next[axis] + 2 * end - 1;
             let j = numbers[&next];
             if i < j {
-                cells.faces.push(Face {
+                faces.push(Face {
                     i,
                     j,
                     area: full,
@@ -219,6 +222,7 @@ pub fn bent(
             }
         }
     }
-    cells.faces.sort_by_key(|face| (face.i, face.j));
+    faces.sort_by_key(|face: &Face<2>| (face.i, face.j));
+    cells.faces = faces.into_iter().collect();
     cells
 }

@@ -86,7 +86,7 @@ fn no_cell_straddles_a_thin_plate() {
                     );
                 }
             }
-            for face in &made.cells.faces {
+            for face in made.cells.faces.iter() {
                 let [a, b] = [face.i, face.j].map(|i| side(&made.cells.points[i as usize]));
                 if a.x.abs().max(b.x.abs()) < 0.5 - dx && a.y.abs().min(b.y.abs()) < 2.0 * dx {
                     assert!(a.y * b.y > 0.0, "{thickness} {degrees}: {a} {b}");
