@@ -60,7 +60,7 @@ fn frames(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("frame, per particle");
     group.throughput(Throughput::Elements(40_000));
     group.bench_function("write", |bencher| {
-        bencher.iter(|| write_frame(&path, &simulation.frame(), &[], None, false));
+        bencher.iter(|| write_frame(&path, simulation.frame(), &[], None, false));
     });
     group.finish();
 }

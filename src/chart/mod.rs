@@ -250,7 +250,7 @@ impl Study {
         let before = self.run(line, half, wishes)?;
         let frame = wishes.out.join(format!("{}-start.vtp", self.scene.name));
         output::make_folder(wishes.out)?;
-        output::write_frame(&frame, &before.last.frame, &[], None, false)?;
+        output::write_frame(&frame, before.last.frame, &[], None, false)?;
         settings.push(format!("initial.frame={}", frame.display()));
         settings.push(format!("end_time={time}"));
         let last = self.scene.run(&settings, Keep::End, &context);

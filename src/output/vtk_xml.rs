@@ -3,6 +3,7 @@
 
 use std::fmt::Write as _;
 use std::io::Write as _;
+use std::ops::Range;
 use std::path::Path;
 
 use flate2::Compression;
@@ -14,6 +15,9 @@ use crate::base64::base64;
 
 /// Bytes that are compressed at once.
 const BLOCK: usize = 1 << 20;
+
+/// Bytes that are turned into letters at once: four for three of them.
+const LETTERED: usize = 3 << 12;
 
 /// Effort that zlib spends, of 9: more takes several times as long and saves two per cent.
 const LEVEL: u32 = 2;
@@ -28,6 +32,53 @@ pub(super) enum Numbers<'a> {
     Count(&'a [u32]),
     /// Small ones.
     Byte(&'a [u8]),
+    /// Whole numbers that follow one another.
+    Run(Range<i64>),
+}
+
+impl Numbers<'_> {
+    /// In bytes.
+    fn length(&self) -> usize {
+        match self {
+            Self::Real(all) => size_of_val(*all),
+            Self::Whole(all) => size_of_val(*all),
+            Self::Count(all) => size_of_val(*all),
+            Self::Byte(all) => all.len(),
+            Self::Run(run) => run.clone().count() * size_of::<i64>(),
+        }
+    }
+
+    /// The bytes, [`BLOCK`] at a time.
+    fn blocks(&self) -> impl Iterator<Item = Vec<u8>> {
+        let count = self.length().div_ceil(BLOCK);
+        (0..count).map(|block| match self {
+            Self::Real(all) => bytes(all, block, f64::to_le_bytes),
+            Self::Whole(all) => bytes(all, block, i64::to_le_bytes),
+            Self::Count(all) => bytes(all, block, u32::to_le_bytes),
+            Self::Byte(all) => bytes(all, block, |x| [x]),
+            Self::Run(run) => {
+                let each = BLOCK / size_of::<i64>();
+                let some = run.clone().skip(block * each).take(each);
+                some.flat_map(i64::to_le_bytes).collect()
+            }
+        })
+    }
+}
+
+/// Those of a block of numbers.
+fn bytes<T: Copy, const N: usize>(
+    all: &[T],
+    block: usize,
+    bytes: impl Fn(T) -> [u8; N],
+) -> Vec<u8> {
+    let some = all.chunks(BLOCK / N).nth(block).unwrap_or(&[]);
+    some.iter().flat_map(|&number| bytes(number)).collect()
+}
+
+impl From<Range<i64>> for Numbers<'_> {
+    fn from(run: Range<i64>) -> Self {
+        Self::Run(run)
+    }
 }
 
 macro_rules! numbers_from {
@@ -60,7 +111,9 @@ pub(super) struct Document {
     /// Arrays are appended as letters: a third longer, but `vtkio` reads no others, which the next run starts from.
     is_lettered: bool,
     text: String,
-    appended: Vec<u8>,
+    /// What comes after the text, and how long all of it is in the file. Letters are made as it is written.
+    appended: Vec<Vec<u8>>,
+    length: usize,
 }
 
 impl Document {
@@ -72,6 +125,7 @@ impl Document {
             is_lettered: kind == "PolyData",
             text: format!("  <{kind}{attributes}>\n"),
             appended: Vec::new(),
+            length: 0,
         }
     }
 
@@ -118,51 +172,53 @@ impl Document {
     }
 
     fn add(&mut self, name: &str, attributes: &str, numbers: &Numbers<'_>) {
-        let (kind, bytes) = match numbers {
-            Numbers::Real(all) => (
-                "Float64",
-                all.iter().flat_map(|x| x.to_le_bytes()).collect(),
-            ),
-            Numbers::Whole(all) => ("Int64", all.iter().flat_map(|x| x.to_le_bytes()).collect()),
-            Numbers::Count(all) => ("UInt32", all.iter().flat_map(|x| x.to_le_bytes()).collect()),
-            Numbers::Byte(all) => ("UInt8", all.to_vec()),
+        let kind = match numbers {
+            Numbers::Real(_) => "Float64",
+            Numbers::Whole(_) | Numbers::Run(_) => "Int64",
+            Numbers::Count(_) => "UInt32",
+            Numbers::Byte(_) => "UInt8",
         };
         let _ = writeln!(
             self.text,
             "<DataArray type=\"{kind}\" Name=\"{name}\" {attributes} format=\"appended\" offset=\"{}\"/>",
-            self.appended.len()
+            self.length
         );
-        self.append(&bytes);
+        self.append(numbers);
     }
 
     /// Bytes after their count; of compressed ones the number of blocks, their size, that of the last if it is less, and what each
     /// takes.
-    fn append(&mut self, bytes: &[u8]) {
+    fn append(&mut self, numbers: &Numbers<'_>) {
         let words = |numbers: &[usize]| -> Vec<u8> {
             let numbers = numbers.iter().map(|&number| number as u64);
             numbers.flat_map(u64::to_le_bytes).collect()
         };
+        let length = numbers.length();
         if !self.is_compressed {
-            self.put(&[&words(&[bytes.len()]), bytes].concat());
+            let mut bytes = words(&[length]);
+            bytes.reserve_exact(length);
+            numbers.blocks().for_each(|block| bytes.extend(block));
+            self.put(bytes);
             return;
         }
-        let blocks: Vec<Vec<u8>> = bytes.chunks(BLOCK).map(compressed).collect();
+        let blocks: Vec<Vec<u8>> = numbers.blocks().map(|block| compressed(&block)).collect();
         let sizes = blocks.iter().map(Vec::len);
-        let header: Vec<usize> = [blocks.len(), BLOCK, bytes.len() % BLOCK]
+        let header: Vec<usize> = [blocks.len(), BLOCK, length % BLOCK]
             .into_iter()
             .chain(sizes)
             .collect();
-        self.put(&words(&header));
-        self.put(&blocks.concat());
+        self.put(words(&header));
+        self.put(blocks.concat());
     }
 
-    /// Bytes as they are, or their letters.
-    fn put(&mut self, bytes: &[u8]) {
-        if self.is_lettered {
-            self.appended.extend(base64(bytes).into_bytes());
+    /// Adds bytes, which go into the file as they are or as letters.
+    fn put(&mut self, bytes: Vec<u8>) {
+        self.length += if self.is_lettered {
+            bytes.len().div_ceil(3) * 4
         } else {
-            self.appended.extend(bytes);
-        }
+            bytes.len()
+        };
+        self.appended.push(bytes);
     }
 
     /// Writes the file.
@@ -180,7 +236,15 @@ impl Document {
                 "<?xml version=\"1.0\"?>\n<VTKFile type=\"{kind}\" version=\"1.0\" byte_order=\"LittleEndian\" \
                  header_type=\"UInt64\"{compressor}>\n{text}  </{kind}>\n  <AppendedData encoding=\"{encoding}\">\n_"
             )?;
-            writer.write_all(&self.appended)?;
+            for bytes in &self.appended {
+                if !self.is_lettered {
+                    writer.write_all(bytes)?;
+                    continue;
+                }
+                for some in bytes.chunks(LETTERED) {
+                    writer.write_all(base64(some).as_bytes())?;
+                }
+            }
             writer.write_all(b"\n  </AppendedData>\n</VTKFile>\n")
         })
     }

@@ -17,8 +17,14 @@ pub(super) struct Cloud {
 impl Cloud {
     /// Points without arrays yet.
     pub(super) fn new(points: &[[f64; 3]], told: &Told) -> Self {
-        let numbers: Vec<i64> = (0..points.len() as i64).collect();
-        Self::begin(points, ("Verts", 1), &numbers, told)
+        let count = points.len();
+        Self::begin(
+            points,
+            ("Verts", count),
+            0..count as i64,
+            1..count as i64 + 1,
+            told,
+        )
     }
 
     /// Cells of so many corners each, without arrays yet: points, segments or triangles. Corners at the same place are one
@@ -41,18 +47,22 @@ impl Cloud {
             2 => "Lines",
             _ => "Polys",
         };
-        let mut cloud = Self::begin(&points, (kind, each.max(1)), &numbers, told);
+        let each = each.max(1);
+        let count = numbers.len() / each;
+        let offsets: Vec<i64> = (1..=count).map(|n| (n * each) as i64).collect();
+        let mut cloud = Self::begin(&points, (kind, count), &numbers[..], &offsets[..], told);
         cloud.turn_to("CellData");
         cloud
     }
 
-    fn begin(
+    /// Of so many cells of a kind, by the numbers of their corners, and where each cell's end among those.
+    fn begin<'a>(
         points: &[[f64; 3]],
-        (kind, each): (&str, usize),
-        connectivity: &[i64],
+        (kind, cells): (&str, usize),
+        connectivity: impl Into<Numbers<'a>>,
+        offsets: impl Into<Numbers<'a>>,
         told: &Told,
     ) -> Self {
-        let cells = connectivity.len() / each;
         let mut document = Document::new("PolyData", "", told.is_compressed);
         document.field_data(told);
         let count = |name: &str| if name == kind { cells } else { 0 };
@@ -68,8 +78,7 @@ impl Cloud {
         document.close("Points");
         document.open(kind);
         document.array("connectivity", 1, connectivity);
-        let offsets: Vec<i64> = (1..=cells).map(|n| (n * each) as i64).collect();
-        document.array("offsets", 1, &offsets[..]);
+        document.array("offsets", 1, offsets);
         document.close(kind);
         document.open("PointData");
         Self {

@@ -210,18 +210,16 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             let path = self.folder.join(ghosts_name(number));
             (path, frame.chosen(|kind| kind != Kind::Fluid as u8))
         });
-        let mut frame = frame.chosen(|kind| kind == Kind::Fluid as u8);
+        let mut frame = frame.only(|kind| kind == Kind::Fluid as u8);
         let gradients = self.views.gradients(simulation, &frame);
         let mut views = self.views.take(simulation, number, time);
         views.extend(self.probes.lines(&self.folder, simulation, number));
         self.background.hand(move || {
             if let Some((path, ghosts)) = ghosts {
-                output::write_frame(&path, &ghosts, &[], Some(&reference), is_compressed)?;
+                output::write_frame(&path, ghosts, &[], Some(&reference), is_compressed)?;
             }
             let mut cells = cells;
             mirrors.apply(&mut frame, cells.as_mut().map(|(_, cells, _)| cells));
-            output::write_frame(&path, &frame, &gradients, Some(&reference), is_compressed)?;
-            particles.write()?;
             if let Some((path, mut surface, surfaces)) = surface {
                 mirrors.surface(&mut surface);
                 output::write_surface(&path, &surface, &reference, is_compressed)?;
@@ -231,6 +229,8 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
                 output::write_cells(&path, &cells, &frame, &reference, is_compressed)?;
                 collection.write()?;
             }
+            output::write_frame(&path, frame, &gradients, Some(&reference), is_compressed)?;
+            particles.write()?;
             views.into_iter().try_for_each(|write| write())
         })?;
         self.probes.flush()?;
