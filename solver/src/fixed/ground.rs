@@ -7,14 +7,13 @@ use super::cells::Cells;
 use super::cloud::Cloud;
 use super::cut_cell::CutCell;
 use super::levels::Levels;
-use super::plot::Plot;
+use super::plot::{Plot, corner};
 use super::refine::{Adaption, BodyNeeds, Wish};
 use super::site::Site;
 use super::solids::Solids;
 use super::wishes::wishes;
 use crate::method::{Refine, Time};
 use crate::problem::{Earlier, Initial, Problem};
-use crate::sides::parted;
 
 /// Points across the thickness of a part of a body.
 const ACROSS: f64 = 4.0;
@@ -261,36 +260,6 @@ pub fn plot<'a, const D: usize>(
         spacing: problem.resolution.lattice(),
         corner,
     }
-}
-
-/// First corner of the lattice: that of the domain, moved by up to half a spacing across the stream where faces of cells come to lie so in the
-/// plane at which a body parts it. Cells that lie one way above a sharp nose and another way below would give a symmetric body
-/// lift, a third of a slender aerofoil's drag.
-fn corner<const D: usize>(problem: &Problem<D>) -> Vector<D> {
-    /// Planes are told to this many spacings.
-    const EXACT: f64 = 1e-6;
-    let (spacing, domain) = (problem.resolution.lattice(), &problem.domain);
-    let velocity = &problem.free_stream.velocity;
-    let is_along = |axis: usize| velocity[axis] != 0.0 && axis == velocity.iamax();
-    let may_split = problem
-        .method
-        .fixed()
-        .is_some_and(|points| points.refine.levels() > 0);
-    let mut corner = domain.bounds.min;
-    for axis in (0..D).filter(|&axis| !is_along(axis)) {
-        let Some(plane) = parted(problem, axis) else {
-            continue;
-        };
-        let off = (plane - corner[axis]) / spacing;
-        let off = off - off.round();
-        if off > EXACT && may_split {
-            // Cells that are split end at the sides, too, if the lattice covers all of the domain.
-            corner[axis] += (off - 1.0) * spacing;
-        } else if off.abs() > EXACT {
-            corner[axis] += off * spacing;
-        }
-    }
-    corner
 }
 
 /// What is split if not less than an earlier flow had split, and what is `kept`; none where its lattice was another.

@@ -3,7 +3,8 @@
 use aero_geometry::Vector;
 
 use super::solids::Solids;
-use crate::problem::{Domain, Side};
+use crate::problem::{Domain, Problem, Side};
+use crate::sides::parted;
 
 /// Least distance from walls in spacings: points nearer than that are moved there.
 pub const LEAST_DISTANCE: f64 = 0.3;
@@ -84,4 +85,34 @@ pub fn off_the_walls<const D: usize>(
         (position, closest, is_moved) = (moved, there, true);
     }
     Some((position, closest.distance, is_moved))
+}
+
+/// First corner of the lattice: that of the domain, moved by up to half a spacing across the stream where faces of cells come to lie so in the
+/// plane at which a body parts it. Cells that lie one way above a sharp nose and another way below would give a symmetric body
+/// lift, a third of a slender aerofoil's drag.
+pub fn corner<const D: usize>(problem: &Problem<D>) -> Vector<D> {
+    /// Planes are told to this many spacings.
+    const EXACT: f64 = 1e-6;
+    let (spacing, domain) = (problem.resolution.lattice(), &problem.domain);
+    let velocity = &problem.free_stream.velocity;
+    let is_along = |axis: usize| velocity[axis] != 0.0 && axis == velocity.iamax();
+    let may_split = problem
+        .method
+        .fixed()
+        .is_some_and(|points| points.refine.levels() > 0);
+    let mut corner = domain.bounds.min;
+    for axis in (0..D).filter(|&axis| !is_along(axis)) {
+        let Some(plane) = parted(problem, axis) else {
+            continue;
+        };
+        let off = (plane - corner[axis]) / spacing;
+        let off = off - off.round();
+        if off > EXACT && may_split {
+            // Cells that are split end at the sides, too, if the lattice covers all of the domain.
+            corner[axis] += (off - 1.0) * spacing;
+        } else if off.abs() > EXACT {
+            corner[axis] += off * spacing;
+        }
+    }
+    corner
 }
