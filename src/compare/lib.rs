@@ -1,7 +1,7 @@
 //! Compares runs with theory: ties the application to the independent `validation` crate.
 //!
-//! One file per case, which declares a [`Comparison`](comparison::Comparison), scene, variants, rows and pictures, or a
-//! [`Suite`](suite::Suite) of what shares no such frame. Exact solutions and metrics are not here.
+//! One file per case, which declares a `Comparison`, scene, variants, rows and pictures, or a
+//! `Suite` of what shares no such frame. Exact solutions and metrics are not here.
 
 mod aerofoil;
 mod apollo;
@@ -129,7 +129,7 @@ static ON_REQUEST: [Case; 8] = [
 ];
 
 /// Runs the named cases, all but those on request where none is named, and returns their rows; the page
-/// [`report::NAME`] about them grows with every comparison. Short ones run side by side, as many as there are threads: each is too small for
+/// `report.md` about them grows with every comparison. Short ones run side by side, as many as there are threads: each is too small for
 /// all of them. A run that stops is a row that fails.
 ///
 /// # Errors
