@@ -45,7 +45,7 @@ fn cells_are_closed_and_fill_the_domain_wherever_the_lattice_begins() {
 }
 
 /// Where the lattice is not in step with a side, cells that are split up to it are as fine there as along it: one that lost its neighbour ends at
-/// the side instead, by less than a cell further.
+/// the side instead, by less than a cell further along each axis.
 #[test]
 fn split_cells_are_as_fine_at_the_sides_as_elsewhere() {
     for off in [-0.87, -0.5, -0.31, -0.07] {
@@ -69,7 +69,7 @@ fn split_cells_are_as_fine_at_the_sides_as_elsewhere() {
         assert!(finest.count() > 20, "{off}");
         for (volume, place) in made.cells.volumes.iter().zip(&made.cloud.places) {
             let size = volume / (place.spacing * place.spacing);
-            assert!(size < 1.6, "{off}: {size} at {}", place.position);
+            assert!(size < 4.0, "{off}: {size} at {}", place.position);
         }
     }
 }
