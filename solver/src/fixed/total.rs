@@ -212,6 +212,26 @@ mod tests {
         );
     }
 
+    /// By the square of the cosine of its angle: a quarter at 60 degrees.
+    #[test]
+    fn a_stream_aslant_lets_in_part_of_both_waves() {
+        let aslant = stream(60.0);
+        let straight = Primitive {
+            velocity: [aslant.velocity[0], 0.0],
+            ..aslant
+        };
+        let inside = Primitive {
+            velocity: [0.12, 0.25],
+            pressure: 1.02,
+            ..aslant
+        };
+        let wave = |state: &Primitive<2>| -state.velocity[0] - state.pressure / 1.4;
+        let [found, straight] = [&aslant, &straight].map(|stream| wave(&met(&inside, stream)));
+        let along = wave(&aslant);
+        assert!((straight - along).abs() > 1e-3);
+        assert!((found - along - 0.25 * (straight - along)).abs() < 1e-12);
+    }
+
     #[test]
     fn a_stream_that_leaves_or_is_faster_than_sound_stays_as_it_is() {
         for velocity in [[-0.3, 0.1], [1.2, 0.1]] {
