@@ -1,5 +1,6 @@
 //! What is beyond the sides of the domain.
 
+use super::far_field::is_free;
 use super::riding::Riding;
 use super::state::Primitive;
 use crate::method::Time;
@@ -35,7 +36,9 @@ impl<const D: usize> Beyond<D> {
         let stream = Primitive::of(&problem.free_stream);
         let Place { axis, end, .. } = place;
         match side {
-            SideKind::FreeStream if problem.method.settles() && problem.stream_mach() < 1.0 => {
+            SideKind::FreeStream
+                if problem.method.settles() && problem.stream_mach() < 1.0 && has_room(problem) =>
+            {
                 Ok(Self::Total(stream))
             }
             // The Riemann problem with the free stream lets sound out.
@@ -83,4 +86,11 @@ impl<const D: usize> Beyond<D> {
     pub fn is_known(&self) -> bool {
         matches!(self, Self::Stream(_) | Self::Total(_) | Self::Mirror)
     }
+}
+
+/// True where the stream can go around bodies, aside of its way. In a duct the side keeps its speed instead: with its total state alone, what
+/// bodies cost would slow all of it.
+fn has_room<const D: usize>(problem: &Problem<D>) -> bool {
+    let (sides, along) = (&problem.domain.sides, problem.free_stream.velocity.iamax());
+    (0..D).any(|axis| axis != along && sides[axis].iter().any(is_free))
 }

@@ -80,7 +80,8 @@ impl<const D: usize> Problem<D> {
     }
 }
 
-fn is_free(side: &Side) -> bool {
+/// True of a side that gas goes through as the stream does.
+pub(super) fn is_free(side: &Side) -> bool {
     use Side::{FreeStream, HeldOutlet, Inlet, Outlet, SoftInlet};
     matches!(
         side,
