@@ -6,7 +6,9 @@ use super::adapting::{refined, slender};
 use super::lattice::problem;
 use super::*;
 use crate::fixed::FixedSimulation;
+use crate::fixed::beyond::Beyond;
 use crate::method::{Refine, Time};
+use crate::sides::Place;
 use crate::tests::slip_body;
 
 /// Sides that held the stream straight would take a ninth of the lift in the small box, and half as much in the large one.
@@ -60,4 +62,19 @@ fn gas_before_a_body_has_the_total_pressure_of_the_stream() {
             frame.position[i]
         );
     }
+}
+
+/// What bodies cost slows all of a duct's gas if its side holds the total state alone.
+#[test]
+fn a_duct_keeps_the_speed_of_its_stream() {
+    let beyond = |above: Side| {
+        let sides = [[Side::FreeStream; 2], [Side::Symmetry, above]];
+        let mut flight = problem([4; 2], 0.25, sides);
+        flight.free_stream.velocity = Vector::<2>::new(0.3, 0.0);
+        let flight = refined(flight, Time::Settle, Refine::Levels(0));
+        let place = Place::whole(&flight.domain, 0, 0);
+        Beyond::of(&flight, Side::FreeStream, place).unwrap()
+    };
+    assert!(matches!(beyond(Side::Symmetry), Beyond::Stream(_)));
+    assert!(matches!(beyond(Side::FreeStream), Beyond::Total(_)));
 }
