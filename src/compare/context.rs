@@ -61,6 +61,22 @@ pub enum CompareError {
         /// Why.
         source: Box<RunError>,
     },
+    /// The program, run as it would be typed, failed.
+    #[error("`aero {typed}` failed: {reason}")]
+    Program {
+        /// What was typed.
+        typed: String,
+        /// What it said.
+        reason: String,
+    },
+    /// What the program wrote cannot be read.
+    #[error("cannot read `{}`: {reason}", path.display())]
+    Unreadable {
+        /// The file.
+        path: std::path::PathBuf,
+        /// Why.
+        reason: String,
+    },
     /// The flow does not show what is to be measured.
     #[error(transparent)]
     Metric(#[from] MetricError),
@@ -70,10 +86,10 @@ pub enum CompareError {
     /// There is no exact solution.
     #[error(transparent)]
     Exact(#[from] aero_validation::exact::ExactError),
-    /// The page that holds it all cannot be written.
+    /// A page, or what the program is to be given, cannot be written.
     #[error("cannot write `{}`: {source}", path.display())]
     Report {
-        /// The page.
+        /// The file.
         path: std::path::PathBuf,
         /// Why.
         source: std::io::Error,

@@ -41,7 +41,7 @@ fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     for known in &known {
         (context.announce)(&format!("{NAME}: {}", known.label));
         let truth = known.truth()?;
-        let found = flight(known, &finely, &folder).and_then(|report| known.found(&report));
+        let found = known.found(&flight(known, &finely, &folder)?);
         let judged = |what: &str, judge: &dyn Fn(Subject<'_>) -> Check| {
             let what = format!("{}: {what}", known.label);
             judge(Subject::new(NAME, &what, known.source))
@@ -87,17 +87,15 @@ fn together(flown: &[[f64; 2]], all: usize) -> Vec<Check> {
     checks
 }
 
-/// Flies a body as it would be typed, and reads `fly.json`; none where that fails.
-fn flight(known: &Known, finely: &[&str; 2], folder: &Path) -> Option<Value> {
-    std::fs::create_dir_all(folder).ok()?;
+/// Flies a body as it would be typed, and reads `fly.json`.
+fn flight(known: &Known, finely: &[&str; 2], folder: &Path) -> Result<Value, CompareError> {
     let file = folder.join(format!("{}.stl", known.file));
-    std::fs::write(&file, bodies::stl(&(known.body)())).ok()?;
+    let file = program::given(&file, &bodies::stl(&(known.body)()))?;
     let out = folder.join(known.label.replace([' ', ','], "-"));
     let [mach, incidence] = [known.mach, known.incidence].map(|number| number.to_string());
     let threads = rayon::current_num_threads().to_string();
-    let [file, out] = [&file, &out].map(|path| path.to_str());
     let typed = [
-        &["fly", file?, "--unit", "m", "--axis=-x,+y", "--overwrite"][..],
+        &["fly", &file, "--unit", "m", "--axis=-x,+y", "--overwrite"][..],
         &[
             "--altitude",
             "12km",
@@ -106,10 +104,11 @@ fn flight(known: &Known, finely: &[&str; 2], folder: &Path) -> Option<Value> {
             "--incidence",
             &incidence,
         ],
-        &["--threads", &threads, "--out", out?],
+        &["--threads", &threads, "--out", &program::typed(&out)],
         finely,
     ];
-    program::run(&typed.concat()).then(|| program::json(&Path::new(out?).join("fly.json")))?
+    program::run(&typed.concat())?;
+    program::json(&out.join("fly.json"))
 }
 
 impl Known {

@@ -40,7 +40,7 @@ fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
             Ok([loads.lift, loads.drag])
         })
         .collect::<Result<_, CompareError>>()?;
-    let measured = swept(&context.out.join(NAME));
+    let measured = swept(&context.out.join(NAME))?;
     let subject = |what: &'static str, source| Subject::new(NAME, what, source);
     Ok(vec![
         subject(
@@ -70,8 +70,8 @@ struct Swept {
 }
 
 /// Runs the sweep, then each of its points on its own.
-fn swept(folder: &Path) -> Swept {
-    let rows = sweep(folder).unwrap_or_default();
+fn swept(folder: &Path) -> Result<Swept, CompareError> {
+    let rows = sweep(folder)?;
     let number = |row: &Value, key: &str| row[key].as_f64();
     let loads = |angle: &i32| {
         let is_there = |row: &&Value| number(row, "incidence") == Some(f64::from(*angle));
@@ -79,56 +79,42 @@ fn swept(folder: &Path) -> Swept {
         Some([number(row, "cl")?, number(row, "cd")?])
     };
     let together: Option<f64> = rows.iter().map(|row| number(row, "cpu_seconds")).sum();
-    let apart: Option<f64> = ANGLES.iter().map(|&angle| alone(folder, angle)).sum();
-    Swept {
+    let apart: Vec<Option<f64>> = (ANGLES.iter())
+        .map(|&angle| alone(folder, angle))
+        .collect::<Result<_, CompareError>>()?;
+    Ok(Swept {
         loads: ANGLES.iter().map(loads).collect(),
         time: together
-            .zip(apart)
+            .zip(apart.into_iter().sum::<Option<f64>>())
             .filter(|(together, _)| *together > 0.0)
             .map_or(f64::INFINITY, |(together, apart)| together / apart),
-    }
+    })
 }
 
 /// The rows of the polar.
-fn sweep(folder: &Path) -> Option<Vec<Value>> {
+fn sweep(folder: &Path) -> Result<Vec<Value>, CompareError> {
     let out = folder.join("sweep");
-    let scene = written(folder)?;
-    program::run(&[
-        "sweep",
-        &scene,
-        TYPED,
-        "--overwrite",
-        "--out",
-        out.to_str()?,
-    ])
-    .then(|| program::json(&out.join("sweep.json")))?
-    .and_then(|rows| rows.as_array().cloned())
+    // A sweep keeps what is done, also what an earlier comparison has left.
+    if out.exists() {
+        std::fs::remove_dir_all(&out).map_err(|source| CompareError::Report {
+            path: out.clone(),
+            source,
+        })?;
+    }
+    let scene = program::given(&folder.join("polar.toml"), SCENE.text.as_bytes())?;
+    program::run(&["sweep", &scene, TYPED, "--out", &program::typed(&out)])?;
+    let rows = program::json(&out.join("sweep.json"))?;
+    Ok(rows.as_array().cloned().unwrap_or_default())
 }
 
-/// Processor time of one point on its own, s.
-fn alone(folder: &Path, angle: i32) -> Option<f64> {
+/// Processor time of one point on its own, s; none where it is not told.
+fn alone(folder: &Path, angle: i32) -> Result<Option<f64>, CompareError> {
     let out = folder.join(format!("alone-{angle}"));
     let incidence = format!("free_stream.incidence={angle}");
-    let scene = written(folder)?;
-    program::run(&[
-        "run",
-        &scene,
-        "--set",
-        &incidence,
-        "--overwrite",
-        "--out",
-        out.to_str()?,
-    ])
-    .then(|| program::json(&out.join("summary.json")))??["cpu_seconds"]
-        .as_f64()
-}
-
-/// The scene as a file.
-fn written(folder: &Path) -> Option<String> {
-    std::fs::create_dir_all(folder).ok()?;
-    let path = folder.join("polar.toml");
-    std::fs::write(&path, SCENE.text).ok()?;
-    path.to_str().map(str::to_owned)
+    let scene = program::given(&folder.join("polar.toml"), SCENE.text.as_bytes())?;
+    let typed = ["run", &scene, "--set", &incidence, "--overwrite", "--out"];
+    program::run(&[&typed[..], &[&program::typed(&out)]].concat())?;
+    Ok(program::json(&out.join("summary.json"))?["cpu_seconds"].as_f64())
 }
 
 /// The largest departure of lift (0) or drag (1), per cent of the largest; infinite where a point is missing.
