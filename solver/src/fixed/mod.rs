@@ -96,6 +96,7 @@ mod tally;
 pub(crate) mod tests;
 mod total;
 mod twins;
+mod unshown;
 mod viscous;
 mod voronoi;
 mod walls;

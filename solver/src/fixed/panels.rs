@@ -8,12 +8,14 @@ use super::FixedSimulation;
 use super::equation_of_state::EquationOfState;
 use super::pieces::{Nearby, Piece};
 use super::state::dot;
+use super::unshown::{self, Left, Shown};
 use super::viscous::{Viscous, WallShare};
 use super::walls::Wall;
 use crate::frame::{Load, PanelFrame};
 use crate::panels::fit::Fit;
-use crate::panels::{Heated, Panels, Pressed};
+use crate::panels::{Heated, Panel, Panels, Pressed};
 use crate::problem::{Motion, Problem};
+use crate::rings::Rings;
 use crate::walls::rigid::Pose;
 
 /// Cosine below which walls face another way.
@@ -51,6 +53,7 @@ impl<const D: usize> FixedSimulation<D> {
             .par_iter()
             .map(|pieces| self.pressed(pieces, &walls, &patches))
             .collect();
+        self.show_all(panels, &pieces, &walls, &patches, &mut pressed);
         let mut heated = Vec::new();
         if let Some(viscous) = &self.fluid.viscous {
             let shares: Vec<&WallShare<D>> = self.wall_shares().collect();
@@ -95,6 +98,47 @@ impl<const D: usize> FixedSimulation<D> {
             pressed.mach += piece.part * self.mach(wall.i as usize);
         }
         pressed
+    }
+
+    /// Adds to what panels show what presses walls beyond that.
+    fn show_all(
+        &self,
+        panels: &Panels<D>,
+        pieces: &[Vec<Piece<D>>],
+        walls: &[(&Wall<D>, f64)],
+        patches: &[Patch<D>],
+        pressed: &mut [Pressed<D>],
+    ) {
+        let calm = self.problem.free_stream.pressure;
+        let rings = Rings::new(&self.problem);
+        let mut left: Vec<Left<'_, D>> = (walls.iter())
+            .map(|&(wall, pressure)| Left {
+                wall,
+                force: wall.image.area() * (self.around() * (pressure - calm)),
+            })
+            .collect();
+        let (mut shown, mut theirs) = (Vec::new(), Vec::new());
+        let each = panels.all().iter().zip(pieces).zip(pressed);
+        let bounds = &self.problem.domain.bounds;
+        for ((panel, pieces), pressed) in each {
+            if !bounds.contains(&panel.centre) || pieces.is_empty() {
+                continue;
+            }
+            if panel.exposed == 0.0 {
+                pressed.pressure = calm;
+                continue;
+            }
+            let area = panel.size * rings.surface(&panel.centre);
+            for piece in pieces {
+                let (_, pressure) = walls[piece.wall];
+                let over = patches[piece.wall].shown(pressure, &piece.place, calm) - calm;
+                left[piece.wall].force += panel.normal * (area * piece.part * over);
+            }
+            shown.push(Shown { panel, area });
+            theirs.push(pressed);
+        }
+        let spacing = self.problem.resolution.lattice();
+        unshown::spread(&left, &shown, spacing, &mut theirs);
     }
 
     fn mach(&self, cell: usize) -> f64 {
@@ -150,7 +194,8 @@ fn extents<const D: usize>(
     let mut extents = vec![none; walls.len()];
     let bounds = &problem.domain.bounds;
     let shown = panels.all().iter().zip(pieces);
-    for (panel, pieces) in shown.filter(|(panel, _)| bounds.contains(&panel.centre)) {
+    let is_seen = |panel: &Panel<D>| panel.exposed > 0.0 && bounds.contains(&panel.centre);
+    for (panel, pieces) in shown.filter(|(panel, _)| is_seen(panel)) {
         for piece in pieces {
             let extent = &mut extents[piece.wall];
             // Walls point out of the gas, panels into it.

@@ -1,0 +1,130 @@
+//! What walls are pressed with beyond what the patches of the surface that belong to them show, which the surface around shows instead: forces
+//! are the integrals of what is shown.
+//!
+//! Cells end where planes half way between points do, surfaces where their facets do: beside an edge, at a sliver of a side or at the tip of a
+//! cone the wall of a cell may be much larger than what of the surface lies nearest to its point, and that of the next cell as much smaller.
+
+use aero_geometry::kernel::{QuinticSpline, SUPPORT};
+use aero_geometry::parallel::prelude::*;
+use aero_geometry::{Pencils, Vector};
+use nalgebra::SMatrix;
+
+use super::walls::Wall;
+use crate::panels::{Panel, Pressed};
+
+/// What a wall is pressed with is shown no farther than this from its foot, in spacings of the lattice, which panels are as long as.
+const REACH: f64 = 2.0;
+
+/// Cosine below which panels face another way than a wall.
+const ASKEW: f64 = 0.2;
+
+/// Passes that find how a force is shown best: panels that face nearly alike show little of what is along them, and are not asked for more.
+const PASSES: usize = 16;
+
+/// A panel in the domain and what it counts for.
+pub struct Shown<'a, const D: usize> {
+    /// It.
+    pub panel: &'a Panel<D>,
+    /// Area of all that it stands for.
+    pub area: f64,
+}
+
+/// A wall and what its patch leaves.
+pub struct Left<'a, const D: usize> {
+    /// It.
+    pub wall: &'a Wall<D>,
+    /// Force over that of the stream's pressure, less what its patch shows of that.
+    pub force: Vector<D>,
+}
+
+/// Adds what is `left` of each wall to the pressures of the panels around it that face as it does, in gas of this `spacing`.
+pub fn spread<const D: usize>(
+    left: &[Left<'_, D>],
+    shown: &[Shown<'_, D>],
+    spacing: f64,
+    pressed: &mut [&mut Pressed<D>],
+) {
+    let reach = REACH * spacing;
+    let centres: Vec<Vector<D>> = shown.iter().map(|shown| shown.panel.centre).collect();
+    let feet: Vec<Vector<D>> = left.iter().map(|left| left.wall.foot).collect();
+    let [by_centre, by_foot] = [&centres, &feet].map(|at| Pencils::new(at, reach));
+    let share = |left: &Left<'_, D>| {
+        let mut sums = SMatrix::<f64, D, D>::zeros();
+        by_centre.for_each_run_near(&left.wall.foot, &left.wall.foot, reach, |run| {
+            for &n in &by_centre.order()[run] {
+                let Shown { panel, area } = &shown[n as usize];
+                let weight = left.weight(panel, reach) * area;
+                sums += panel.normal * panel.normal.transpose() * weight;
+            }
+        });
+        let mut share = Vector::<D>::zeros();
+        let all = sums.trace();
+        for _ in 0..PASSES {
+            if all > 0.0 {
+                share += (left.force - sums * share) / all;
+            }
+        }
+        share
+    };
+    let shares: Vec<Vector<D>> = left.par_iter().map(share).collect();
+    let more = |shown: &Shown<'_, D>| {
+        let mut sum = 0.0;
+        let panel = shown.panel;
+        by_foot.for_each_run_near(&panel.centre, &panel.centre, reach, |run| {
+            for &n in &by_foot.order()[run] {
+                // Panels look into the gas, which presses them the other way.
+                let n = n as usize;
+                sum -= left[n].weight(panel, reach) * shares[n].dot(&panel.normal);
+            }
+        });
+        sum
+    };
+    let more: Vec<f64> = shown.par_iter().map(more).collect();
+    for (pressed, more) in pressed.iter_mut().zip(more) {
+        pressed.pressure += more;
+    }
+}
+
+impl<const D: usize> Left<'_, D> {
+    /// How much of it a panel shows.
+    fn weight(&self, panel: &Panel<D>, reach: f64) -> f64 {
+        let facing = -panel.normal.dot(&Vector::from(self.wall.image.normal));
+        if panel.owner != self.wall.owner || facing < ASKEW {
+            return 0.0;
+        }
+        let away = (panel.centre - self.wall.foot).norm();
+        facing * QuinticSpline::<D>::value(away, reach / SUPPORT)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use aero_geometry::{Placement, Shape, bodies};
+
+    use crate::fixed::FixedSimulation;
+    use crate::fixed::tests::flows::stream;
+    use crate::panels::shown_forces;
+
+    /// Cells at the corners of a block that is turned hold much more or less of its faces than lies nearest to their points.
+    #[test]
+    fn a_block_shows_all_that_it_is_pressed_with_whatever_its_corners_cut() {
+        let block = bodies::rectangle(0.7, 0.4, 0.0).expect("a block");
+        for turn in [0.0, 0.3, 0.785] {
+            let block: Arc<dyn Shape<2>> =
+                Arc::new(block.clone().placed(&Placement::default().rotated(turn)));
+            let problem = stream(2.0, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, vec![block]);
+            let mut flow = FixedSimulation::new(problem).expect("a flow");
+            for _ in 0..20 {
+                flow.step(1.0).expect("a step");
+            }
+            let force = flow.loads()[0].force;
+            let shown = shown_forces(&flow.problem, &flow.panels())[0];
+            for k in 0..2 {
+                let off = (shown[k] - force[k]) / force[0];
+                assert!(off.abs() < 1e-9, "turned by {turn}: {force:?} {shown:?}");
+            }
+        }
+    }
+}
