@@ -99,6 +99,7 @@ mod twins;
 mod unshown;
 mod viscous;
 mod voronoi;
+mod wall_fit;
 mod walls;
 mod whole;
 mod wishes;

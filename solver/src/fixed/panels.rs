@@ -1,7 +1,6 @@
 //! The surfaces themselves with the pressure on them: each piece shows what presses the wall of the cell that it belongs to.
 
 use aero_geometry::Vector;
-use aero_geometry::kernel::{QuinticSpline, SUPPORT};
 use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
@@ -10,6 +9,7 @@ use super::pieces::{Nearby, Piece};
 use super::state::dot;
 use super::unshown::{self, Left, Shown};
 use super::viscous::{Viscous, WallShare};
+use super::wall_fit::Around;
 use super::walls::Wall;
 use crate::frame::{Load, PanelFrame};
 use crate::panels::fit::Fit;
@@ -17,9 +17,6 @@ use crate::panels::{Heated, Panel, Panels, Pressed};
 use crate::problem::{Motion, Problem};
 use crate::rings::Rings;
 use crate::walls::rigid::Pose;
-
-/// Cosine below which walls face another way.
-const ASKEW: f64 = 0.7;
 
 /// A wall is larger or smaller than what of the surfaces belongs to it by this part at most, as chords are than arcs.
 const UNLIKE: f64 = 0.1;
@@ -46,8 +43,9 @@ impl<const D: usize> FixedSimulation<D> {
             .map(|panel| nearby.pieces(panel))
             .collect();
         let extents = extents(&self.problem, panels, &pieces, &walls);
+        let around = Around::new(&nearby, &self.problem.domain);
         let patches: Vec<Patch<D>> = (walls.par_iter().zip(&extents))
-            .map(|((wall, _), extent)| Patch::new(&nearby, wall, extent))
+            .map(|((wall, _), extent)| Patch::new(&around, wall, extent))
             .collect();
         let mut pressed: Vec<Pressed<D>> = pieces
             .par_iter()
@@ -209,7 +207,7 @@ fn extents<const D: usize>(
 }
 
 impl<const D: usize> Patch<D> {
-    fn new(nearby: &Nearby<'_, D>, wall: &Wall<D>, extent: &Extent<D>) -> Self {
+    fn new(around: &Around<'_, D>, wall: &Wall<D>, extent: &Extent<D>) -> Self {
         let middle = if extent.size > 0.0 {
             extent.moment / extent.size
         } else {
@@ -223,7 +221,7 @@ impl<const D: usize> Patch<D> {
             } else {
                 1.0
             },
-            fit: fit(nearby, wall, &middle),
+            fit: around.fit(wall, &middle),
         }
     }
 
@@ -240,22 +238,6 @@ impl<const D: usize> Patch<D> {
         let rise = self.fit.slope().dot(&(place - self.middle));
         self.fit.bounded(pressure, pressure + rise)
     }
-}
-
-/// How the pressure on the walls around a `wall`, on the same smooth part of the surface, rises at its `middle`: it jumps where that bends.
-fn fit<const D: usize>(nearby: &Nearby<'_, D>, wall: &Wall<D>, middle: &Vector<D>) -> Fit<D> {
-    let mut fit = Fit::new();
-    let look = nearby.look();
-    nearby.for_each(middle, look, |_, (other, pressure)| {
-        let arm = other.foot - middle;
-        let kernel = QuinticSpline::<D>::value(arm.norm(), look / SUPPORT);
-        let facing = dot(&wall.image.normal, &other.image.normal);
-        let on_one = (other.owner, other.facet) == (wall.owner, wall.facet);
-        if kernel > 0.0 && facing > ASKEW && on_one {
-            fit.add(kernel * other.image.size, &arm, *pressure);
-        }
-    });
-    fit
 }
 
 #[cfg(test)]

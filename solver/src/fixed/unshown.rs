@@ -101,30 +101,82 @@ impl<const D: usize> Left<'_, D> {
 mod tests {
     use std::sync::Arc;
 
-    use aero_geometry::{Placement, Shape, bodies};
+    use aero_geometry::{Placement, Shape, Vector, bodies};
 
+    use super::{Left, REACH};
     use crate::fixed::FixedSimulation;
     use crate::fixed::tests::flows::stream;
-    use crate::panels::shown_forces;
+    use crate::panels::{Panels, shown_forces};
 
-    /// Cells at the corners of a block that is turned hold much more or less of its faces than lies nearest to their points.
+    /// The flow around blocks of these widths and heights in these places, turned all together, that has just begun.
+    fn begun(blocks: &[([f64; 2], [f64; 2])], turn: f64) -> FixedSimulation<2> {
+        let block = |([width, height], at): &([f64; 2], [f64; 2])| -> Arc<dyn Shape<2>> {
+            let block = bodies::rectangle(*width, *height, 0.0).expect("a block");
+            let (sin, cos) = turn.sin_cos();
+            let at = Vector::from([at[0] * cos - at[1] * sin, at[0] * sin + at[1] * cos]);
+            Arc::new(block.placed(&Placement::default().rotated(turn).moved(at)))
+        };
+        let blocks = blocks.iter().map(block).collect();
+        let problem = stream(2.0, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, blocks);
+        let mut flow = FixedSimulation::new(problem).expect("a flow");
+        for _ in 0..20 {
+            flow.step(1.0).expect("a step");
+        }
+        flow
+    }
+
+    /// Cells at the corners of a block that is turned, or around a plate thinner than they are, hold much more or less of its faces than lies nearest
+    /// to their points.
     #[test]
     fn a_block_shows_all_that_it_is_pressed_with_whatever_its_corners_cut() {
-        let block = bodies::rectangle(0.7, 0.4, 0.0).expect("a block");
-        for turn in [0.0, 0.3, 0.785] {
-            let block: Arc<dyn Shape<2>> =
-                Arc::new(block.clone().placed(&Placement::default().rotated(turn)));
-            let problem = stream(2.0, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, vec![block]);
-            let mut flow = FixedSimulation::new(problem).expect("a flow");
-            for _ in 0..20 {
-                flow.step(1.0).expect("a step");
-            }
+        for (height, turn) in [(0.4, 0.0), (0.4, 0.3), (0.4, 0.785), (0.02, 0.3)] {
+            let flow = begun(&[([0.7, height], [0.0; 2])], turn);
             let force = flow.loads()[0].force;
             let shown = shown_forces(&flow.problem, &flow.panels())[0];
             for k in 0..2 {
                 let off = (shown[k] - force[k]) / force[0];
-                assert!(off.abs() < 1e-9, "turned by {turn}: {force:?} {shown:?}");
+                assert!(
+                    off.abs() < 1e-9,
+                    "{height}, turned by {turn}: {force:?} {shown:?}"
+                );
             }
         }
+    }
+
+    /// The lower face of a thin plate lies within reach of a wall of its upper one.
+    #[test]
+    fn panels_that_face_another_way_show_nothing_of_a_wall() {
+        let flow = begun(&[([0.7, 0.02], [0.0; 2])], 0.0);
+        let panels = Panels::new(&flow.problem);
+        let (wall, _) = (flow.walls())
+            .find(|(wall, _)| wall.image.normal[1] < -0.9)
+            .expect("a wall below gas");
+        let force = Vector::zeros();
+        let left = Left { wall, force };
+        let reach = REACH / 16.0;
+        let near = (panels.all().iter()).filter(|panel| (panel.centre - wall.foot).norm() < reach);
+        let (mut seen, mut unseen) = (0, 0);
+        for panel in near {
+            let weight = left.weight(panel, reach);
+            assert_eq!(weight > 0.0, panel.normal[1] > 0.9, "{panel:?}");
+            seen += usize::from(weight > 0.0);
+            unseen += usize::from(weight == 0.0);
+        }
+        assert!(seen > 1 && unseen > 1, "{seen} {unseen}");
+    }
+
+    #[test]
+    fn where_one_block_stands_on_another_both_show_the_pressure_of_the_stream() {
+        let flow = begun(&[([1.2, 0.4], [0.0; 2]), ([0.4, 0.4], [0.0, 0.4])], 0.0);
+        let panels = flow.panels();
+        let mut covered = 0;
+        for (ends, pressure) in panels.points.chunks(2).zip(&panels.pressure) {
+            let [x, y] = [0, 1].map(|k| 0.5 * (ends[0][k] + ends[1][k]));
+            if (y - 0.2).abs() < 1e-6 && x.abs() < 0.16 {
+                assert!((pressure * 1.4 - 1.0).abs() < 1e-12, "{pressure} at {x}");
+                covered += 1;
+            }
+        }
+        assert!(covered > 5, "{covered}");
     }
 }

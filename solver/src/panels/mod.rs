@@ -26,6 +26,10 @@ use cut::{clipped, halved};
 /// No panel is longer than this, in spacings of the flow.
 const LONGEST: f64 = 1.0;
 
+/// Less of a surface than this part of a panel that is as long as the spacing is what rounding leaves of it where a side cuts it off: nothing
+/// that could be seen, and at a nose in a plane of symmetry a place where pressures are drawn out to.
+const SLIVER: f64 = 1e-9;
+
 /// What lies deeper than this, in spacings, in a body is no surface; chords of arcs lie less deep.
 const BURIED: f64 = 0.25;
 
@@ -85,16 +89,18 @@ impl<const D: usize> Panels<D> {
             }
         }
         let bodies = &problem.bodies;
+        let sliver = SLIVER * problem.resolution.finest().powi(D as i32 - 1);
         all.retain(|panel: &Panel<D>| {
-            bodies.iter().all(|body| {
-                let reach = body
-                    .shape
-                    .bounds()
-                    .grown(problem.resolution.at(&panel.centre));
-                !reach.contains(&panel.centre)
-                    || body.shape.signed_distance(&panel.centre)
-                        > -BURIED * problem.resolution.at(&panel.centre)
-            })
+            panel.size > sliver
+                && bodies.iter().all(|body| {
+                    let reach = body
+                        .shape
+                        .bounds()
+                        .grown(problem.resolution.at(&panel.centre));
+                    !reach.contains(&panel.centre)
+                        || body.shape.signed_distance(&panel.centre)
+                            > -BURIED * problem.resolution.at(&panel.centre)
+                })
         });
         exposed::find(problem, &mut all);
         Self { all }

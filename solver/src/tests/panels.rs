@@ -154,3 +154,21 @@ fn gas_at_rest_shows_its_pressure_on_walls_as_far_as_periodic_sides() {
         assert!((pressure - 1.0).abs() < 1e-3, "{pressure} at {ends:?}");
     }
 }
+
+/// Facets of a circle about a point of the plane end in that, but for rounding.
+#[test]
+fn a_side_that_cuts_a_body_leaves_no_slivers_of_its_surface() {
+    for at in [1.5, 1.5 + 1e-15, 1.5 - 1e-15] {
+        let mut problem = cube::<2>(30, WALL);
+        problem.domain.bounds.min[1] = 1.5;
+        problem.domain.sides[1][0] = Side::Symmetry;
+        let circle = bodies::circle(1.0).expect("a circle");
+        let place = Placement::default().moved(Vector::<2>::new(1.5, at));
+        let body = body_on_the_lattice(&problem, Arc::new(Placed::new(circle, place)));
+        problem.bodies.push(body);
+        let panels = Panels::new(&problem);
+        let least = panels.all().iter().map(|panel| panel.size);
+        let least = least.fold(f64::INFINITY, f64::min);
+        assert!(least > 1e-10, "{at}: {least}");
+    }
+}

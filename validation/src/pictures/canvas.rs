@@ -11,6 +11,8 @@ use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{BitMapElement, Circle, PathElement, Rectangle, Text};
 use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color as _, FontTransform, ShapeStyle, TextStyle};
+use std::fs::File;
+use std::io::BufWriter;
 use std::path::Path;
 
 /// A picture that can draw itself on paper of its own choice of size.
@@ -75,12 +77,24 @@ pub(super) fn save(drawing: &impl Drawing, path: &Path) -> Result<(), PictureErr
                 draw_on(&area, drawing, format).map_err(failed)?;
             }
             let reduced = reduce(&pixels, width as usize, height as usize);
-            let mut file = BitMapBackend::new(path, (width, height));
-            file.blit_bitmap((0, 0), (width, height), &reduced)
-                .and_then(|()| file.present())
-                .map_err(|e| failed(e.to_string()))
+            write_png(path, [width, height], &reduced).map_err(|e| failed(e.to_string()))
         }
     }
+}
+
+/// A picture of so many columns and rows, three bytes to the pixel.
+fn write_png(
+    path: &Path,
+    [width, height]: [u32; 2],
+    pixels: &[u8],
+) -> Result<(), png::EncodingError> {
+    let file = BufWriter::new(File::create(path)?);
+    let mut encoder = png::Encoder::new(file, width, height);
+    encoder.set_color(png::ColorType::Rgb);
+    encoder.set_depth(png::BitDepth::Eight);
+    let mut writer = encoder.write_header()?;
+    writer.write_image_data(pixels)?;
+    writer.finish()
 }
 
 fn draw_on<DB: DrawingBackend>(
