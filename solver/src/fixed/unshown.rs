@@ -21,6 +21,9 @@ const ASKEW: f64 = 0.2;
 /// Passes that find how a force is shown best: panels that face nearly alike show little of what is along them, and are not asked for more.
 const PASSES: usize = 16;
 
+/// So much of its own pressure every panel keeps: near a vacuum there may be more to take away than there is.
+const KEPT: f64 = 0.1;
+
 /// A panel in the domain and what it counts for.
 pub struct Shown<'a, const D: usize> {
     /// It.
@@ -81,7 +84,7 @@ pub fn spread<const D: usize>(
     };
     let more: Vec<f64> = shown.par_iter().map(more).collect();
     for (pressed, more) in pressed.iter_mut().zip(more) {
-        pressed.pressure += more;
+        pressed.pressure += more.max((KEPT - 1.0) * pressed.pressure);
     }
 }
 
@@ -101,9 +104,9 @@ impl<const D: usize> Left<'_, D> {
 mod tests {
     use std::sync::Arc;
 
-    use aero_geometry::{Placement, Shape, Vector, bodies};
+    use aero_geometry::{Placement, Shape, bodies};
 
-    use super::{Left, REACH};
+    use super::*;
     use crate::fixed::FixedSimulation;
     use crate::fixed::tests::flows::stream;
     use crate::panels::{Panels, shown_forces};
@@ -117,7 +120,7 @@ mod tests {
             Arc::new(block.placed(&Placement::default().rotated(turn).moved(at)))
         };
         let blocks = blocks.iter().map(block).collect();
-        let problem = stream(2.0, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, blocks);
+        let problem = stream(1.2, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, blocks);
         let mut flow = FixedSimulation::new(problem).expect("a flow");
         for _ in 0..20 {
             flow.step(1.0).expect("a step");
@@ -163,6 +166,40 @@ mod tests {
             unseen += usize::from(weight == 0.0);
         }
         assert!(seen > 1 && unseen > 1, "{seen} {unseen}");
+    }
+
+    #[test]
+    fn every_panel_keeps_a_tenth_of_its_pressure() {
+        let flow = begun(&[([0.7, 0.4], [0.0; 2])], 0.0);
+        let panels = Panels::new(&flow.problem);
+        let walls = flow.walls().map(|(wall, _)| wall);
+        let left: Vec<Left<'_, 2>> = walls
+            .map(|wall| Left {
+                wall,
+                force: -wall.image.area() * 100.0,
+            })
+            .collect();
+        let shown: Vec<Shown<'_, 2>> = (panels.all().iter())
+            .map(|panel| Shown {
+                panel,
+                area: panel.size,
+            })
+            .collect();
+        let none = Pressed {
+            pressure: 1.0,
+            friction: Vector::zeros(),
+            mach: 0.0,
+        };
+        let mut pressed = vec![none; shown.len()];
+        spread(
+            &left,
+            &shown,
+            1.0 / 16.0,
+            &mut pressed.iter_mut().collect::<Vec<_>>(),
+        );
+        let least = pressed.iter().map(|pressed| pressed.pressure);
+        let least = least.fold(f64::INFINITY, f64::min);
+        assert!((least - 0.1).abs() < 1e-12, "{least}");
     }
 
     #[test]
