@@ -112,7 +112,7 @@ mod tests {
     use crate::panels::{Panels, shown_forces};
 
     /// The flow around blocks of these widths and heights in these places, turned all together, that has just begun.
-    fn begun(blocks: &[([f64; 2], [f64; 2])], turn: f64) -> FixedSimulation<2> {
+    fn begun(mach: f64, blocks: &[([f64; 2], [f64; 2])], turn: f64) -> FixedSimulation<2> {
         let block = |([width, height], at): &([f64; 2], [f64; 2])| -> Arc<dyn Shape<2>> {
             let block = bodies::rectangle(*width, *height, 0.0).expect("a block");
             let (sin, cos) = turn.sin_cos();
@@ -120,7 +120,7 @@ mod tests {
             Arc::new(block.placed(&Placement::default().rotated(turn).moved(at)))
         };
         let blocks = blocks.iter().map(block).collect();
-        let problem = stream(1.2, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, blocks);
+        let problem = stream(mach, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, blocks);
         let mut flow = FixedSimulation::new(problem).expect("a flow");
         for _ in 0..20 {
             flow.step(1.0).expect("a step");
@@ -132,14 +132,21 @@ mod tests {
     /// to their points.
     #[test]
     fn a_block_shows_all_that_it_is_pressed_with_whatever_its_corners_cut() {
-        for (height, turn) in [(0.4, 0.0), (0.4, 0.3), (0.4, 0.785), (0.02, 0.3)] {
-            let flow = begun(&[([0.7, height], [0.0; 2])], turn);
+        for (mach, height, turn, slack) in [
+            (1.2, 0.4, 0.0, 1e-9),
+            (1.2, 0.4, 0.3, 1e-9),
+            (1.2, 0.4, 0.785, 1e-9),
+            (1.2, 0.02, 0.3, 1e-9),
+            // Behind it there is hardly any gas yet.
+            (2.0, 0.4, 0.3, 1e-3),
+        ] {
+            let flow = begun(mach, &[([0.7, height], [0.0; 2])], turn);
             let force = flow.loads()[0].force;
             let shown = shown_forces(&flow.problem, &flow.panels())[0];
             for k in 0..2 {
                 let off = (shown[k] - force[k]) / force[0];
                 assert!(
-                    off.abs() < 1e-9,
+                    off.abs() < slack,
                     "{height}, turned by {turn}: {force:?} {shown:?}"
                 );
             }
@@ -149,7 +156,7 @@ mod tests {
     /// The lower face of a thin plate lies within reach of a wall of its upper one.
     #[test]
     fn panels_that_face_another_way_show_nothing_of_a_wall() {
-        let flow = begun(&[([0.7, 0.02], [0.0; 2])], 0.0);
+        let flow = begun(1.2, &[([0.7, 0.02], [0.0; 2])], 0.0);
         let panels = Panels::new(&flow.problem);
         let (wall, _) = (flow.walls())
             .find(|(wall, _)| wall.image.normal[1] < -0.9)
@@ -170,7 +177,7 @@ mod tests {
 
     #[test]
     fn every_panel_keeps_a_tenth_of_its_pressure() {
-        let flow = begun(&[([0.7, 0.4], [0.0; 2])], 0.0);
+        let flow = begun(1.2, &[([0.7, 0.4], [0.0; 2])], 0.0);
         let panels = Panels::new(&flow.problem);
         let walls = flow.walls().map(|(wall, _)| wall);
         let left: Vec<Left<'_, 2>> = walls
@@ -204,7 +211,11 @@ mod tests {
 
     #[test]
     fn where_one_block_stands_on_another_both_show_the_pressure_of_the_stream() {
-        let flow = begun(&[([1.2, 0.4], [0.0; 2]), ([0.4, 0.4], [0.0, 0.4])], 0.0);
+        let flow = begun(
+            1.2,
+            &[([1.2, 0.4], [0.0; 2]), ([0.4, 0.4], [0.0, 0.4])],
+            0.0,
+        );
         let panels = flow.panels();
         let mut covered = 0;
         for (ends, pressure) in panels.points.chunks(2).zip(&panels.pressure) {
