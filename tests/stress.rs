@@ -3,14 +3,16 @@
 use crate::support::Workplace;
 
 /// Scenes that cost more than a moment, with what makes them small.
-const SMALL: [(&str, &[&str]); 10] = [
+const SMALL: [(&str, &[&str]); 12] = [
     ("blunt-body", &["spacing=0.125", "end_time=0.05"]),
     ("expansion-corner", &["spacing=0.1", "end_time=0.2"]),
     ("finned-tail", &["spacing=0.02"]),
     ("gresho", &["spacing=0.03125", "end_time=0.02"]),
     ("kelvin-helmholtz", &["spacing=0.03125", "end_time=0.02"]),
+    ("le-blanc", &["spacing=0.03"]),
     ("noh-2", &["spacing=0.05", "end_time=0.1"]),
     ("noh-3", &["spacing=0.1", "end_time=0.1"]),
+    ("reflection", &["spacing=0.005"]),
     ("sedov-3", &["spacing=0.1", "end_time=0.05"]),
     ("sharp-trailing-edge", &["spacing=0.05", "end_time=0.1"]),
     ("thin-plate", &["spacing=0.04", "end_time=0.1"]),

@@ -33,6 +33,9 @@ const COARSEST: f64 = 4.0;
 /// Seconds that the look may take, as a part of the budget.
 const LOOKING: f64 = 0.02;
 
+/// The same is no shorter and no longer than these, s.
+const LOOKS: [f64; 2] = [0.2, 2.0];
+
 /// Seconds that a flight may take: without end where a spacing is given and no time.
 pub fn budget(minutes: Option<f64>, spacing: Option<f64>) -> f64 {
     let otherwise = if spacing.is_some() {
@@ -117,7 +120,7 @@ impl<'a> Trip<'a> {
         let asked = self.wanted.map(|finest| finest * halved * coarser);
         // What is asked for is looked at itself where it is no finer than what is looked at otherwise.
         let mut look = asked.map_or(look, |first| first.max(look));
-        let seconds = (LOOKING * self.budget).clamp(0.2, 5.0);
+        let seconds = (LOOKING * self.budget).clamp(LOOKS[0], LOOKS[1]);
         let mut tries = 1;
         let seen = loop {
             let scene = self.scene_at(look, None, Path::new("."))?;
