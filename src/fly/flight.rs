@@ -14,7 +14,7 @@ use super::domain;
 use super::error::FlyError;
 use super::estimate::Costs;
 use super::likeness::{Likeness, likeness};
-use super::meridian::meridian;
+use super::meridian::Meridian;
 use super::silhouette;
 use super::wishes::{Air, Wishes};
 use crate::scene::atmosphere::GAS_CONSTANT;
@@ -34,7 +34,7 @@ const BEHIND: f64 = 2.5;
 #[derive(Clone, Debug, PartialEq)]
 pub enum Extent {
     /// A plane through the axis of a body of revolution, with its meridian.
-    Meridian(Vec<[f64; 2]>),
+    Meridian(Meridian),
     /// Space on one side of the planes of symmetry across these axes.
     Space(Vec<usize>),
 }
@@ -106,10 +106,7 @@ impl Flight {
         let bounds = box_of(shape.as_ref());
         let (extent, nearly) = extent(shape.as_ref(), &bounds, &wishes);
         let front = match &extent {
-            Extent::Meridian(line) => {
-                let widest = line.iter().map(|[_, radius]| *radius).fold(0.0, f64::max);
-                PI * widest * widest
-            }
+            Extent::Meridian(line) => line.frontal_area(),
             Extent::Space(_) => silhouette::frontal_area(shape.as_ref(), &bounds),
         };
         let area = wishes.area.unwrap_or(front);
@@ -331,7 +328,7 @@ fn extent(
     let is_off =
         (wishes.centre.and_then(|centre| centre.across)).is_some_and(|across| across != [0.0; 2]);
     let level = wishes.incidence == 0.0 && wishes.sideslip == 0.0 && !is_off;
-    if level && let Some(line) = meridian(shape) {
+    if level && let Some(line) = Meridian::of(shape) {
         return (Extent::Meridian(line), Vec::new());
     }
     let (mut mirrors, mut nearly) = (Vec::new(), Vec::new());

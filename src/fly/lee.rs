@@ -2,7 +2,7 @@
 
 use aero_geometry::{Shape, Vector};
 
-use super::meridian::ROUND;
+use super::spans::ROUND;
 
 /// Off the surface at first, and least step, in lengths of the body.
 const NEAR: [f64; 2] = [1e-5, 1e-3];
@@ -61,7 +61,7 @@ mod tests {
     use aero_geometry::outline::Piece;
     use aero_geometry::{Mending, Revolution, Solid, Watch, bodies, stl};
 
-    use super::super::meridian::meridian;
+    use super::super::meridian::Meridian;
     use super::*;
 
     const AXIAL: [f64; 3] = [1.0, 0.0, 0.0];
@@ -79,7 +79,7 @@ mod tests {
     /// Part of the frontal area of a sphere of so many facets around that is base, by its meridian.
     fn base(around: usize) -> f64 {
         let shape = mesh(&bodies::sphere(0.5).expect("a sphere"), around);
-        let line = meridian(shape.as_ref()).expect("a round body");
+        let line = Meridian::of(shape.as_ref()).expect("a round body").corners;
         let steep = STEEP.to_radians().sin();
         let lee = Lee::new(shape.as_ref(), AXIAL, steep);
         let mut base = 0.0;

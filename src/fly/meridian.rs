@@ -2,18 +2,18 @@
 
 use std::f64::consts::TAU;
 
+use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Shape, Vector};
 
+use super::loops::{Slab, boundary};
 use super::round::Turned;
+use super::spans::{Facets, Spans};
 
 /// Stations along the axis where the corners of the triangles do not give fewer.
 const STATIONS: usize = 300;
 
-/// Directions around the axis in which the radius is measured; no divisor of usual facet counts.
-const AROUND: usize = 23;
-
-/// Largest part by which radii around the axis may differ: that of a tube of 16 facets.
-pub(super) const ROUND: f64 = 0.02;
+/// So many of them tell of most bodies that they are not round.
+const FIRST: usize = 5;
 
 /// Corners nearer to the line between their neighbours than this part of the largest radius are left out.
 const STRAIGHT: f64 = 2e-4;
@@ -21,60 +21,140 @@ const STRAIGHT: f64 = 2e-4;
 /// A step off a station, in parts of the length, to see both sides of a face across the axis.
 const ASIDE: f64 = 1e-5;
 
-/// The meridian `(x, radius)` from nose to tail of a body whose axis is x and that is solid there; none of one that is not round.
-pub fn meridian(shape: &dyn Shape<3>) -> Option<Vec<[f64; 2]>> {
-    let bounds = shape.bounds();
-    let (low, high) = (bounds.min[0], bounds.max[0]);
-    let length = high - low;
-    let reach = (1..3)
-        .map(|k| bounds.max[k].abs().max(bounds.min[k].abs()))
-        .fold(0.0, f64::max);
-    let aside = ASIDE * length;
-    let mut found: Vec<[f64; 2]> = Vec::new();
-    let (places, apart) = stations(shape, low, high);
-    for x in places {
-        for x in [x - aside, x + aside] {
-            if x <= low || x >= high {
-                continue;
-            }
-            let radii: Vec<f64> = (0..AROUND)
-                .map(|k| radius(shape, x, TAU * k as f64 / AROUND as f64, reach))
-                .collect();
-            let most = radii.iter().copied().fold(0.0, f64::max);
-            let least = radii.iter().copied().fold(f64::INFINITY, f64::min);
-            if most - least > ROUND * most + 1e-3 * ROUND * reach || !is_full(shape, x, least) {
-                return None;
-            }
-            // The mean square keeps the section of the facets.
-            let square = radii.iter().map(|r| r * r).sum::<f64>() / AROUND as f64;
-            found.push([x, square.sqrt()]);
+/// Pieces of the length by which surfaces that are not of triangles are looked at.
+const PIECES: f64 = 100.0;
+
+/// Half of the section of a body of revolution by a plane through its axis, which is x.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Meridian {
+    /// Corners `(x, radius)`, with the body to the right of the way: from the axis at the nose to the axis again; all around, the first of them not
+    /// repeated, of a ring that the axis passes through.
+    pub corners: Vec<[f64; 2]>,
+    /// True of such a ring.
+    pub is_ring: bool,
+}
+
+impl Meridian {
+    /// That of a body; none of one that is not round, or in parts, or hollow inside.
+    pub fn of(shape: &dyn Shape<3>) -> Option<Self> {
+        let bounds = shape.bounds();
+        let (low, high) = (bounds.min[0], bounds.max[0]);
+        let length = high - low;
+        let reach = (1..3)
+            .map(|k| bounds.max[k].abs().max(bounds.min[k].abs()))
+            .fold(0.0, f64::max);
+        let triangles = shape.facets(length / PIECES, &bounds);
+        let facets = Facets {
+            all: &triangles,
+            reach,
+        };
+        let (places, apart) = stations(&triangles, low, high);
+        let aside = ASIDE * length;
+        let sides = |pair: &[f64]| -> Option<[Spans; 2]> {
+            Some([facets.at(pair[0] + aside)?, facets.at(pair[1] - aside)?])
+        };
+        let pairs: Vec<&[f64]> = places.windows(2).collect();
+        for pair in pairs.iter().step_by(1 + pairs.len() / FIRST) {
+            sides(pair)?;
         }
+        let slabs: Vec<Option<Slab>> = pairs
+            .par_iter()
+            .map(|pair| {
+                let spans = sides(pair)?;
+                let ends = [pair[0], pair[1]];
+                Some(Slab { ends, spans })
+            })
+            .collect();
+        let slabs: Vec<Slab> = slabs.into_iter().collect::<Option<_>>()?;
+        let found = Self::from_loop(boundary(&slabs)?)?.thinned(STRAIGHT * reach);
+        let turned = Turned {
+            line: &found.surface(),
+            apart: apart + 2.0 * aside,
+            reach,
+        };
+        turned.is_all_of(shape).then_some(found)
     }
-    let (first, last) = (*found.first()?, *found.last()?);
-    let mut line = vec![[low, 0.0]];
-    // A face across the axis has its radius at once.
-    if first[1] > 2.0 * STRAIGHT * reach {
-        line.push([low, first[1]]);
+
+    /// From a loop that may go along the axis, once.
+    fn from_loop(mut corners: Vec<[f64; 2]>) -> Option<Self> {
+        let is_on_axis = |corner: &[f64; 2]| corner[1] == 0.0;
+        let count = corners.len();
+        // From the axis onwards.
+        let leaves =
+            |k: &usize| is_on_axis(&corners[*k]) && !is_on_axis(&corners[(*k + 1) % count]);
+        let mut starts = (0..count).filter(leaves);
+        let Some(start) = starts.next() else {
+            return corners
+                .first()
+                .is_some_and(|corner| !is_on_axis(corner))
+                .then_some(Self {
+                    corners,
+                    is_ring: true,
+                });
+        };
+        if starts.next().is_some() {
+            return None;
+        }
+        corners.rotate_left(start);
+        let end = 1 + corners[1..].iter().position(is_on_axis)?;
+        corners.truncate(end + 1);
+        Some(Self {
+            corners,
+            is_ring: false,
+        })
     }
-    line.extend(found);
-    if last[1] > 2.0 * STRAIGHT * reach {
-        line.push([high, last[1]]);
+
+    /// The corners along the surface, the first of a ring once more at the end.
+    pub fn surface(&self) -> Vec<[f64; 2]> {
+        let again = self.is_ring.then(|| self.corners[0]);
+        self.corners.iter().copied().chain(again).collect()
     }
-    line.push([high, 0.0]);
-    let turned = Turned {
-        line: &line,
-        apart: apart + 2.0 * aside,
-        reach,
-    };
-    turned
-        .is_all_of(shape)
-        .then(|| thinned(&line, STRAIGHT * reach))
+
+    /// Corners of what is seen of the body in a plane through the axis: of a solid one, with its mirror image.
+    pub fn polygon(&self) -> Vec<[f64; 2]> {
+        let lower = self
+            .corners
+            .iter()
+            .rev()
+            .filter(|[_, radius]| *radius > 0.0);
+        let lower = lower.map(|[x, radius]| [*x, -radius]);
+        let lower = lower.filter(|_| !self.is_ring);
+        self.corners.iter().copied().chain(lower).collect()
+    }
+
+    /// Area of the body seen along the axis.
+    pub fn frontal_area(&self) -> f64 {
+        let radii = || self.corners.iter().map(|corner| corner[1]);
+        let widest = radii().fold(0.0, f64::max);
+        let least = radii().fold(widest, f64::min); // none of a solid body
+        0.5 * TAU * (widest * widest - least * least)
+    }
+
+    /// Without the corners that it does not need.
+    fn thinned(self, allowed: f64) -> Self {
+        let line = self.surface();
+        let mut corners = if self.is_ring {
+            let from = line[0];
+            let far = |k: &usize| (line[*k][0] - from[0]).hypot(line[*k][1] - from[1]);
+            let farthest = (0..line.len()).max_by(|a, b| far(a).total_cmp(&far(b)));
+            let farthest = farthest.unwrap_or_default();
+            let mut corners = thinned(&line[..=farthest], allowed);
+            corners.pop();
+            corners.extend(thinned(&line[farthest..], allowed));
+            corners
+        } else {
+            thinned(&line, allowed)
+        };
+        if self.is_ring {
+            corners.pop();
+        }
+        Self { corners, ..self }
+    }
 }
 
 /// Places along the axis where corners lie, or evenly spread ones where those are many; and how far a corner may be from its nearest neighbours
 /// among them.
-fn stations(shape: &dyn Shape<3>, low: f64, high: f64) -> (Vec<f64>, f64) {
-    let facets = shape.facets(f64::INFINITY, &shape.bounds());
+fn stations(facets: &[[Vector<3>; 3]], low: f64, high: f64) -> (Vec<f64>, f64) {
     let mut places: Vec<f64> = facets.iter().flatten().map(|corner| corner[0]).collect();
     places.sort_by(f64::total_cmp);
     let apart = 1e-6 * (high - low);
@@ -88,31 +168,6 @@ fn stations(shape: &dyn Shape<3>, low: f64, high: f64) -> (Vec<f64>, f64) {
         return (places, (high - low) * 0.25 * TAU / STATIONS as f64);
     }
     (places, 0.0)
-}
-
-/// Distance from the axis at which the body, solid inside of it, ends: by bisection, because a ray may graze the surface.
-fn radius(shape: &dyn Shape<3>, x: f64, angle: f64, reach: f64) -> f64 {
-    /// Halvings: to a millionth of the first width.
-    const HALVINGS: usize = 24;
-    let [mut low, mut high] = [0.0, 1.5 * reach];
-    for _ in 0..HALVINGS {
-        let middle = 0.5 * (low + high);
-        let point = Vector::<3>::new(x, middle * angle.cos(), middle * angle.sin());
-        if shape.signed_distance(&point) < 0.0 {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
-    0.5 * (low + high)
-}
-
-/// True where the body is solid from the axis to that radius.
-fn is_full(shape: &dyn Shape<3>, x: f64, radius: f64) -> bool {
-    [0.0, 0.3, 0.6, 0.9].iter().all(|part| {
-        let point = Vector::<3>::new(x, 0.8 * part * radius, 0.6 * part * radius);
-        radius < 1e-9 || shape.signed_distance(&point) <= 1e-9
-    })
 }
 
 /// The line without corners that it does not need [Douglas & Peucker 1973].
@@ -145,22 +200,76 @@ fn thinned(line: &[[f64; 2]], allowed: f64) -> Vec<[f64; 2]> {
 
 #[cfg(test)]
 mod tests {
-    use aero_geometry::bodies;
+    use aero_geometry::{Mesh, bodies};
 
+    use super::super::round::tests::turned;
     use super::*;
 
     #[test]
     fn a_sphere_has_its_half_circle_for_a_meridian() {
         let sphere = bodies::sphere(0.5).unwrap();
-        let line = meridian(&sphere).unwrap();
-        for [x, radius] in &line {
+        let Meridian { corners, is_ring } = Meridian::of(&sphere).unwrap();
+        for [x, radius] in &corners {
             assert!((x.hypot(*radius) - 0.5).abs() < 3e-3, "{x} {radius}");
         }
-        assert!(line.len() > 20 && line.len() < 120, "{}", line.len());
+        assert!(!is_ring && corners.len() > 20 && corners.len() < 120);
     }
 
     #[test]
     fn a_block_is_not_round() {
-        assert!(meridian(&bodies::cuboid([1.0, 0.5, 0.5]).unwrap()).is_none());
+        assert!(Meridian::of(&bodies::cuboid([1.0, 0.5, 0.5]).unwrap()).is_none());
+    }
+
+    /// Corners of the meridian of a line turned about the axis, off the line by less than facets are off the circle.
+    #[track_caller]
+    fn comes_back(line: &[[f64; 2]], is_ring: bool, area: f64) {
+        let mesh = Mesh::from_facets(turned(line, 96)).unwrap();
+        let found = Meridian::of(&mesh).unwrap_or_else(|| panic!("{line:?}"));
+        let surface = found.surface();
+        assert_eq!((found.is_ring, surface.len()), (is_ring, line.len()));
+        // A ring's loop may begin anywhere.
+        for corner in &found.corners {
+            let off = |[x, r]: [f64; 2]| (x - corner[0]).hypot(r - corner[1]);
+            let least = line.iter().map(|p| off(*p)).fold(1.0, f64::min);
+            assert!(least < 1e-3, "{corner:?}");
+        }
+        let part = found.frontal_area() / area;
+        assert!((part - 1.0).abs() < 3e-3, "{part}");
+    }
+
+    #[test]
+    fn rings_and_hollow_bases_have_meridians() {
+        let ring = [[0.0, 0.3], [0.5, 0.34], [1.0, 0.3], [0.5, 0.28], [0.0, 0.3]];
+        comes_back(&ring, true, 0.5 * TAU * (0.34 * 0.34 - 0.28 * 0.28));
+        let tube = [[0.0, 0.2], [0.0, 0.3], [1.0, 0.3], [1.0, 0.2], [0.0, 0.2]];
+        comes_back(&tube, true, 0.5 * TAU * (0.3 * 0.3 - 0.2 * 0.2));
+        let cup = [
+            [0.0, 0.0],
+            [0.4, 0.2],
+            [1.0, 0.2],
+            [1.0, 0.15],
+            [0.8, 0.1],
+            [0.8, 0.0],
+        ];
+        comes_back(&cup, false, 0.5 * TAU * 0.2 * 0.2);
+        // A chamber that nothing leads to.
+        let chamber = [[0.5, 0.0], [0.6, 0.0], [0.6, 0.1], [0.5, 0.1], [0.5, 0.0]];
+        let hollow = [turned(&cup, 96), turned(&chamber, 96)].concat();
+        assert_eq!(Meridian::of(&Mesh::from_facets(hollow).unwrap()), None);
+    }
+
+    #[test]
+    fn the_image_of_a_solid_body_is_seen_and_none_of_a_ring() {
+        let corners = vec![[0.0, 0.0], [1.0, 0.5], [1.0, 0.0]];
+        let solid = Meridian {
+            corners: corners.clone(),
+            is_ring: false,
+        };
+        assert_eq!(solid.polygon()[3..], [[1.0, -0.5]]);
+        let ring = Meridian {
+            corners: corners.iter().map(|[x, r]| [*x, r + 1.0]).collect(),
+            is_ring: true,
+        };
+        assert_eq!(ring.polygon(), ring.corners);
     }
 }

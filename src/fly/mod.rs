@@ -15,6 +15,7 @@ mod flight;
 mod lee;
 mod level;
 mod likeness;
+mod loops;
 mod meridian;
 mod pictures;
 mod polar_point;
@@ -24,6 +25,7 @@ mod round;
 mod section;
 mod silhouette;
 mod skins;
+mod spans;
 mod wishes;
 mod written;
 

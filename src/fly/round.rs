@@ -3,7 +3,7 @@
 
 use aero_geometry::{Shape, Vector};
 
-use super::meridian::ROUND;
+use super::spans::ROUND;
 
 /// Pieces of a triangle's edge, between whose ends points are looked at.
 const PIECES: usize = 3;
@@ -14,9 +14,9 @@ const UNEVEN: f64 = 2e-3;
 /// A point nearer to the surface than this part of the largest radius is on it.
 const ON: f64 = 1e-6;
 
-/// Radii along the axis, with both sides of steps.
+/// A meridian, as it was found at stations along the axis.
 pub(super) struct Turned<'a> {
-    /// `(x, radius)` in the order of x.
+    /// `(x, radius)` along the surface.
     pub(super) line: &'a [[f64; 2]],
     /// How far off its own place a step may stand in the line.
     pub(super) apart: f64,
@@ -25,51 +25,29 @@ pub(super) struct Turned<'a> {
 }
 
 impl Turned<'_> {
-    /// True where no point of the triangles of `shape` lies beyond the line, or within it on the surface, by more than facets of a round body do.
+    /// True where no point of the triangles of `shape` lies off the line, on the surface, by more than facets of a round body do.
     pub(super) fn is_all_of(&self, shape: &dyn Shape<3>) -> bool {
         let facets = shape.facets(f64::INFINITY, &shape.bounds());
         let mut points = facets.iter().flat_map(points);
         points.all(|point| {
             let radius = point[1].hypot(point[2]);
-            let [least, most] = self.around(point[0]);
-            let allowed = |radius: f64| ROUND * radius + UNEVEN * self.reach;
-            if radius > most + allowed(most) {
-                return false;
-            }
+            let allowed = self.apart + ROUND * radius + UNEVEN * self.reach;
             // Triangles inside of other parts are no surface.
-            radius > least - allowed(least) || shape.signed_distance(&point) < -ON * self.reach
+            self.is_near([point[0], radius], allowed)
+                || shape.signed_distance(&point) < -ON * self.reach
         })
     }
 
-    /// Least and largest radius at and beside a place.
-    fn around(&self, x: f64) -> [f64; 2] {
-        let [from, to] = [x - self.apart, x + self.apart];
-        let first = self.line.partition_point(|point| point[0] < from);
-        let last = self.line.partition_point(|point| point[0] <= to);
-        let within = self.line[first..last].iter().map(|point| point[1]);
-        let ends = [self.at(from), self.at(to)];
-        let all = || within.clone().chain(ends);
-        [
-            all().fold(f64::INFINITY, f64::min),
-            all().fold(0.0, f64::max),
-        ]
-    }
-
-    /// The radius at a place, in a straight line between its neighbours.
-    fn at(&self, x: f64) -> f64 {
-        let after = self.line.partition_point(|point| point[0] < x);
-        let (Some(b), Some(a)) = (
-            self.line.get(after.min(self.line.len() - 1)),
-            self.line.get(after.saturating_sub(1)),
-        ) else {
-            return 0.0;
-        };
-        let part = if b[0] > a[0] {
-            ((x - a[0]) / (b[0] - a[0])).clamp(0.0, 1.0)
-        } else {
-            0.0
-        };
-        a[1] + part * (b[1] - a[1])
+    /// True where the line passes a point by so much.
+    fn is_near(&self, point: [f64; 2], allowed: f64) -> bool {
+        self.line.windows(2).any(|pair| {
+            let ([a, b], [c, d]) = (pair[0], pair[1]);
+            let (along, from) = ([c - a, d - b], [point[0] - a, point[1] - b]);
+            let square = along[0] * along[0] + along[1] * along[1];
+            let part = (from[0] * along[0] + from[1] * along[1]) / square.max(f64::MIN_POSITIVE);
+            let part = part.clamp(0.0, 1.0);
+            (from[0] - part * along[0]).hypot(from[1] - part * along[1]) <= allowed
+        })
     }
 }
 
@@ -82,17 +60,17 @@ fn points([a, b, c]: &[Vector<3>; 3]) -> impl Iterator<Item = Vector<3>> + use<>
 }
 
 #[cfg(test)]
-mod tests {
+pub(super) mod tests {
     use std::f64::consts::TAU;
 
     use aero_geometry::{Mesh, Vector};
 
-    use super::super::meridian::meridian;
+    use super::super::meridian::Meridian;
 
     type Facet = [Vector<3>; 3];
 
     /// A closed line `(x, radius)` turned about x.
-    fn turned(line: &[[f64; 2]], around: usize) -> Vec<Facet> {
+    pub(in crate::fly) fn turned(line: &[[f64; 2]], around: usize) -> Vec<Facet> {
         let at = |[x, radius]: [f64; 2], k: usize| {
             let (s, c) = (TAU * (k % around) as f64 / around as f64).sin_cos();
             Vector::<3>::new(x, radius * c, radius * s)
@@ -141,7 +119,7 @@ mod tests {
     }
 
     fn is_round(facets: Vec<Facet>) -> bool {
-        meridian(&Mesh::from_facets(facets).unwrap()).is_some()
+        Meridian::of(&Mesh::from_facets(facets).unwrap()).is_some()
     }
 
     #[test]

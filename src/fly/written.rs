@@ -97,11 +97,8 @@ impl Flight {
     fn scene_shape(&self) -> Result<String, FlyError> {
         match &self.extent {
             Extent::Meridian(line) => {
-                let lower = line.iter().rev().filter(|[_, radius]| *radius > 0.0);
-                let lower = lower.map(|[x, radius]| [*x, -radius]);
-                let points: Vec<[f64; 2]> = line.iter().copied().chain(lower).collect();
                 let mut text = "shape = { polygon = { points = [".to_owned();
-                for [x, y] in points {
+                for [x, y] in line.polygon() {
                     // Writing to a string cannot fail.
                     let _ = write!(text, "[{x:?}, {y:?}], ");
                 }
