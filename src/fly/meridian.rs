@@ -258,6 +258,19 @@ mod tests {
         assert_eq!(Meridian::of(&Mesh::from_facets(hollow).unwrap()), None);
     }
 
+    /// By more than facets make it so: 2 %.
+    #[test]
+    fn what_is_squashed_is_not_round() {
+        let squashed = |part: f64| {
+            let mut facets = turned(&[[0.0, 0.0], [0.4, 0.2], [1.0, 0.2], [1.0, 0.0]], 96);
+            for corner in facets.iter_mut().flatten() {
+                corner[2] *= part;
+            }
+            Meridian::of(&Mesh::from_facets(facets).unwrap()).is_some()
+        };
+        assert!(squashed(0.99) && !squashed(0.97));
+    }
+
     #[test]
     fn the_image_of_a_solid_body_is_seen_and_none_of_a_ring() {
         let corners = vec![[0.0, 0.0], [1.0, 0.5], [1.0, 0.0]];
