@@ -22,7 +22,7 @@ const STRAIGHT: f64 = 2e-4;
 const ASIDE: f64 = 1e-5;
 
 /// Pieces of the length by which surfaces that are not of triangles are looked at.
-const PIECES: f64 = 100.0;
+const PIECES: f64 = 40.0;
 
 /// Half of the section of a body of revolution by a plane through its axis, which is x.
 #[derive(Clone, Debug, PartialEq)]
@@ -44,11 +44,8 @@ impl Meridian {
             .map(|k| bounds.max[k].abs().max(bounds.min[k].abs()))
             .fold(0.0, f64::max);
         let triangles = shape.facets(length / PIECES, &bounds);
-        let facets = Facets {
-            all: &triangles,
-            reach,
-        };
         let (places, apart) = stations(&triangles, low, high);
+        let facets = Facets::new(triangles, reach);
         let aside = ASIDE * length;
         let sides = |pair: &[f64]| -> Option<[Spans; 2]> {
             Some([facets.at(pair[0] + aside)?, facets.at(pair[1] - aside)?])
@@ -223,7 +220,7 @@ mod tests {
     /// Corners of the meridian of a line turned about the axis, off the line by less than facets are off the circle.
     #[track_caller]
     fn comes_back(line: &[[f64; 2]], is_ring: bool, area: f64) {
-        let mesh = Mesh::from_facets(turned(line, 96)).unwrap();
+        let mesh = Mesh::from_facets(turned(line, 48)).unwrap();
         let found = Meridian::of(&mesh).unwrap_or_else(|| panic!("{line:?}"));
         let surface = found.surface();
         assert_eq!((found.is_ring, surface.len()), (is_ring, line.len()));
@@ -254,7 +251,7 @@ mod tests {
         comes_back(&cup, false, 0.5 * TAU * 0.2 * 0.2);
         // A chamber that nothing leads to.
         let chamber = [[0.5, 0.0], [0.6, 0.0], [0.6, 0.1], [0.5, 0.1], [0.5, 0.0]];
-        let hollow = [turned(&cup, 96), turned(&chamber, 96)].concat();
+        let hollow = [turned(&cup, 48), turned(&chamber, 48)].concat();
         assert_eq!(Meridian::of(&Mesh::from_facets(hollow).unwrap()), None);
     }
 
@@ -262,7 +259,7 @@ mod tests {
     #[test]
     fn what_is_squashed_is_not_round() {
         let squashed = |part: f64| {
-            let mut facets = turned(&[[0.0, 0.0], [0.4, 0.2], [1.0, 0.2], [1.0, 0.0]], 96);
+            let mut facets = turned(&[[0.0, 0.0], [0.4, 0.2], [1.0, 0.2], [1.0, 0.0]], 48);
             for corner in facets.iter_mut().flatten() {
                 corner[2] *= part;
             }

@@ -20,17 +20,34 @@ const GRAIN: f64 = 1e-9;
 pub(super) type Spans = Vec<[f64; 2]>;
 
 /// The triangles of a body whose axis is x.
-pub(super) struct Facets<'a> {
-    /// Corners, around normals that point out of the body.
-    pub(super) all: &'a [[Vector<3>; 3]],
+pub(super) struct Facets {
+    /// Corners, around normals that point out of the body, in the order of their least x.
+    all: Vec<[Vector<3>; 3]>,
+    /// The longest of them along x.
+    longest: f64,
     /// The largest radius.
-    pub(super) reach: f64,
+    reach: f64,
 }
 
 /// Where a ray passes through the surface: the radius, and one out of the body or one into it.
 type Crossing = (f64, i32);
 
-impl Facets<'_> {
+impl Facets {
+    /// Of a body that goes as far as `reach` from the axis.
+    pub(super) fn new(mut all: Vec<[Vector<3>; 3]>, reach: f64) -> Self {
+        all.sort_by(|a, b| least(a).total_cmp(&least(b)));
+        let long = |facet: &[Vector<3>; 3]| {
+            let most = facet.iter().map(|corner| corner[0]);
+            most.fold(f64::NEG_INFINITY, f64::max) - least(facet)
+        };
+        let longest = all.iter().map(long).fold(0.0, f64::max);
+        Self {
+            all,
+            longest,
+            reach,
+        }
+    }
+
     /// The spans at a station: means of squares over all directions, which keep the section of the facets. None where directions differ, as they do
     /// about a body that is not round.
     pub(super) fn at(&self, x: f64) -> Option<Spans> {
@@ -67,7 +84,8 @@ impl Facets<'_> {
             [c, s]
         });
         let mut found = [const { Vec::new() }; AROUND];
-        for facet in self.all {
+        let from = |x: f64| self.all.partition_point(|facet| least(facet) < x);
+        for facet in &self.all[from(x - self.longest)..from(x)] {
             let Some([p, q]) = cut(facet, x) else {
                 continue;
             };
@@ -113,6 +131,11 @@ impl Facets<'_> {
         }
         Some(spans)
     }
+}
+
+/// Where a triangle begins along the axis.
+fn least(facet: &[Vector<3>; 3]) -> f64 {
+    facet[0][0].min(facet[1][0]).min(facet[2][0])
 }
 
 /// Where the plane across the axis at `x` cuts a triangle: both ends, across the axis.
