@@ -76,8 +76,8 @@ impl Swing {
 
     /// Means over the last full window, of a flow that was stopped: over the longest, that hold the most of a swing.
     pub(super) fn last(&self) -> Option<Window> {
-        let longest = self.watches.iter().rev();
-        longest.flat_map(|watch| watch.previous.clone()).next()
+        let mut longest = self.watches.iter().rev();
+        longest.find_map(|watch| watch.previous.clone())
     }
 }
 
