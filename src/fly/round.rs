@@ -1,7 +1,8 @@
 //! Is all of a body's surface that of its meridian, turned about the axis? Rays around the axis pass between thin parts and over gaps; the
 //! triangles tell of all.
 
-use aero_geometry::{Shape, Vector};
+use aero_geometry::outline::Piece;
+use aero_geometry::{Revolution, Shape, Vector};
 
 use super::spans::ROUND;
 
@@ -25,28 +26,25 @@ pub(super) struct Turned<'a> {
 }
 
 impl Turned<'_> {
-    /// True where no point of the triangles of `shape` lies off the line, on the surface, by more than facets of a round body do.
+    /// True where no point of the triangles of `shape` lies off the line turned about the axis, on the surface, by more than facets of a round body
+    /// do.
     pub(super) fn is_all_of(&self, shape: &dyn Shape<3>) -> bool {
+        let pieces = self.line.windows(2).map(|pair| {
+            let [a, b] = [pair[0], pair[1]].map(Vector::<2>::from);
+            Piece::segment(a, b)
+        });
+        // What crosses itself is no body.
+        let Ok(round) = Revolution::new(pieces.collect()) else {
+            return false;
+        };
         let facets = shape.facets(f64::INFINITY, &shape.bounds());
         let mut points = facets.iter().flat_map(points);
         points.all(|point| {
             let radius = point[1].hypot(point[2]);
             let allowed = self.apart + ROUND * radius + UNEVEN * self.reach;
             // Triangles inside of other parts are no surface.
-            self.is_near([point[0], radius], allowed)
+            round.signed_distance(&point).abs() <= allowed
                 || shape.signed_distance(&point) < -ON * self.reach
-        })
-    }
-
-    /// True where the line passes a point by so much.
-    fn is_near(&self, point: [f64; 2], allowed: f64) -> bool {
-        self.line.windows(2).any(|pair| {
-            let ([a, b], [c, d]) = (pair[0], pair[1]);
-            let (along, from) = ([c - a, d - b], [point[0] - a, point[1] - b]);
-            let square = along[0] * along[0] + along[1] * along[1];
-            let part = (from[0] * along[0] + from[1] * along[1]) / square.max(f64::MIN_POSITIVE);
-            let part = part.clamp(0.0, 1.0);
-            (from[0] - part * along[0]).hypot(from[1] - part * along[1]) <= allowed
         })
     }
 }
