@@ -127,6 +127,8 @@ pub(super) mod tests {
         }
         let core = [[0.35, 0.0], [0.4, 0.02], [0.9, 0.02], [0.9, 0.0]];
         assert!(is_round([turned(&ROCKET, 48), turned(&core, 32)].concat()));
+        let shaft = [[0.5, 0.0], [0.6, 0.03], [1.4, 0.03], [1.4, 0.0]];
+        assert!(is_round([turned(&ROCKET, 48), turned(&shaft, 32)].concat()));
     }
 
     #[test]

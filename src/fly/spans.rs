@@ -67,11 +67,8 @@ impl Facets {
             }
         }
         let mut both = most.iter().flatten().zip(least.iter().flatten());
-        let is_round = both.all(|(most, least)| {
-            // A span that begins at the axis does so in all directions.
-            (*least > 0.0 || *most == 0.0)
-                && most - least <= ROUND * most + 1e-3 * ROUND * self.reach
-        });
+        let is_round =
+            both.all(|(most, least)| most - least <= ROUND * most + 1e-3 * ROUND * self.reach);
         let grain = GRAIN * self.reach;
         let mean = |square: f64| ((square / AROUND as f64).sqrt() / grain).round() * grain;
         is_round.then(|| squares.iter().map(|span| span.map(mean)).collect())
@@ -156,4 +153,23 @@ fn cut(facet: &[Vector<3>; 3], x: f64) -> Option<[[f64; 2]; 2]> {
         [1, 2].map(|axis| a[axis] + part * (b[axis] - a[axis]))
     });
     Some(ends)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn parts_that_touch_or_overlap_are_one_and_an_open_surface_has_no_inside() {
+        let facets = Facets::new(Vec::new(), 1.0);
+        let spans = |crossings: &[Crossing]| facets.spans(crossings.to_vec());
+        let touching = [(0.2, -1), (0.4, 1), (0.4 + 1e-8, -1), (0.6, 1)];
+        assert_eq!(spans(&touching), Some(vec![[0.2, 0.6]]));
+        let overlapping = [(0.2, -1), (0.3, -1), (0.4, 1), (0.6, 1)];
+        assert_eq!(spans(&overlapping), Some(vec![[0.2, 0.6]]));
+        let apart = [(0.1, 1), (0.4, -1), (0.6, 1)];
+        assert_eq!(spans(&apart), Some(vec![[0.0, 0.1], [0.4, 0.6]]));
+        assert_eq!(spans(&[(0.2, 1), (0.4, 1), (0.6, -1)]), None);
+        assert_eq!(spans(&[(0.2, -1)]), None);
+    }
 }
