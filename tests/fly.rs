@@ -326,7 +326,7 @@ fn a_spacing_far_below_the_body_is_halved_down_to_and_its_time_is_one_that_can_b
         (halvings, answer.out)
     };
     assert_eq!(told("0.05").0, 1.0);
-    let (halvings, out) = told("0.004");
+    let (halvings, out) = told("0.006");
     assert!(halvings >= 2.0, "{halvings}");
     // Hours, not months, and how to ask for less.
     let time = out.split("will take about ").nth(1).expect("a time");

@@ -229,11 +229,11 @@ fn driven(cells: usize, is_pipe: bool) -> f64 {
 #[test]
 fn flow_between_plates_and_in_a_pipe_converges_with_second_order() {
     for is_pipe in [false, true] {
-        let errors = [6, 12, 24].map(|cells| driven(cells, is_pipe));
+        let errors = [5, 10, 20].map(|cells| driven(cells, is_pipe));
         let order = (errors[1] / errors[2]).log2();
         println!("{is_pipe} {errors:?} {order}");
         assert!((1.9..2.15).contains(&order), "{is_pipe} {errors:?} {order}");
-        assert!(errors[2] < 9e-3, "{errors:?}");
+        assert!(errors[2] < 1.3e-2, "{errors:?}");
     }
 }
 
