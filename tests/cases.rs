@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 51] = [
+const SMALL: [(&str, &[&str]); 52] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.005", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -122,6 +122,7 @@ const SMALL: [(&str, &[&str]); 51] = [
     ("square", &["end_time=0.00005"]),
     ("step", &["end_time=0.05", "spacing=0.05"]),
     ("store", &["end_time=0.0005", "spacing=0.06"]),
+    ("supersonic-vortex", &["end_time=0.1", "stop=end-time"]),
     ("taylor-green", &["end_time=0.02"]),
     ("transonic", &["end_time=0.03", "stop=end-time"]),
     ("two-gases", &["end_time=2e-5"]),

@@ -41,6 +41,7 @@ mod stability;
 mod step;
 mod stress;
 mod suite;
+mod supersonic_vortex;
 mod surface;
 mod transonic;
 mod two_gases;
@@ -65,7 +66,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 31] = [
+static CASES: [Case; 32] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -90,6 +91,10 @@ static CASES: [Case; 31] = [
     ("biconvex", &[&biconvex::BICONVEX]),
     ("aerofoil", &[&aerofoil::AEROFOIL]),
     ("transonic", &[&transonic::TRANSONIC]),
+    (
+        "supersonic-vortex",
+        &[&supersonic_vortex::SUPERSONIC_VORTEX],
+    ),
     ("square", &[&square::SQUARE]),
     ("cone", &[&cone::CONE]),
     ("cone-faceted", &[&faceted_cone::FACETED_CONE]),

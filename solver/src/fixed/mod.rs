@@ -95,6 +95,7 @@ mod tally;
 #[cfg(test)]
 pub(crate) mod tests;
 mod total;
+mod turn;
 mod twins;
 mod unshown;
 mod viscous;
