@@ -1,7 +1,7 @@
 //! Faces on the sides of the domain, and what flows through them.
 
 use super::beyond::Beyond;
-use super::calmness::smoothness;
+use super::calmness::{share, smoothness};
 use super::cells::SideFace;
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
@@ -73,6 +73,7 @@ impl<const D: usize> Side<D> {
         let normal = self.image.normal;
         let drawn = match (&self.beyond, rubbed) {
             (Beyond::Same | Beyond::OneWay, Some(_)) => self.leaving(cell, slopes),
+            (Beyond::Same | Beyond::OneWay, None) => self.outrunning(gas, cell, slopes),
             (Beyond::Answers(_) | Beyond::Rides(_), _) => drawn_out(cell, slopes, &self.way()),
             _ => *cell,
         };
@@ -142,6 +143,20 @@ impl<const D: usize> Side<D> {
         let drawn = drawn_out(cell, slopes, &self.way());
         let leaves = dot(&drawn.velocity, &self.image.normal) > 0.0;
         if leaves { drawn } else { *cell }
+    }
+
+    /// The state of `cell` at the side itself, as far as gas leaves faster than sound; from Mach 1.1 on, all of it. Slower gas leaves as it is in the
+    /// cell: sound that comes back would be drawn out as well, and grow.
+    fn outrunning<G: EquationOfState>(
+        &self,
+        gas: &G,
+        cell: &Primitive<D>,
+        slopes: &Slopes<D>,
+    ) -> Primitive<D> {
+        let speed = dot(&cell.velocity, &self.image.normal);
+        let sound = gas.sound_square(cell.density, cell.pressure).sqrt();
+        let part = share(speed / sound, 1.0, 1.1);
+        drawn_out(cell, slopes, &self.way().map(|d| part * d))
     }
 }
 
@@ -218,14 +233,17 @@ mod tests {
         Side::new(&face, &Vector::zeros(), beyond)
     }
 
+    fn gas(velocity: [f64; 2]) -> Primitive<2> {
+        Primitive {
+            density: 1.3,
+            velocity,
+            pressure: 0.8,
+        }
+    }
+
     fn outlet(beyond: Beyond<2>, speed: f64) -> Conserved<2> {
         let side = side(beyond);
-        let cell = Primitive {
-            density: 1.3,
-            velocity: [speed, 0.4],
-            pressure: 0.8,
-        };
-        side.flux(&GAS, &cell, &Slopes::LEVEL, None)
+        side.flux(&GAS, &gas([speed, 0.4]), &Slopes::LEVEL, None)
     }
 
     #[test]
@@ -242,18 +260,29 @@ mod tests {
     /// Gas that slows down on its way out leaves as it is at the side, not as it is half a cell before.
     #[test]
     fn gas_that_rubs_leaves_an_outlet_as_it_is_there() {
-        let cell = Primitive {
-            density: 1.3,
-            velocity: [2.5, 0.4],
-            pressure: 0.8,
-        };
+        let cell = gas([2.5, 0.4]);
         let mut slopes = Slopes::<2>::LEVEL;
         slopes.along[0].velocity = [-2.0, 0.0];
         for beyond in [Beyond::Same, Beyond::OneWay] {
             let side = side(beyond);
             let mass = |rubbed| side.flux(&GAS, &cell, &slopes, rubbed).mass;
-            assert_eq!(mass(None), 1.3 * 2.5);
             assert!((mass(Some(&Conserved::ZERO)) - 1.3 * 2.3).abs() < 1e-14);
+        }
+    }
+
+    /// So does gas that leaves faster than sound; what is slower leaves as it is in its cell.
+    #[test]
+    fn gas_faster_than_sound_leaves_an_outlet_as_it_is_there() {
+        let mut slopes = Slopes::<2>::LEVEL;
+        slopes.along[0].density = 0.5;
+        let side = side(Beyond::Same);
+        for (mach, part) in [(0.9, 0.0), (1.05, 0.5), (1.1, 1.0), (2.5, 1.0)] {
+            let speed = mach * (1.4_f64 * 0.8 / 1.3).sqrt();
+            let cell = gas([speed, 0.4]);
+            let mass = side.flux(&GAS, &cell, &slopes, None).mass;
+            let density = mass / speed - 1.3;
+            let expected = part * 0.5 * side.image.distance;
+            assert!((density - expected).abs() < 1e-12, "{mach}: {density}");
         }
     }
 
@@ -274,11 +303,7 @@ mod tests {
         let problem = problem([10, 10], 0.1, [[SideKind::Symmetry, held]; 2]);
         let beyond = Beyond::of(&problem, held, Place::whole(&problem.domain, 0, 1)).unwrap();
         let side = Side::new(&face, &Vector::zeros(), beyond);
-        let cell = Primitive {
-            density: 1.3,
-            velocity: [0.4, 0.2],
-            pressure: 0.8,
-        };
+        let cell = gas([0.4, 0.2]);
         let mut slopes = Slopes::<2>::LEVEL;
         slopes.along[0].velocity[0] = 0.3;
         slopes.along[1].pressure = 2.0;
