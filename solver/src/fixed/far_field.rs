@@ -25,6 +25,9 @@ use crate::problem::{Problem, Side, State};
 /// Part of the way that the poles go in one iteration to those of the flow now, which swings before it settles.
 const RATE: f64 = 0.05;
 
+/// Largest change of the stream's speed by what bodies do to it, of that speed.
+const MOST: f64 = 0.2;
+
 /// The stream, and the faces that it comes and goes through.
 #[derive(Clone, Debug)]
 pub struct FarField<const D: usize> {
@@ -148,6 +151,23 @@ impl<const D: usize> FarField<D> {
         }
     }
 
+    /// These `poles`, or as much of them as changes the speed at no face that holds the stream by more than [`MOST`]: what is told by theory of small changes, of
+    /// gas that it changes much, grows from one iteration to the next until nothing is left of the stream.
+    fn held(&self, poles: Poles) -> Poles {
+        let faces = self.faces.iter().filter(|face| face.holds_stream);
+        let changes = faces.map(|face| self.frame.velocity(poles.turn(face.place)).norm());
+        let largest = changes.fold(0.0, f64::max) / self.stream.velocity.norm();
+        let [along, across] = poles.doublet;
+        let sum = poles.circulation + poles.source + along + across;
+        if !(sum.is_finite() && largest.is_finite()) {
+            Poles::default()
+        } else if largest > MOST {
+            Poles::default().towards(poles, MOST / largest)
+        } else {
+            poles
+        }
+    }
+
     /// The source and the doublet that gas at the sides tells of, with what it is at each face. In wakes the pressure knows how fast the stream is
     /// beside them, and it changes by `-rho U u`.
     fn told(&self, at: impl Fn(&FarFace<D>) -> Primitive<D>) -> (f64, [f64; 2]) {
@@ -206,6 +226,7 @@ impl<const D: usize> FixedSimulation<D> {
             None if self.settling.is_near => now,
             before => before.unwrap_or_default().towards(now, RATE),
         };
+        let poles = far.held(poles);
         self.settling.poles = Some(poles);
         for face in far.faces.iter().filter(|face| face.holds_stream) {
             let side = &mut self.net.blocks[face.block].sides[face.side];
@@ -258,6 +279,27 @@ mod tests {
             frame,
             is_half,
         }
+    }
+
+    #[test]
+    fn bodies_change_no_more_of_the_stream_at_the_sides_than_theory_knows() {
+        let far = far(false);
+        let poles = |size: f64| Poles {
+            circulation: 0.3 * size,
+            source: 0.1 * size,
+            doublet: [0.2 * size, -0.4 * size],
+        };
+        assert_eq!(far.held(poles(1.0)), poles(1.0));
+        let held = far.held(poles(1e3));
+        let part = held.source / 100.0;
+        assert!((held.doublet[1] / (-400.0 * part) - 1.0).abs() < 1e-12);
+        let largest = |poles: &Poles| {
+            let changes = far.faces.iter().map(|face| poles.turn(face.place));
+            let speeds = changes.map(|change| far.frame.velocity(change).norm());
+            speeds.fold(0.0, f64::max) / 0.6
+        };
+        assert!((largest(&held) - MOST).abs() < 1e-12);
+        assert_eq!(far.held(poles(f64::NAN)), Poles::default());
     }
 
     #[test]
