@@ -16,7 +16,7 @@ fn scene(dimension: usize, spacing: f64, shape: &str, more: &str) -> String {
         r#"
 dimension = {dimension}
 spacing = {spacing}
-end_time = 0.4
+end_time = 0.2
 
 [free_stream]
 mach = 2.0
@@ -115,7 +115,7 @@ fn gas_at_rest_shows_its_own_pressure_on_round_bodies() {
         let still = format!("velocity = {:?}", &[0.0; 3][..dimension]);
         let scene = scene(dimension, spacing, shape, "")
             .replace("mach = 2.0", &still)
-            .replace("end_time = 0.4", "end_time = 1e-4")
+            .replace("end_time = 0.2", "end_time = 1e-4")
             .replace("\n[output]", "packed_fluid = true\n\n[output]");
         let closed = ["inlet", "outlet", "free-stream"].map(|side| format!("\"{side}\""));
         let scene = closed
@@ -210,7 +210,7 @@ const FOREBODY: f64 = 0.170_697 * 0.222_988;
 fn facets_from_tip_to_base_have_the_drag_of_the_cone_that_they_stand_for() {
     let scene = scene(3, 0.1, "stl = { file = \"cone.stl\" }", "")
         .replace("mach = 2.0", "mach = 3.0")
-        .replace("end_time = 0.4", "stop = \"steady\"")
+        .replace("end_time = 0.2", "stop = \"steady\"")
         .replace("min = [-1.2, -1.0, -1.0]", "min = [-0.15, 0.0, 0.0]")
         .replace("max = [1.4, 1.0, 1.0]", "max = [1.0, 0.6, 0.6]")
         .replace("y_min = \"free-stream\"", "y_min = \"symmetry\"")
@@ -253,7 +253,7 @@ fn wedges(spacing: f64, length: f64) -> [String; 2] {
         "",
     )
     .replace("mach = 2.0", "mach = 3.0")
-    .replace("end_time = 0.4", "end_time = 1.2")
+    .replace("end_time = 0.2", "end_time = 1.2")
     .replace("min = [-1.2, -1.0]", "min = [-0.4, -1.0]")
     .replace("max = [1.4, 1.0]", "max = [1.0, 1.0]");
     let half = whole
