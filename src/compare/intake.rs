@@ -141,7 +141,7 @@ fn fast(gas: &Frame, intake: &Intake) -> [Row; 4] {
             "Mach number in the throat",
             mach,
             intake.cowl.mach,
-            [0.25, 1.0],
+            [1.0, 1.0],
         ),
         exact(
             "total pressure in the throat / stream's",
@@ -165,7 +165,7 @@ fn shocked(gas: &Frame, held: Held) -> [Row; 2] {
             theory / LENGTH,
             0.02,
         ),
-        Row::relative(TOTAL, THEORY, recovery(gas, END), held.recovery, [0.5, 1.0]),
+        Row::relative(TOTAL, THEORY, recovery(gas, END), held.recovery, 1.0),
     ]
 }
 

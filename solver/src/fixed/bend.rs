@@ -1,11 +1,11 @@
-//! A sharp convex bend of a wall, and what lies around it.
+//! A sharp bend of a wall, and what lies around a convex one.
 
 use aero_geometry::Vector;
 
 use super::state::Primitive;
 use super::walls::Wall;
 
-/// A convex bend in the plane, or a piece of an edge in space, met from one side.
+/// A bend in the plane, or a piece of a convex edge in space, met from one side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bend<const D: usize> {
     /// Where it is, in space its middle.
@@ -82,14 +82,19 @@ impl<const D: usize> Bend<D> {
     }
 
     /// True of a place, as seen from the bend, in front of the one wall or the other that meet there, or hardly behind either: what lies behind both is
-    /// beyond the body.
+    /// beyond the body. At a concave bend what lies behind either is.
     pub fn opens_to(&self, arm: &Vector<D>) -> bool {
         /// So far behind, in spacings, faces that the walls cut may lie.
         const BEHIND: f64 = 0.5;
         let [along, before, up] = [self.along, self.before, self.up].map(Vector::from);
         let behind = up * along.dot(&before) - before * along.dot(&up);
         let least = -BEHIND * self.unit;
-        arm.dot(&up) > least || arm.dot(&behind) > least
+        let (is_before, is_behind) = (arm.dot(&up) > least, arm.dot(&behind) > least);
+        if along.dot(&up) > 0.0 {
+            is_before && is_behind
+        } else {
+            is_before || is_behind
+        }
     }
 
     /// The gas before it.

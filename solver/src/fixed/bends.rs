@@ -35,10 +35,11 @@ impl<const D: usize> Net<D> {
 
     fn add_bends_in_plane(&mut self, cells: &Cells<D>) {
         let chain = Chain::new(self, cells);
-        let (bends, kinks) = (chain.bends(), chain.kinks());
+        let (bends, hollows, kinks) = (chain.bends(), chain.hollows(), chain.kinks());
         for (number, kink) in kinks {
             self.add_kink(number, kink);
         }
+        self.add_hollows(cells, hollows);
         if bends.is_empty() {
             return;
         }
@@ -48,7 +49,8 @@ impl<const D: usize> Net<D> {
             places.iter().all(|other| (place - other).norm() > away)
         };
         let all = || self.blocks.iter().flat_map(|block| &block.walls);
-        let sights: Vec<Sight<'_, D>> = bends.iter().map(|bend| Sight::new(bend, all())).collect();
+        let sight = |bend| Sight::new(bend, all(), farthest::<D>());
+        let sights: Vec<Sight<'_, D>> = bends.iter().map(sight).collect();
         for number in 0..self.blocks.len() {
             for ((bend, at), sight) in bends.iter().zip(&places).zip(&sights) {
                 let is_own = |middle: &Vector<D>| {

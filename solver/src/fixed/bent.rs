@@ -204,7 +204,7 @@ impl<const D: usize> BentWall<D> {
 
 /// A state that is `own` where the fan has `from`, seen where it has `to`: as far from the fan as there. Where density or pressure fall, in
 /// proportion, so that something is left.
-fn shifted<const D: usize>(
+pub fn shifted<const D: usize>(
     own: &Primitive<D>,
     from: &Primitive<D>,
     to: &Primitive<D>,

@@ -75,15 +75,21 @@ impl<'a, const D: usize> Chain<'a, D> {
         turned(&self.walls[number].image.normal.into())
     }
 
-    /// The nearest of the walls `near` wall `number` that goes on along its `way`.
+    /// The nearest of the walls `near` wall `number` that goes on along its `way`. One of another body, or of a side, does where they meet in a
+    /// concave bend.
     fn beside(&self, number: usize, near: &[usize], way: f64) -> Option<usize> {
         let wall = self.walls[number];
         let along = self.way(number) * way;
         let follows = |other: &usize| {
             let arm = self.walls[*other].foot - wall.foot;
             let beyond = self.way(*other) * way;
+            let turn = if way > 0.0 {
+                self.turn(number, *other)
+            } else {
+                self.turn(*other, number)
+            };
             *other != number
-                && self.walls[*other].owner == wall.owner
+                && (self.walls[*other].owner == wall.owner || turn > SHARP)
                 && beyond.dot(&along) > ASKEW
                 && arm.dot(&(along + beyond)) > 0.0
         };
@@ -100,13 +106,23 @@ impl<'a, const D: usize> Chain<'a, D> {
 
     /// All sharp convex bends, each met from both sides.
     pub fn bends(&self) -> Vec<Bend<D>> {
+        self.bends_to(-1.0)
+    }
+
+    /// All sharp concave bends, each met from both sides.
+    pub fn hollows(&self) -> Vec<Bend<D>> {
+        self.bends_to(1.0)
+    }
+
+    /// All sharp bends to the left, `way` one, or to the right, less one, each met from both sides.
+    fn bends_to(&self, way: f64) -> Vec<Bend<D>> {
         let mut bends = Vec::new();
         for first in 0..self.walls.len() {
             let Some(next) = self.links[0][first] else {
                 continue;
             };
             // The wall of a cell that holds the bend may stand between those before and behind.
-            let is_sharp = |from: usize, to: usize| self.turn(from, to) < -SHARP;
+            let is_sharp = |from: usize, to: usize| way * self.turn(from, to) > SHARP;
             let goes_on = |before: usize| is_sharp(before, first);
             if !is_sharp(first, next) || self.links[1][first].is_some_and(goes_on) {
                 continue;

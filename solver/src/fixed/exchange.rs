@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 
 use super::bent::{Layout, fans, press, turn};
+use super::cloven::{self, shocks};
 use super::energy::EnergyFlux;
 use super::equation_of_state::EquationOfState;
 use super::fluxes::{Passed, Through};
@@ -72,9 +73,11 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             ..
         } = self;
         let start = block.cells.start;
-        // Gas that rubs sticks to walls: no fan stands at their bends.
-        let stand = rubbing.is_none().then(|| fans(gas, block, flow));
-        let fans = stand.unwrap_or_default();
+        // Gas that rubs sticks to walls: no fan and no shock stands at their bends.
+        let stand = rubbing
+            .is_none()
+            .then(|| (fans(gas, block, flow), shocks(gas, block, flow)));
+        let (fans, shocks) = stand.unwrap_or_default();
         let Passed { mut cells, fluxes } = dispatch(
             arch,
             Through {
@@ -85,11 +88,12 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
                 block,
                 flow,
                 has_layers: rubbing.is_some(),
-                keeps_fluxes: !fans.is_empty(),
+                keeps_fluxes: !fans.is_empty() || !shocks.is_empty(),
             },
         );
         let layout = Layout { net, block, points };
         turn(gas, &fans, layout, flow, &mut cells, &fluxes);
+        cloven::part(gas, &shocks, layout, flow, &mut cells, &fluxes);
         let rubbed = rubbing.map(|rubbing| {
             let mut gains = Gains::nothing(cells.len());
             rubbing.add(net, block, flow, &mut gains, shares);
@@ -102,6 +106,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
         }
         press(gas, &fans, layout, flow, pressures);
+        cloven::press(gas, &shocks, block, flow, pressures);
         if rubbed.is_none() {
             hold(gas, block, flow, pressures);
         }

@@ -3,7 +3,6 @@
 use aero_geometry::Vector;
 
 use super::bend::{Bend, cross, turned};
-use super::fan::farthest;
 use super::walls::Wall;
 
 /// Walls nearer to the bend than this, in spacings, are those that meet in it.
@@ -20,14 +19,18 @@ pub struct Sight<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Sight<'a, D> {
-    /// From `bend`, among all `walls`.
-    pub fn new<'w>(bend: &'a Bend<D>, walls: impl Iterator<Item = &'w Wall<D>>) -> Self {
+    /// From `bend`, up to so many spacings from there, among all `walls`.
+    pub fn new<'w>(
+        bend: &'a Bend<D>,
+        walls: impl Iterator<Item = &'w Wall<D>>,
+        farthest: f64,
+    ) -> Self {
         let at = Vector::from(bend.at);
         let ends = walls.map(|wall| {
             let half = turned(&Vector::from(wall.image.normal)) * (0.5 * wall.image.share);
             [wall.foot - half - at, wall.foot + half - at]
         });
-        let reach = farthest::<D>() * bend.unit;
+        let reach = farthest * bend.unit;
         Self {
             bend,
             walls: ends

@@ -18,6 +18,7 @@ mod bends;
 mod brinks;
 mod far_away;
 pub(super) mod flows;
+mod hollows;
 mod jumps;
 pub(crate) mod lattice;
 mod outlets;

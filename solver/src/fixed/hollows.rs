@@ -1,0 +1,154 @@
+//! Sharp concave bends of walls in the plane, and the cells around each.
+
+use std::collections::{BTreeMap, HashMap};
+
+use aero_geometry::Vector;
+
+use super::attached::FARTHEST;
+use super::bend::Bend;
+use super::bent_face::middle;
+use super::cells::Cells;
+use super::hollow::{Hollow, HollowFace, HollowWall, Piece, Plan};
+use super::net::Net;
+use super::sight::Sight;
+
+/// Cosine of the elevation of a shock over the wall before its bend, at least.
+const STEEPEST: f64 = 0.17;
+
+impl<const D: usize> Net<D> {
+    /// Finds what lies around sharp concave `bends`. Shocks of several may come by the same place, fans as well: which of them stands there is
+    /// for the gas to say.
+    pub(super) fn add_hollows(&mut self, cells: &Cells<D>, bends: Vec<Bend<D>>) {
+        for bend in bends {
+            let walls = self.blocks.iter().flat_map(|block| &block.walls);
+            let sight = Sight::new(&bend, walls, FARTHEST);
+            let at = Vector::from(bend.at);
+            let is_own = |place: &Vector<D>| {
+                let away = place.norm();
+                away < FARTHEST * bend.unit
+                    && place.dot(&bend.before.into()) > STEEPEST * away - bend.unit
+                    && sight.reaches(place)
+            };
+            let plans: HashMap<u32, Plan<D>> = self
+                .pieces(cells, &at, is_own)
+                .into_iter()
+                .filter_map(|(i, pieces)| {
+                    let point = cells.points[i as usize] - at;
+                    Some((i, Plan::new(point, pieces)?))
+                })
+                .collect();
+            for number in 0..self.blocks.len() {
+                let hollow = self.around(number, &bend, &plans, cells);
+                if !hollow.faces.is_empty() || !hollow.walls.is_empty() {
+                    self.blocks[number].hollows.push(hollow);
+                }
+            }
+        }
+    }
+
+    /// The outlines of all cells whose point is wanted, as seen from a place.
+    fn pieces(
+        &self,
+        cells: &Cells<D>,
+        at: &Vector<D>,
+        is_wanted: impl Fn(&Vector<D>) -> bool,
+    ) -> BTreeMap<u32, Vec<Piece<D>>> {
+        let wanted: Vec<bool> = cells
+            .points
+            .iter()
+            .map(|point| is_wanted(&(point - at)))
+            .collect();
+        let mut pieces: BTreeMap<u32, Vec<Piece<D>>> = BTreeMap::new();
+        for block in &self.blocks {
+            for face in &block.faces {
+                let shape = &self.face_shapes[face.shape as usize];
+                let normal = Vector::from(shape.area) / shape.size;
+                let length = shape.weight * Vector::from(shape.apart).norm();
+                // A face between two blocks stands in both.
+                let apart = Vector::from(shape.apart);
+                for (i, back, way) in [(face.i, 0.0, 1.0), (face.j, 1.0, -1.0)] {
+                    if wanted[i as usize] && block.cells.contains(&(i as usize)) {
+                        let first = cells.points[i as usize] - at - apart * back;
+                        let piece = Piece::new(&middle(&first, shape), &(normal * way), length);
+                        pieces.entry(i).or_default().push(piece);
+                    }
+                }
+            }
+            let walls = block
+                .walls
+                .iter()
+                .map(|wall| (wall.i, wall.foot, &wall.image));
+            let sides = block.sides.iter().map(|side| {
+                let foot = cells.points[side.i as usize] + Vector::from(side.way());
+                (side.i, foot, &side.image)
+            });
+            for (i, foot, image) in walls.chain(sides) {
+                if wanted[i as usize] {
+                    let normal = Vector::from(image.normal);
+                    let piece = Piece::new(&(foot - at), &normal, image.share);
+                    pieces.entry(i).or_default().push(piece);
+                }
+            }
+        }
+        pieces
+    }
+
+    /// What of a block lies around a bend, whose cells have these `plans`.
+    fn around(
+        &self,
+        number: usize,
+        bend: &Bend<D>,
+        plans: &HashMap<u32, Plan<D>>,
+        cells: &Cells<D>,
+    ) -> Hollow<D> {
+        let block = &self.blocks[number];
+        let at = Vector::from(bend.at);
+        let mut hollow = Hollow {
+            bend: bend.clone(),
+            cells: Vec::new(),
+            faces: Vec::new(),
+            walls: Vec::new(),
+        };
+        let mut numbers: HashMap<u32, u32> = HashMap::new();
+        let mut place = |i: u32, all: &mut Vec<Plan<D>>| {
+            let plan = plans.get(&i)?;
+            Some(*numbers.entry(i).or_insert_with(|| {
+                all.push(plan.clone());
+                (all.len() - 1) as u32
+            }))
+        };
+        for (number, face) in (0..).zip(&block.faces) {
+            let Some(seen) = self.seen(&cells.points, &at, face) else {
+                continue;
+            };
+            if !plans.contains_key(&face.i) || !plans.contains_key(&face.j) {
+                continue;
+            }
+            let shape = &self.face_shapes[face.shape as usize];
+            let normal = Vector::from(shape.area) / shape.size;
+            let length = shape.weight * Vector::from(shape.apart).norm();
+            if let [Some(first), Some(second)] =
+                [face.i, face.j].map(|i| place(i, &mut hollow.cells))
+            {
+                hollow.faces.push(HollowFace {
+                    number,
+                    cells: [first, second],
+                    piece: Piece::new(&seen, &normal, length),
+                    away: seen.norm() / bend.unit,
+                });
+            }
+        }
+        for (number, wall) in (0..).zip(&block.walls) {
+            if let Some(cell) = place(wall.i, &mut hollow.cells) {
+                let middle = wall.foot - at;
+                hollow.walls.push(HollowWall {
+                    number,
+                    cell,
+                    middle: middle.into(),
+                    away: middle.norm() / bend.unit,
+                });
+            }
+        }
+        hollow
+    }
+}

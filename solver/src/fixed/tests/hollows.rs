@@ -1,0 +1,168 @@
+//! Walls with sharp concave bends: a shock stands there that cells next to it are too coarse for.
+
+use std::sync::Arc;
+
+use aero_geometry::{Placed, Placement, Shape, Vector, bodies};
+
+use super::flows::stream;
+use super::lattice::WALL;
+use crate::fixed::FixedSimulation;
+use crate::gas::Gas;
+use crate::problem::{Problem, Side};
+
+/// A stream over a wall that turns to it, and what stands behind the shock there [NACA Report 1135 (1953), eqs 128, 129 and 150].
+struct Ramp {
+    mach: f64,
+    degrees: f64,
+    gamma: f64,
+    /// Density and pressure behind the shock over those in front.
+    behind: [f64; 2],
+    /// In spacings.
+    moved: [f64; 2],
+}
+
+const DX: f64 = 0.04;
+
+impl Ramp {
+    const fn new(mach: f64, degrees: f64, behind: [f64; 2], moved: [f64; 2]) -> Self {
+        Self {
+            mach,
+            degrees,
+            gamma: 1.4,
+            behind,
+            moved,
+        }
+    }
+
+    /// The ramp in one piece with the wall before it, or alone on a side that is a wall.
+    fn problem(&self, is_whole: bool) -> Problem<2> {
+        let body: Arc<dyn Shape<2>> = if is_whole {
+            Arc::new(bodies::compression_corner(0.0, self.degrees).unwrap())
+        } else {
+            let height = 3.0 * self.degrees.to_radians().tan();
+            let points = [[0.0, -0.5], [3.0, -0.5], [3.0, height], [0.0, 0.0]];
+            Arc::new(bodies::polygon(&points.map(Vector::from)).unwrap())
+        };
+        let place = Placement::default().moved(Vector::from(self.moved) * DX);
+        let bounds = [[-0.3, 0.0], [0.9, 1.0]];
+        let mut problem = stream(
+            self.mach,
+            bounds,
+            DX,
+            vec![Arc::new(Placed::new(body, place))],
+        );
+        problem.domain.sides[1][0] = if is_whole { Side::Body } else { WALL };
+        problem.gas = Gas::ideal(self.gamma);
+        problem.free_stream.pressure = 1.0 / self.gamma;
+        problem
+    }
+
+    /// Farthest off of the pressure on the wall behind the bend, from the first cell on.
+    fn off(&self, flow: &FixedSimulation<2>) -> f64 {
+        let surface = flow.surface();
+        let each = surface.position.iter().zip(&surface.pressure);
+        let behind = each.filter(|(foot, _)| foot[0] > self.moved[0] * DX + 1e-9);
+        let off = behind.map(|(_, p)| (p * self.gamma / self.behind[1] - 1.0).abs());
+        off.fold(0.0, f64::max)
+    }
+
+    /// Farthest off of the density in the row of cells along the wall, from where the shock has left it on.
+    fn off_in_row(&self, flow: &FixedSimulation<2>) -> f64 {
+        let (sine, cosine) = self.degrees.to_radians().sin_cos();
+        let each = flow.points.iter().zip(&flow.columns.held);
+        let seen = each.map(|(place, held)| {
+            let [x, y] = [0, 1].map(|k| place[k] / DX - self.moved[k]);
+            [
+                x * cosine + y * sine,
+                y * cosine - x * sine,
+                held.mass / self.behind[0] - 1.0,
+            ]
+        });
+        let row = seen.filter(|[along, height, _]| *along > 15.0 && *height < 1.0);
+        row.fold(0.0, |most: f64, [.., off]| most.max(off.abs()))
+    }
+}
+
+/// At any Mach number, wherever in its cell the bend lies.
+#[test]
+fn gas_at_the_wall_is_right_from_the_first_cell_behind_a_sharp_concave_bend() {
+    let light = Ramp {
+        gamma: 5.0 / 3.0,
+        ..Ramp::new(3.0, 12.0, [1.754_32, 2.679_77], [0.31, 0.37])
+    };
+    for ramp in [
+        Ramp::new(2.5, 20.0, [2.200_16, 3.210_91], [0.0, 0.0]),
+        Ramp::new(2.5, 20.0, [2.200_16, 3.210_91], [0.4, 0.73]),
+        Ramp::new(5.0, 20.0, [3.315_42, 7.037_41], [0.0, 0.37]),
+        Ramp::new(8.0, 30.0, [5.019_96, 29.712_73], [0.21, 0.37]),
+        light,
+    ] {
+        let mut flow = FixedSimulation::new(ramp.problem(true)).unwrap();
+        assert!(flow.settle(400).unwrap().is_settled);
+        let Ramp { mach, degrees, .. } = ramp;
+        let off = ramp.off(&flow);
+        assert!(
+            off < 0.003,
+            "Mach {mach}, {degrees} degrees: pressure {off}"
+        );
+        let off = ramp.off_in_row(&flow);
+        assert!(off < 0.01, "Mach {mach}, {degrees} degrees: density {off}");
+    }
+}
+
+#[test]
+fn a_ramp_that_stands_on_a_side_is_as_one_that_the_wall_goes_over_to() {
+    let ramp = Ramp::new(3.0, 20.0, [2.459_90, 3.771_26], [0.23, 0.0]);
+    let mut flow = FixedSimulation::new(ramp.problem(false)).unwrap();
+    assert!(flow.settle(400).unwrap().is_settled);
+    let off = ramp.off(&flow);
+    assert!(off < 0.003, "{off}");
+}
+
+#[test]
+fn a_march_comes_to_the_same_shock() {
+    let ramp = Ramp::new(2.5, 20.0, [2.200_16, 3.210_91], [0.4, 0.73]);
+    let mut flow = FixedSimulation::new(ramp.problem(true)).unwrap();
+    let before = flow.totals();
+    while flow.time() < 2.5 {
+        flow.step(2.5).unwrap();
+    }
+    let off = ramp.off(&flow);
+    assert!(off < 0.003, "{off}");
+    // Neither mass nor energy is made at the shock.
+    let (after, inflow) = (flow.totals(), flow.inflow());
+    assert!((after.mass - before.mass - inflow.mass).abs() < 1e-11);
+    assert!((after.energy - before.energy - inflow.energy).abs() < 1e-11);
+    for k in 0..2 {
+        let made = after.momentum[k] - before.momentum[k] - inflow.momentum[k];
+        assert!(made.abs() < 1e-11, "{k}: {made}");
+    }
+}
+
+/// No shock stands at a bend that gas comes to slower than sound, or that is too steep for one.
+#[test]
+fn flows_whose_shock_is_not_at_the_bend_know_nothing_of_it() {
+    for (mach, degrees) in [(0.8, 10.0), (2.0, 28.0)] {
+        let ramp = Ramp::new(mach, degrees, [1.0; 2], [0.3, 0.2]);
+        let gains = |has_bends: bool| {
+            let mut flow = FixedSimulation::new(ramp.problem(true)).unwrap();
+            assert!(
+                flow.net
+                    .blocks
+                    .iter()
+                    .any(|block| !block.hollows.is_empty())
+            );
+            if !has_bends {
+                flow.net
+                    .blocks
+                    .iter_mut()
+                    .for_each(|block| block.hollows.clear());
+            }
+            for _ in 0..5 {
+                flow.step(1.0).unwrap();
+            }
+            flow.columns.held
+        };
+        assert_eq!(gains(true), gains(false), "Mach {mach}, {degrees} degrees");
+    }
+}
