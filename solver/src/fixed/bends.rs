@@ -21,7 +21,7 @@ impl<const D: usize> Net<D> {
             self.add_kink(number, kink);
         }
         match D {
-            2 => self.add_bends_in_plane(cells),
+            2 => self.add_bends_in_plane(cells, problem.domain.is_axisymmetric()),
             3 => {
                 let found =
                     Ridges::of(self, cells, problem).map(|ridges| ridges.around(self, cells));
@@ -33,13 +33,13 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    fn add_bends_in_plane(&mut self, cells: &Cells<D>) {
+    fn add_bends_in_plane(&mut self, cells: &Cells<D>, is_axisymmetric: bool) {
         let chain = Chain::new(self, cells);
         let (bends, hollows, kinks) = (chain.bends(), chain.hollows(), chain.kinks());
         for (number, kink) in kinks {
             self.add_kink(number, kink);
         }
-        self.add_hollows(cells, hollows);
+        self.add_hollows(cells, hollows, is_axisymmetric);
         if bends.is_empty() {
             return;
         }

@@ -7,7 +7,7 @@ use aero_geometry::Vector;
 use super::attached::FARTHEST;
 use super::bend::Bend;
 use super::bent_face::middle;
-use super::cells::Cells;
+use super::cells::{Cells, RADIAL};
 use super::hollow::{Hollow, HollowFace, HollowWall, Piece, Plan};
 use super::net::Net;
 use super::sight::Sight;
@@ -18,7 +18,13 @@ const STEEPEST: f64 = 0.17;
 impl<const D: usize> Net<D> {
     /// Finds what lies around sharp concave `bends`. Shocks of several may come by the same place, fans as well: which of them stands there is
     /// for the gas to say.
-    pub(super) fn add_hollows(&mut self, cells: &Cells<D>, bends: Vec<Bend<D>>) {
+    pub(super) fn add_hollows(
+        &mut self,
+        cells: &Cells<D>,
+        bends: Vec<Bend<D>>,
+        is_axisymmetric: bool,
+    ) {
+        let around = |middle: &Vector<D>| if is_axisymmetric { middle[RADIAL] } else { 1.0 };
         for bend in bends {
             let walls = self.blocks.iter().flat_map(|block| &block.walls);
             let sight = Sight::new(&bend, walls, FARTHEST);
@@ -30,7 +36,7 @@ impl<const D: usize> Net<D> {
                     && sight.reaches(place)
             };
             let plans: HashMap<u32, Plan<D>> = self
-                .pieces(cells, &at, is_own)
+                .pieces(cells, &at, is_own, around)
                 .into_iter()
                 .filter_map(|(i, pieces)| {
                     let point = cells.points[i as usize] - at;
@@ -38,7 +44,7 @@ impl<const D: usize> Net<D> {
                 })
                 .collect();
             for number in 0..self.blocks.len() {
-                let hollow = self.around(number, &bend, &plans, cells);
+                let hollow = self.hollow(number, &bend, &plans, cells, around);
                 if !hollow.faces.is_empty() || !hollow.walls.is_empty() {
                     self.blocks[number].hollows.push(hollow);
                 }
@@ -46,12 +52,13 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    /// The outlines of all cells whose point is wanted, as seen from a place.
+    /// The outlines of all cells whose point is wanted, as seen from a place. Faces go `around` an axis by so much.
     fn pieces(
         &self,
         cells: &Cells<D>,
         at: &Vector<D>,
         is_wanted: impl Fn(&Vector<D>) -> bool,
+        around: impl Fn(&Vector<D>) -> f64,
     ) -> BTreeMap<u32, Vec<Piece<D>>> {
         let wanted: Vec<bool> = cells
             .points
@@ -63,13 +70,14 @@ impl<const D: usize> Net<D> {
             for face in &block.faces {
                 let shape = &self.face_shapes[face.shape as usize];
                 let normal = Vector::from(shape.area) / shape.size;
-                let length = shape.weight * Vector::from(shape.apart).norm();
                 // A face between two blocks stands in both.
                 let apart = Vector::from(shape.apart);
                 for (i, back, way) in [(face.i, 0.0, 1.0), (face.j, 1.0, -1.0)] {
                     if wanted[i as usize] && block.cells.contains(&(i as usize)) {
                         let first = cells.points[i as usize] - at - apart * back;
-                        let piece = Piece::new(&middle(&first, shape), &(normal * way), length);
+                        let middle = middle(&first, shape);
+                        let length = shape.size / around(&(middle + at));
+                        let piece = Piece::new(&middle, &(normal * way), length);
                         pieces.entry(i).or_default().push(piece);
                     }
                 }
@@ -93,13 +101,14 @@ impl<const D: usize> Net<D> {
         pieces
     }
 
-    /// What of a block lies around a bend, whose cells have these `plans`.
-    fn around(
+    /// What of a block lies around a bend, whose cells have these `plans`. Faces go `around` an axis by so much.
+    fn hollow(
         &self,
         number: usize,
         bend: &Bend<D>,
         plans: &HashMap<u32, Plan<D>>,
         cells: &Cells<D>,
+        around: impl Fn(&Vector<D>) -> f64,
     ) -> Hollow<D> {
         let block = &self.blocks[number];
         let at = Vector::from(bend.at);
@@ -126,7 +135,7 @@ impl<const D: usize> Net<D> {
             }
             let shape = &self.face_shapes[face.shape as usize];
             let normal = Vector::from(shape.area) / shape.size;
-            let length = shape.weight * Vector::from(shape.apart).norm();
+            let length = shape.size / around(&(seen + at));
             if let [Some(first), Some(second)] =
                 [face.i, face.j].map(|i| place(i, &mut hollow.cells))
             {
