@@ -146,3 +146,90 @@ impl<const D: usize> AttachedShock<D> {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::gas::{Air, IdealGas};
+
+    const AIR: IdealGas = IdealGas::new(1.4);
+
+    fn bend(degrees: f64) -> Bend<2> {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        Bend {
+            at: [0.0; 2],
+            edge: [0.0; 2],
+            donors: Vec::new(),
+            along: [cosine, sine],
+            before: [1.0, 0.0],
+            up: [0.0, 1.0],
+            unit: 1.0,
+        }
+    }
+
+    /// A stream at this Mach number and temperature, in kelvins of air.
+    fn front(mach: f64, temperature: f64) -> Primitive<2> {
+        let heat = 287.0 * temperature;
+        Primitive {
+            density: 1.0,
+            velocity: [mach * (1.4 * heat).sqrt(), 0.0],
+            pressure: heat,
+        }
+    }
+
+    /// NACA Report 1135 (1953), eqs 93, 94 and 150: 42.89 degrees, 2.2002 and 3.2109 at Mach 2.5 and 20 degrees.
+    #[test]
+    fn gas_behind_the_shock_goes_along_its_wall() {
+        let front = front(2.5, 220.0);
+        let shock = AttachedShock::new(&AIR, &front, &bend(20.0)).unwrap();
+        let elevation = f64::to_radians(42.89);
+        assert_relative_eq!(shock.normal[0], -elevation.sin(), epsilon = 1e-5);
+        assert_relative_eq!(shock.normal[1], elevation.cos(), epsilon = 1e-5);
+        assert_relative_eq!(shock.rear.density, 2.200_16, epsilon = 1e-5);
+        assert_relative_eq!(
+            shock.rear.pressure / front.pressure,
+            3.210_91,
+            epsilon = 1e-5
+        );
+        let [u, v] = shock.rear.velocity;
+        assert_relative_eq!(v / u, f64::to_radians(20.0).tan(), epsilon = 1e-9);
+        // What passes the shock is the same on both sides, straight across it.
+        let fluxes = [&shock.front, &shock.rear].map(|state| {
+            let energy = state.conserved(&AIR).energy;
+            state.flux(energy, dot(&state.velocity, &shock.normal), &shock.normal)
+        });
+        assert_relative_eq!(fluxes[0].mass, fluxes[1].mass, max_relative = 1e-12);
+        assert_relative_eq!(fluxes[0].energy, fluxes[1].energy, max_relative = 1e-12);
+        for k in 0..2 {
+            assert_relative_eq!(
+                fluxes[0].momentum[k],
+                fluxes[1].momentum[k],
+                max_relative = 1e-9
+            );
+        }
+        assert_eq!(shock.share, 1.0);
+        assert!(AttachedShock::new(&AIR, &front, &bend(-5.0)).is_none());
+    }
+
+    #[test]
+    fn gas_that_is_as_on_the_other_side_is_not_taken_for_what_stands_here() {
+        let shock = AttachedShock::new(&AIR, &front(3.0, 220.0), &bend(15.0)).unwrap();
+        let AttachedShock { front, rear, .. } = &shock;
+        assert_eq!(shock.agreement(rear, rear), 1.0);
+        assert_eq!(shock.agreement(front, rear), 0.0);
+        let mixed = shock.mean(&AIR, 0.3);
+        assert!(shock.agreement(&mixed, rear) > 0.5);
+        let back = rear.mirrored(&[1.0, 0.0]);
+        assert_eq!(shock.agreement(&back, rear), 0.0);
+    }
+
+    /// Air whose molecules begin to swing behind the shock is denser there than by the ratio of specific heats ahead.
+    #[test]
+    fn no_shock_is_known_of_gas_whose_heat_capacity_changes_in_it() {
+        let air = Air::Equilibrium;
+        assert!(AttachedShock::new(&air, &front(8.0, 300.0), &bend(30.0)).is_none());
+        assert!(AttachedShock::new(&AIR, &front(8.0, 300.0), &bend(30.0)).is_some());
+    }
+}

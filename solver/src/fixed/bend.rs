@@ -118,3 +118,30 @@ pub fn turned<const D: usize>(vector: &Vector<D>) -> Vector<D> {
     turned[1 % D] = vector[0];
     turned
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// Behind a convex bend gas may lie behind the one wall or the other, at a concave one behind neither.
+    #[test]
+    fn gas_lies_in_front_of_its_walls() {
+        let opens = |sine: f64, place: [f64; 2]| {
+            let bend = Bend::<2> {
+                at: [0.0; 2],
+                edge: [0.0; 2],
+                donors: Vec::new(),
+                along: [(1.0 - sine * sine).sqrt(), sine],
+                before: [1.0, 0.0],
+                up: [0.0, 1.0],
+                unit: 0.1,
+            };
+            bend.opens_to(&place.into())
+        };
+        for sine in [-0.5, 0.5] {
+            assert!(opens(sine, [1.0, 1.0]) && opens(sine, [-1.0, 0.5]));
+            assert!(!opens(sine, [-1.0, -2.0]));
+        }
+        assert!(opens(-0.5, [1.0, -0.4]) && !opens(0.5, [1.0, 0.4]));
+    }
+}
