@@ -9,6 +9,7 @@ use crate::Simulation;
 use crate::particles::Particle;
 use crate::problem::{Body, side_name};
 use crate::records::GHOSTS;
+use crate::scheme::Extrapolation;
 use crate::walls::rigid::pad;
 use crate::walls::{Contact, Met, wall_sides};
 
@@ -72,7 +73,8 @@ impl<const D: usize> Simulation<D> {
         let place = &particle.position;
         if let Some(wall) = self.wall_around(place) {
             return format!(
-                "it had leaked into {wall}; try `scheme.extrapolation = \"wm\"`, `scheme.shield = true` or a finer `spacing`"
+                "it had leaked into {wall}; try {}a finer `spacing`",
+                self.other_walls(true)
             );
         }
         let [gas, ghosts] = self.neighbour_counts(number);
@@ -87,7 +89,8 @@ impl<const D: usize> Simulation<D> {
         }
         if let Some((kind, distance)) = self.next_to(place) {
             return format!(
-                "it was {distance:.1} spacings from {kind}, with {ghosts} ghosts in reach; try `scheme.extrapolation = \"wm\"`, a smaller `scheme.cfl` or a finer `spacing`"
+                "it was {distance:.1} spacings from {kind}, with {ghosts} ghosts in reach; try {}a smaller `scheme.cfl` or a finer `spacing`",
+                self.other_walls(false)
             );
         }
         let gases = self.problem.gases();
@@ -101,6 +104,19 @@ impl<const D: usize> Simulation<D> {
         }
         "a jump there is too steep for the spacing; try a smaller `scheme.cfl` or a finer `spacing`"
             .into()
+    }
+
+    /// What else walls may do, each with a comma behind it, as far as the scheme does not do it yet; whether they may shield themselves.
+    fn other_walls(&self, with_shield: bool) -> String {
+        let scheme = &self.problem.scheme;
+        let mut others = String::new();
+        if scheme.wall.extrapolation == Extrapolation::Wom {
+            others += "`scheme.extrapolation = \"wm\"`, ";
+        }
+        if with_shield && !scheme.transport_velocity.shield {
+            others += "`scheme.shield = true`, ";
+        }
+        others
     }
 
     /// Neighbours of fluid particle `number` within the support: in the gas, and ghosts.
