@@ -5,13 +5,14 @@ use aero_geometry::Vector;
 use super::bend::{Kink, Surroundings};
 use super::bent_face::middle;
 use super::brinks::brinks;
-use super::cells::Cells;
+use super::cells::{Cells, Matrix};
 use super::chain::Chain;
 use super::face_list::Join;
 use super::fan::farthest;
 use super::net::Net;
 use super::ridges::Ridges;
 use super::sight::Sight;
+use super::walls::Wall;
 use crate::problem::Problem;
 
 impl<const D: usize> Net<D> {
@@ -34,7 +35,8 @@ impl<const D: usize> Net<D> {
     }
 
     fn add_bends_in_plane(&mut self, cells: &Cells<D>, is_axisymmetric: bool) {
-        let chain = Chain::new(self, cells);
+        let mirrors = self.mirrors(cells);
+        let chain = Chain::new(self, cells, &mirrors);
         let (bends, hollows, kinks) = (chain.bends(), chain.hollows(), chain.kinks());
         for (number, kink) in kinks {
             self.add_kink(number, kink);
@@ -74,6 +76,25 @@ impl<const D: usize> Net<D> {
                 }
             }
         }
+    }
+
+    /// The faces of cells on planes of symmetry as if they were walls.
+    fn mirrors(&self, cells: &Cells<D>) -> Vec<Wall<D>> {
+        let sides = self.blocks.iter().flat_map(|block| &block.sides);
+        let mirrors = sides.filter(|side| side.is_mirror());
+        mirrors
+            .map(|side| Wall {
+                i: side.i,
+                image: side.image,
+                owner: u32::MAX,
+                facet: 0,
+                curvature: Matrix::zeros(),
+                foot: cells.points[side.i as usize] + Vector::from(side.way()),
+                stick: None,
+                push: 0.0,
+                least_mach: 1.0,
+            })
+            .collect()
     }
 
     /// Gives a `kink` to the block of its wall, which is `number` of those of all blocks.

@@ -26,6 +26,8 @@ const LOOKS: usize = 6;
 pub struct Chain<'a, const D: usize> {
     cells: &'a Cells<D>,
     walls: Vec<&'a Wall<D>>,
+    /// How many of them are walls; mirrors, which planes of symmetry are to gas that slides along, come after.
+    solid: usize,
     /// Mean distance to the neighbours of the cell of each.
     units: Vec<f64>,
     /// What follows each, and what goes before it.
@@ -33,9 +35,11 @@ pub struct Chain<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Chain<'a, D> {
-    /// The walls of `net`, which are those of `cells`.
-    pub fn new(net: &'a Net<D>, cells: &'a Cells<D>) -> Self {
-        let walls: Vec<&Wall<D>> = net.blocks.iter().flat_map(|block| &block.walls).collect();
+    /// The walls of `net`, which are those of `cells`, and `mirrors`.
+    pub fn new(net: &'a Net<D>, cells: &'a Cells<D>, mirrors: &'a [Wall<D>]) -> Self {
+        let mut walls: Vec<&Wall<D>> = net.blocks.iter().flat_map(|block| &block.walls).collect();
+        let solid = walls.len();
+        walls.extend(mirrors);
         let mut of_cell: Vec<Vec<usize>> = vec![Vec::new(); cells.points.len()];
         for (number, wall) in walls.iter().enumerate() {
             of_cell[wall.i as usize].push(number);
@@ -60,6 +64,7 @@ impl<'a, const D: usize> Chain<'a, D> {
             cells,
             units: walls.iter().map(|wall| spacings[wall.i as usize]).collect(),
             walls,
+            solid,
             links: [Vec::new(), Vec::new()],
         };
         chain.links = [1.0, -1.0].map(|way| {
@@ -162,6 +167,7 @@ impl<'a, const D: usize> Chain<'a, D> {
                 }
             }
         }
+        kinks.retain(|(number, _)| *number < self.solid);
         kinks
     }
 

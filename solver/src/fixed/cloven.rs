@@ -9,9 +9,9 @@ use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
 use super::hollow::{Hollow, HollowFace, HollowWall};
 use super::net::Block;
+use super::sides::pushed;
 use super::slopes::Flow;
 use super::state::{Conserved, dot};
-use super::walls::Wall;
 
 /// So far from a cell, in spacings, lie the middles of those that its slopes are drawn from, at most.
 const SLOPES: f64 = 1.5;
@@ -73,7 +73,7 @@ pub fn part<G: EquationOfState, const D: usize>(
     }
 }
 
-/// Lets the shocks say what presses on the walls of a block, whose usual `pressures` are given.
+/// Lets the shocks say what presses on the walls of a block behind them, whose usual `pressures` are given.
 pub fn press<G: EquationOfState, const D: usize>(
     gas: &G,
     shocks: &[Cleaving<'_, D>],
@@ -82,12 +82,42 @@ pub fn press<G: EquationOfState, const D: usize>(
     pressures: &mut [f64],
 ) {
     for cleaving in shocks {
-        for seen in &cleaving.hollow.walls {
+        for seen in cleaving.hollow.walls.iter().filter(|wall| wall.is_behind) {
             let wall = &block.walls[seen.number as usize];
-            let pressure = &mut pressures[seen.number as usize];
-            *pressure = cleaving.pressure(gas, seen, wall, flow, *pressure);
+            let face = (wall.i as usize, &wall.image.normal);
+            if let Some((pressure, weight)) = cleaving.pressure(gas, seen, face, flow) {
+                let usual = &mut pressures[seen.number as usize];
+                *usual += weight * (pressure - *usual);
+            }
         }
     }
+}
+
+/// What the cells of a block gain, and all of them, where the shocks say what presses on mirrors.
+pub fn reflect<G: EquationOfState, const D: usize>(
+    gas: &G,
+    shocks: &[Cleaving<'_, D>],
+    block: &Block<D>,
+    flow: Flow<'_, D>,
+    cells: &mut [Conserved<D>],
+) -> Conserved<D> {
+    let mut all = Conserved::ZERO;
+    for cleaving in shocks {
+        for seen in &cleaving.hollow.mirrors {
+            let side = &block.sides[seen.number as usize];
+            let i = side.i as usize;
+            let normal = &side.image.normal;
+            if let Some((pressure, weight)) = cleaving.pressure(gas, seen, (i, normal), flow) {
+                let usual = side.flux(gas, &flow.states[i], &flow.slopes[i], None);
+                let more = pushed(pressure, normal).plus(-1.0, &usual);
+                let gain = Conserved::ZERO.plus(-weight * side.image.size, &more);
+                let cell = &mut cells[i - block.cells.start];
+                *cell = cell.plus(1.0, &gain);
+                all = all.plus(1.0, &gain);
+            }
+        }
+    }
+    all
 }
 
 impl<const D: usize> Cleaving<'_, D> {
@@ -133,35 +163,36 @@ impl<const D: usize> Cleaving<'_, D> {
         Some(Conserved::ZERO.plus(weight, &more))
     }
 
-    /// Pressure on a wall behind the shock, where it would be `usual` elsewhere.
+    /// Pressure on a wall or a mirror with this `normal`, and how far that is to be believed, where the slopes of its cell see the shock.
     fn pressure<G: EquationOfState>(
         &self,
         gas: &G,
-        seen: &HollowWall<D>,
-        wall: &Wall<D>,
+        seen: &HollowWall,
+        (i, normal): (usize, &[f64; D]),
         flow: Flow<'_, D>,
-        usual: f64,
-    ) -> f64 {
-        let i = wall.i as usize;
+    ) -> Option<(f64, f64)> {
         let shock = &self.shock;
         let near = nearness(seen.away);
         let cell = &self.hollow.cells[seen.cell as usize];
         // Farther from the shock slopes know nothing of it.
-        let is_near =
-            cell.height(&shock.normal).abs() < cell.radius + SLOPES * self.hollow.bend.unit;
-        if near <= 0.0
-            || flow.slopes[i].calmness < 0.0
-            || !is_near
-            || dot(&seen.middle, &shock.normal) >= 0.0
+        let reach = cell.radius + SLOPES * self.hollow.bend.unit;
+        if near <= 0.0 || flow.slopes[i].calmness < 0.0 || cell.height(&shock.normal).abs() >= reach
         {
-            return usual;
+            return None;
         }
         let own = &flow.states[i];
         let known = shock.mean(gas, self.parts[seen.cell as usize]);
         let weight = near * shock.share * shock.agreement(own, &known);
-        let there = shifted(own, &known, &shock.rear);
-        let speed = dot(&there.velocity, &wall.image.normal);
-        let pressure = gas.wall_pressure(there.density, there.pressure, speed);
-        usual + weight * (pressure - usual)
+        let there = if seen.is_behind {
+            &shock.rear
+        } else {
+            &shock.front
+        };
+        let there = shifted(own, &known, there);
+        let speed = dot(&there.velocity, normal);
+        Some((
+            gas.wall_pressure(there.density, there.pressure, speed),
+            weight,
+        ))
     }
 }

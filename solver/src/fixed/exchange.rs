@@ -125,6 +125,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             boundary = boundary.plus(-side.image.size, &flux);
             cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
         }
+        boundary = boundary.plus(1.0, &cloven::reflect(gas, &shocks, block, flow, &mut cells));
         // Rings press outwards on the gas that goes around with them.
         if D > 1 {
             for (cell, i) in cells.iter_mut().zip(block.cells.clone()) {

@@ -37,17 +37,17 @@ pub struct HollowFace<const D: usize> {
     pub away: f64,
 }
 
-/// A wall around the bend.
+/// A wall or a mirror around the bend.
 #[derive(Clone, Copy, Debug)]
-pub struct HollowWall<const D: usize> {
+pub struct HollowWall {
     /// Its number in its block.
     pub number: u32,
     /// Number of its cell among those around the bend.
     pub cell: u32,
-    /// Its middle as seen from the bend.
-    pub middle: [f64; D],
-    /// How far that is from the bend, in spacings.
+    /// How far it is from the bend, in spacings.
     pub away: f64,
+    /// True where it goes on as the wall behind the bend rather than as that before.
+    pub is_behind: bool,
 }
 
 /// What of a block lies around a sharp concave bend that is met from one side.
@@ -60,7 +60,9 @@ pub struct Hollow<const D: usize> {
     /// Faces between them.
     pub faces: Vec<HollowFace<D>>,
     /// Their walls.
-    pub walls: Vec<HollowWall<D>>,
+    pub walls: Vec<HollowWall>,
+    /// Their mirrors.
+    pub mirrors: Vec<HollowWall>,
 }
 
 impl<const D: usize> Piece<D> {

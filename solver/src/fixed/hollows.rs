@@ -45,7 +45,7 @@ impl<const D: usize> Net<D> {
                 .collect();
             for number in 0..self.blocks.len() {
                 let hollow = self.hollow(number, &bend, &plans, cells, around);
-                if !hollow.faces.is_empty() || !hollow.walls.is_empty() {
+                if !hollow.cells.is_empty() {
                     self.blocks[number].hollows.push(hollow);
                 }
             }
@@ -117,6 +117,7 @@ impl<const D: usize> Net<D> {
             cells: Vec::new(),
             faces: Vec::new(),
             walls: Vec::new(),
+            mirrors: Vec::new(),
         };
         let mut numbers: HashMap<u32, u32> = HashMap::new();
         let mut place = |i: u32, all: &mut Vec<Plan<D>>| {
@@ -147,17 +148,28 @@ impl<const D: usize> Net<D> {
                 });
             }
         }
-        for (number, wall) in (0..).zip(&block.walls) {
-            if let Some(cell) = place(wall.i, &mut hollow.cells) {
-                let middle = wall.foot - at;
-                hollow.walls.push(HollowWall {
-                    number,
-                    cell,
-                    middle: middle.into(),
-                    away: middle.norm() / bend.unit,
-                });
-            }
-        }
+        let mut walls = |i: u32, number: u32, foot: &Vector<D>, normal: &[f64; D]| {
+            let normal = Vector::from(*normal);
+            let off = |way: &[f64; D]| normal.dot(&Vector::from(*way)).abs();
+            Some(HollowWall {
+                number,
+                cell: place(i, &mut hollow.cells)?,
+                away: (foot - at).norm() / bend.unit,
+                is_behind: off(&bend.along) < off(&bend.before),
+            })
+        };
+        hollow.walls = (0..)
+            .zip(&block.walls)
+            .filter_map(|(number, wall)| walls(wall.i, number, &wall.foot, &wall.image.normal))
+            .collect();
+        hollow.mirrors = (0..)
+            .zip(&block.sides)
+            .filter(|(_, side)| side.is_mirror())
+            .filter_map(|(number, side)| {
+                let foot = cells.points[side.i as usize] + Vector::from(side.way());
+                walls(side.i, number, &foot, &side.image.normal)
+            })
+            .collect();
         hollow
     }
 }

@@ -113,6 +113,11 @@ impl<const D: usize> Side<D> {
         Jump::new(gas, drawn, other, normal).hllc()
     }
 
+    /// True of a face on a plane of symmetry, but not of none on an axis.
+    pub fn is_mirror(&self) -> bool {
+        matches!(self.beyond, Beyond::Mirror) && self.image.size > 0.0
+    }
+
     /// From the cell's point to the middle of the face.
     pub fn way(&self) -> [f64; D] {
         std::array::from_fn(|k| self.aside[k] + self.image.distance * self.image.normal[k])
@@ -172,7 +177,7 @@ fn drawn_out<const D: usize>(
 }
 
 /// Flux through a face that nothing passes.
-fn pushed<const D: usize>(pressure: f64, normal: &[f64; D]) -> Conserved<D> {
+pub fn pushed<const D: usize>(pressure: f64, normal: &[f64; D]) -> Conserved<D> {
     Conserved {
         mass: 0.0,
         momentum: normal.map(|n| pressure * n),

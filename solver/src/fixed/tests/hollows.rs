@@ -34,9 +34,14 @@ impl Ramp {
         }
     }
 
-    /// The ramp in one piece with the wall before it, or alone on a side that is a wall.
-    fn problem(&self, is_whole: bool) -> Problem<2> {
-        let body: Arc<dyn Shape<2>> = if is_whole {
+    /// The ramp in one piece with the wall before it.
+    fn problem(&self) -> Problem<2> {
+        self.problem_on(Side::Body)
+    }
+
+    /// The ramp alone on a `side`, or in one piece with the wall before it.
+    fn problem_on(&self, side: Side) -> Problem<2> {
+        let body: Arc<dyn Shape<2>> = if matches!(side, Side::Body) {
             Arc::new(bodies::compression_corner(0.0, self.degrees).unwrap())
         } else {
             let height = 3.0 * self.degrees.to_radians().tan();
@@ -51,7 +56,7 @@ impl Ramp {
             DX,
             vec![Arc::new(Placed::new(body, place))],
         );
-        problem.domain.sides[1][0] = if is_whole { Side::Body } else { WALL };
+        problem.domain.sides[1][0] = side;
         problem.gas = Gas::ideal(self.gamma);
         problem.free_stream.pressure = 1.0 / self.gamma;
         problem
@@ -97,7 +102,7 @@ fn gas_at_the_wall_is_right_from_the_first_cell_behind_a_sharp_concave_bend() {
         Ramp::new(8.0, 30.0, [5.019_96, 29.712_73], [0.21, 0.37]),
         light,
     ] {
-        let mut flow = FixedSimulation::new(ramp.problem(true)).unwrap();
+        let mut flow = FixedSimulation::new(ramp.problem()).unwrap();
         assert!(flow.settle(400).unwrap().is_settled);
         let Ramp { mach, degrees, .. } = ramp;
         let off = ramp.off(&flow);
@@ -110,10 +115,38 @@ fn gas_at_the_wall_is_right_from_the_first_cell_behind_a_sharp_concave_bend() {
 #[test]
 fn a_ramp_that_stands_on_a_side_is_as_one_that_the_wall_goes_over_to() {
     let ramp = Ramp::new(3.0, 20.0, [2.459_90, 3.771_26], [0.23, 0.0]);
-    let mut flow = FixedSimulation::new(ramp.problem(false)).unwrap();
+    for side in [WALL, Side::Symmetry] {
+        let mut flow = FixedSimulation::new(ramp.problem_on(side)).unwrap();
+        assert!(flow.settle(400).unwrap().is_settled);
+        let off = ramp.off(&flow);
+        assert!(off < 0.003, "{off}");
+    }
+}
+
+/// Half of a diamond of 10 degrees: behind its trailing edge gas turns back along the plane of symmetry [NACA Report 1135 (1953), eqs 44, 128, 129,
+/// 150 and 171c].
+#[test]
+fn gas_along_a_mirror_is_right_from_the_first_cells_behind_a_trailing_edge() {
+    const BEHIND: f64 = 0.982_702;
+    let half = 0.3;
+    let height = half * f64::to_radians(10.0).tan();
+    let points = [
+        [-half, 0.0],
+        [-half, -0.2],
+        [half, -0.2],
+        [half, 0.0],
+        [0.0, height],
+    ];
+    let body = Arc::new(bodies::polygon(&points.map(Vector::from)).unwrap());
+    let mut problem = stream(2.5, [[-0.5, 0.0], [0.9, 0.8]], 0.02, vec![body]);
+    problem.domain.sides[1][0] = Side::Symmetry;
+    let mut flow = FixedSimulation::new(problem).unwrap();
     assert!(flow.settle(400).unwrap().is_settled);
-    let off = ramp.off(&flow);
-    assert!(off < 0.003, "{off}");
+    let each = flow.points.iter().zip(&flow.columns.held);
+    let row = each.filter(|(at, _)| (half + 0.2..half + 0.5).contains(&at[0]) && at[1] < 0.04);
+    let off: Vec<f64> = row.map(|(_, held)| held.mass / BEHIND - 1.0).collect();
+    assert!(!off.is_empty());
+    assert!(off.iter().all(|off| off.abs() < 0.01), "{off:?}");
 }
 
 /// About an axis the shock at the bend is that of the plane, and weakens from there on.
@@ -146,7 +179,7 @@ fn a_flare_begins_as_a_ramp() {
 #[test]
 fn a_march_comes_to_the_same_shock() {
     let ramp = Ramp::new(2.5, 20.0, [2.200_16, 3.210_91], [0.4, 0.73]);
-    let mut flow = FixedSimulation::new(ramp.problem(true)).unwrap();
+    let mut flow = FixedSimulation::new(ramp.problem()).unwrap();
     let before = flow.totals();
     while flow.time() < 2.5 {
         flow.step(2.5).unwrap();
@@ -169,7 +202,7 @@ fn flows_whose_shock_is_not_at_the_bend_know_nothing_of_it() {
     for (mach, degrees) in [(0.8, 10.0), (2.0, 28.0)] {
         let ramp = Ramp::new(mach, degrees, [1.0; 2], [0.3, 0.2]);
         let gains = |has_bends: bool| {
-            let mut flow = FixedSimulation::new(ramp.problem(true)).unwrap();
+            let mut flow = FixedSimulation::new(ramp.problem()).unwrap();
             assert!(
                 flow.net
                     .blocks
