@@ -6,6 +6,7 @@ use aero_geometry::{Bounds, Placed, Placement, Shape, Vector, bodies};
 
 use super::lattice::problem;
 use crate::fixed::FixedSimulation;
+use crate::frame::Totals;
 use crate::problem::{Problem, Side, State};
 use crate::tests::slip_body;
 
@@ -297,5 +298,17 @@ fn a_disc_cut_by_a_plane_has_the_force_the_moment_and_the_coefficients_of_the_wh
         assert!(apart < 1e-3, "{whole:?} {half:?}");
         let apart = (whole.moment[k] - half.moment[k]).abs();
         assert!(apart < 1e-3, "{whole:?} {half:?}");
+    }
+}
+
+/// Neither mass, momentum nor energy is made in a flow that had `before` at its start.
+#[track_caller]
+pub fn nothing_is_made<const D: usize>(flow: &FixedSimulation<D>, before: &Totals) {
+    let (after, inflow) = (flow.totals(), flow.inflow());
+    assert!((after.mass - before.mass - inflow.mass).abs() < 1e-11);
+    assert!((after.energy - before.energy - inflow.energy).abs() < 1e-11);
+    for k in 0..D {
+        let made = after.momentum[k] - before.momentum[k] - inflow.momentum[k];
+        assert!(made.abs() < 1e-11, "{k}: {made}");
     }
 }

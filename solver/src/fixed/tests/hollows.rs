@@ -4,13 +4,14 @@ use std::sync::Arc;
 
 use aero_geometry::{Placed, Placement, Shape, Vector, bodies};
 
-use super::flows::stream;
+use super::flows::{nothing_is_made, stream};
 use super::lattice::WALL;
 use crate::fixed::FixedSimulation;
 use crate::gas::Gas;
 use crate::problem::{Problem, Side};
 
 /// A stream over a wall that turns to it, and what stands behind the shock there [NACA Report 1135 (1953), eqs 128, 129 and 150].
+#[derive(Clone, Copy)]
 struct Ramp {
     mach: f64,
     degrees: f64,
@@ -178,21 +179,20 @@ fn a_flare_begins_as_a_ramp() {
 
 #[test]
 fn a_march_comes_to_the_same_shock() {
-    let ramp = Ramp::new(2.5, 20.0, [2.200_16, 3.210_91], [0.4, 0.73]);
-    let mut flow = FixedSimulation::new(ramp.problem()).unwrap();
-    let before = flow.totals();
-    while flow.time() < 2.5 {
-        flow.step(2.5).unwrap();
-    }
-    let off = ramp.off(&flow);
-    assert!(off < 0.003, "{off}");
-    // Neither mass nor energy is made at the shock.
-    let (after, inflow) = (flow.totals(), flow.inflow());
-    assert!((after.mass - before.mass - inflow.mass).abs() < 1e-11);
-    assert!((after.energy - before.energy - inflow.energy).abs() < 1e-11);
-    for k in 0..2 {
-        let made = after.momentum[k] - before.momentum[k] - inflow.momentum[k];
-        assert!(made.abs() < 1e-11, "{k}: {made}");
+    let whole = Ramp::new(2.5, 20.0, [2.200_16, 3.210_91], [0.4, 0.73]);
+    let half = Ramp {
+        moved: [0.4, 0.0],
+        ..whole
+    };
+    for (ramp, side) in [(whole, Side::Body), (half, Side::Symmetry)] {
+        let mut flow = FixedSimulation::new(ramp.problem_on(side)).unwrap();
+        let before = flow.totals();
+        while flow.time() < 2.5 {
+            flow.step(2.5).unwrap();
+        }
+        let off = ramp.off(&flow);
+        assert!(off < 0.003, "{off}");
+        nothing_is_made(&flow, &before);
     }
 }
 
