@@ -214,6 +214,8 @@ pub struct WallTreatment {
     pub keeps_entropy: bool,
     /// Ghost volumes stay constant; false only to show what happens otherwise.
     pub constant_volume: bool,
+    /// Gas that a step has carried into a wall comes back as off a mirror; otherwise it is left there.
+    pub sends_back: bool,
     /// Gas on one side of a thin part feels neither gas nor ghosts of the other side.
     pub surface_tags: bool,
 }

@@ -26,6 +26,7 @@ impl Scheme {
         wall: WallTreatment {
             follows_the_bend: false,
             keeps_entropy: false,
+            sends_back: false,
             ..Self::CONSERVATIVE.wall
         },
         ..Self::CONSERVATIVE
@@ -62,6 +63,7 @@ impl Scheme {
             follows_the_bend: true,
             keeps_entropy: true,
             constant_volume: true,
+            sends_back: true,
             surface_tags: true,
         },
         skip_undisturbed: true,
@@ -89,6 +91,10 @@ impl Scheme {
             return_of_shift: ReturnOfShift::Advection,
             evened_out: Some(10),
             ..Self::CONSERVATIVE.transport_velocity
+        },
+        wall: WallTreatment {
+            sends_back: true,
+            ..Self::PAPER.wall
         },
         skip_undisturbed: false,
         ..Self::PAPER

@@ -57,7 +57,7 @@ impl<const D: usize> Simulation<D> {
         } = self;
         walls.update_smoothing_lengths();
         let times = clock.go_on(step, limit);
-        if is_leapfrog {
+        if problem.scheme.wall.sends_back {
             rebound(problem, times[1], fluid, walls, books);
         }
         buffers.exchange(problem, times, fluid, books);

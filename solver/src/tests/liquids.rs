@@ -111,6 +111,50 @@ fn iterative_shifting_evens_particles_out_and_leaves_the_flow_in_place() {
     assert!(error < 2e-3, "the flow is off by {error}");
 }
 
+/// One particle of a liquid at rest goes into a wall at half the speed of sound: how often it was sent back, and its height over the wall.
+fn sent_back(scheme: Scheme) -> (u64, f64) {
+    let mut problem = boxed::<2>(scheme, WALL, 0.0);
+    problem.disorder = 0.0;
+    let mut simulation = start(problem);
+    let middle = Vector::<2>::new(0.5, 0.0);
+    let away = |at: &Vector<2>| (at - middle).norm();
+    let nearest = simulation
+        .fluid
+        .iter()
+        .min_by(|a, b| away(&a.position).total_cmp(&away(&b.position)));
+    let id = nearest.expect("liquid").id;
+    for particle in &mut simulation.fluid {
+        if particle.id == id {
+            particle.position[1] = 0.002;
+            particle.velocity[1] = -0.5 * SOUND;
+        }
+    }
+    advance(&mut simulation, 1);
+    let one = simulation.fluid.iter().find(|particle| particle.id == id);
+    let height = one.expect("the particle").position[1];
+    (simulation.books.extremes.returned, height)
+}
+
+#[test]
+fn walls_send_back_what_a_step_has_carried_into_them() {
+    for scheme in SCHEMES
+        .into_iter()
+        .filter(|scheme| !scheme.transport_velocity.at_rest)
+    {
+        let (returned, height) = sent_back(scheme);
+        assert!(
+            returned == 1 && height > 0.0,
+            "{}: {returned}, {height}",
+            scheme.name
+        );
+    }
+    let (returned, height) = sent_back(Scheme::PAPER.of_liquid());
+    assert!(
+        returned == 0 && height < 0.0,
+        "as printed: {returned}, {height}"
+    );
+}
+
 /// A sound wave in a box that holds it once, a period later: what it has grown by.
 #[test]
 fn sound_comes_back_after_a_period_in_each_scheme() {
