@@ -122,19 +122,6 @@ impl<const D: usize> AttachedShock<D> {
         })
     }
 
-    /// The mean of a cell of which this part is in front.
-    pub fn mean<G: EquationOfState>(&self, gas: &G, part: f64) -> Primitive<D> {
-        if part >= 1.0 {
-            self.front
-        } else if part <= 0.0 {
-            self.rear
-        } else {
-            let [front, rear] = [&self.front, &self.rear].map(|state| state.conserved(gas));
-            let sum = Conserved::ZERO.plus(part, &front).plus(1.0 - part, &rear);
-            sum.primitive(gas)
-        }
-    }
-
     /// How far gas in the state `own` may be taken for what is `known` of it: not where its pressure is off by what the whole shock changes,
     /// and wholly up to half of that.
     pub fn agreement(&self, own: &Primitive<D>, known: &Primitive<D>) -> f64 {
@@ -143,6 +130,27 @@ impl<const D: usize> AttachedShock<D> {
             1.0 - rise(off / self.strength, 0.5, 1.0)
         } else {
             0.0
+        }
+    }
+}
+
+/// The mean of a cell of which these parts are behind shocks, in those states, and the others in `front`.
+pub fn mean<G: EquationOfState, const D: usize>(
+    gas: &G,
+    front: &Primitive<D>,
+    behind: &[(f64, &Primitive<D>)],
+) -> Primitive<D> {
+    let ahead = behind.iter().fold(1.0, |ahead, (part, _)| ahead - part);
+    let whole = behind.iter().find(|(part, _)| *part >= 1.0);
+    match whole {
+        Some((_, rear)) => **rear,
+        None if ahead >= 1.0 => *front,
+        None => {
+            let front = Conserved::ZERO.plus(ahead, &front.conserved(gas));
+            let add = |sum: Conserved<D>, (part, rear): &(f64, &Primitive<D>)| {
+                sum.plus(*part, &rear.conserved(gas))
+            };
+            behind.iter().fold(front, add).primitive(gas)
         }
     }
 }
@@ -219,7 +227,7 @@ mod tests {
         let AttachedShock { front, rear, .. } = &shock;
         assert_eq!(shock.agreement(rear, rear), 1.0);
         assert_eq!(shock.agreement(front, rear), 0.0);
-        let mixed = shock.mean(&AIR, 0.3);
+        let mixed = mean(&AIR, front, &[(0.7, rear)]);
         assert!(shock.agreement(&mixed, rear) > 0.5);
         let back = rear.mirrored(&[1.0, 0.0]);
         assert_eq!(shock.agreement(&back, rear), 0.0);

@@ -24,6 +24,15 @@ pub struct Bend<const D: usize> {
     pub unit: f64,
 }
 
+/// A tip in the plane, which parts the gas that meets it.
+#[derive(Clone, Debug)]
+pub struct Tip<const D: usize> {
+    /// Its two walls as one convex bend.
+    pub around: Bend<D>,
+    /// What gas meets on either side: each goes up to a wall, from the middle between both on.
+    pub bends: [Bend<D>; 2],
+}
+
 /// What of a block lies around a bend.
 #[derive(Clone, Debug)]
 pub struct Surroundings<const D: usize> {

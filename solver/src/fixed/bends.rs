@@ -37,11 +37,12 @@ impl<const D: usize> Net<D> {
     fn add_bends_in_plane(&mut self, cells: &Cells<D>, is_axisymmetric: bool) {
         let mirrors = self.mirrors(cells);
         let chain = Chain::new(self, cells, &mirrors);
-        let (bends, hollows, kinks) = (chain.bends(), chain.hollows(), chain.kinks());
+        let (bends, kinks) = (chain.bends(), chain.kinks());
+        let (hollows, tips) = (chain.hollows(), chain.tips());
         for (number, kink) in kinks {
             self.add_kink(number, kink);
         }
-        self.add_hollows(cells, hollows, is_axisymmetric);
+        self.add_roots(cells, hollows, tips, is_axisymmetric);
         if bends.is_empty() {
             return;
         }

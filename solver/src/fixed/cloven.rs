@@ -1,51 +1,86 @@
-//! What flows near a sharp concave bend in the plane: cells that the shock there runs through hold gas of both its sides, and each part of a
+//! What flows near a sharp concave bend or a tip in the plane: cells that a shock there runs through hold gas of both its sides, and each part of a
 //! face lets through what is on its side.
 //!
-//! Where cells hold what they would by a straight shock, gas on both sides of a face is the same, part by part, and nothing but the shock stands there.
+//! Where cells hold what they would by straight shocks, gas on both sides of a face is the same, part by part, and nothing but the shocks stands there.
 
-use super::attached::{AttachedShock, nearness};
+use super::attached::{AttachedShock, mean, nearness};
 use super::bent::{Layout, shifted};
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
-use super::hollow::{Hollow, HollowFace, HollowWall};
+use super::root::{Plan, Root, RootFace, RootWall, Sector};
 use super::net::Block;
 use super::sides::pushed;
 use super::slopes::Flow;
-use super::state::{Conserved, dot};
+use super::state::{Conserved, Primitive, dot};
 
 /// So far from a cell, in spacings, lie the middles of those that its slopes are drawn from, at most.
 const SLOPES: f64 = 1.5;
 
-/// A shock that stands at a bend, and what is around it.
-pub struct Cleaving<'a, const D: usize> {
+/// As many shocks stand at one place at most: those of a tip.
+const MOST: usize = 2;
+
+/// What is behind a shock.
+struct Behind<const D: usize> {
     shock: AttachedShock<D>,
-    hollow: &'a Hollow<D>,
-    /// The part of each cell that is in front of it.
-    parts: Vec<f64>,
+    /// Where it is.
+    sector: Sector<D>,
+    /// Which of the walls that lead away from the root bounds it.
+    wall: u8,
 }
 
-/// The shocks that stand at the concave bends of a block.
+/// Shocks that stand at a bend or a tip, and what is around it.
+pub struct Cleaving<'a, const D: usize> {
+    /// Gas in front of all of them.
+    front: Primitive<D>,
+    shocks: Vec<Behind<D>>,
+    root: &'a Root<D>,
+    /// The parts of each cell that are behind them.
+    parts: Vec<[f64; MOST]>,
+}
+
+/// The shocks that stand at the concave bends and the tips of a block.
 pub fn shocks<'a, G: EquationOfState, const D: usize>(
     gas: &G,
     block: &'a Block<D>,
     flow: Flow<'_, D>,
 ) -> Vec<Cleaving<'a, D>> {
-    let stands = |hollow: &'a Hollow<D>| {
-        let bend = &hollow.bend;
-        let shock = AttachedShock::new(gas, &bend.front(flow.states), bend)?;
-        let parts: Vec<f64> = (hollow.cells.iter())
-            .map(|cell| cell.part(&shock.normal))
+    let stands = |root: &'a Root<D>| {
+        let front = root.bends[0].front(flow.states);
+        let shocks: Vec<Behind<D>> = (0..)
+            .zip(&root.bends)
+            .filter_map(|(wall, bend)| {
+                let shock = AttachedShock::new(gas, &front, bend)?;
+                let rearwards = shock.normal.map(|part| -part);
+                let over = if root.is_tip() { bend.up } else { rearwards };
+                let sector = Sector {
+                    sides: [rearwards, over],
+                };
+                Some(Behind {
+                    shock,
+                    sector,
+                    wall,
+                })
+            })
             .collect();
-        Some(Cleaving {
-            shock,
-            hollow,
+        let parts = |cell: &Plan<D>| {
+            let mut parts = [0.0; MOST];
+            for (part, behind) in parts.iter_mut().zip(&shocks) {
+                *part = cell.part(&behind.sector);
+            }
+            parts
+        };
+        let parts = root.cells.iter().map(parts).collect();
+        (!shocks.is_empty()).then_some(Cleaving {
+            front,
+            shocks,
+            root,
             parts,
         })
     };
-    block.hollows.iter().filter_map(stands).collect()
+    block.roots.iter().filter_map(stands).collect()
 }
 
-/// Adds to what the cells of a block gain what the faces around its concave bends let through more than the `usual` flux, face by face.
+/// Adds to what the cells of a block gain what the faces around its concave bends and tips let through more than the `usual` flux, face by face.
 pub fn part<G: EquationOfState, const D: usize>(
     gas: &G,
     shocks: &[Cleaving<'_, D>],
@@ -56,7 +91,7 @@ pub fn part<G: EquationOfState, const D: usize>(
 ) {
     let start = block.cells.start;
     for cleaving in shocks {
-        for seen in &cleaving.hollow.faces {
+        for seen in &cleaving.root.faces {
             let face = &block.faces[seen.number as usize];
             let size = net.face_shapes[face.shape as usize].size;
             let usual = &usual[seen.number as usize];
@@ -82,7 +117,7 @@ pub fn press<G: EquationOfState, const D: usize>(
     pressures: &mut [f64],
 ) {
     for cleaving in shocks {
-        for seen in cleaving.hollow.walls.iter().filter(|wall| wall.is_behind) {
+        for seen in cleaving.root.walls.iter().filter(|wall| wall.behind.is_some()) {
             let wall = &block.walls[seen.number as usize];
             let face = (wall.i as usize, &wall.image.normal);
             if let Some((pressure, weight)) = cleaving.pressure(gas, seen, face, flow) {
@@ -103,7 +138,7 @@ pub fn reflect<G: EquationOfState, const D: usize>(
 ) -> Conserved<D> {
     let mut all = Conserved::ZERO;
     for cleaving in shocks {
-        for seen in &cleaving.hollow.mirrors {
+        for seen in &cleaving.root.mirrors {
             let side = &block.sides[seen.number as usize];
             let i = side.i as usize;
             let normal = &side.image.normal;
@@ -121,11 +156,21 @@ pub fn reflect<G: EquationOfState, const D: usize>(
 }
 
 impl<const D: usize> Cleaving<'_, D> {
+    /// What a cell holds where nothing but the shocks stands there.
+    fn known<G: EquationOfState>(&self, gas: &G, cell: u32) -> Primitive<D> {
+        let mut behind = [(0.0, &self.front); MOST];
+        let parts = self.parts[cell as usize];
+        for ((one, part), other) in behind.iter_mut().zip(parts).zip(&self.shocks) {
+            *one = (part, &other.shock.rear);
+        }
+        mean(gas, &self.front, &behind)
+    }
+
     /// What flows through a face of this `size` between two cells more than the `usual` flux.
     fn more<G: EquationOfState>(
         &self,
         gas: &G,
-        seen: &HollowFace<D>,
+        seen: &RootFace<D>,
         cells: [usize; 2],
         size: f64,
         flow: Flow<'_, D>,
@@ -133,8 +178,8 @@ impl<const D: usize> Cleaving<'_, D> {
     ) -> Option<Conserved<D>> {
         // Where all is on one side, cells know it.
         let parts = seen.cells.map(|cell| self.parts[cell as usize]);
-        let is_whole = |part: f64| part <= 0.0 || part >= 1.0;
-        if parts[0] == parts[1] && is_whole(parts[0]) {
+        let is_whole = |part: &f64| *part <= 0.0 || *part >= 1.0;
+        if parts[0] == parts[1] && parts[0].iter().all(is_whole) {
             return None;
         }
         // Cells of first order are left alone.
@@ -142,23 +187,32 @@ impl<const D: usize> Cleaving<'_, D> {
         if near <= 0.0 || cells.iter().any(|&i| flow.slopes[i].calmness < 0.0) {
             return None;
         }
-        let shock = &self.shock;
-        let part = seen.piece.part(&shock.normal);
         let own = cells.map(|i| &flow.states[i]);
-        let known = parts.map(|part| shock.mean(gas, part));
-        let agreement = |k: usize| shock.agreement(own[k], &known[k]);
-        let weight = near * shock.share * agreement(0).min(agreement(1));
+        let known = seen.cells.map(|cell| self.known(gas, cell));
+        let mut weight = near;
+        for (number, Behind { shock, .. }) in self.shocks.iter().enumerate() {
+            if parts.iter().any(|part| part[number] > 0.0) {
+                let agreement = |k: usize| shock.agreement(own[k], &known[k]);
+                weight = weight.min(near * shock.share * agreement(0).min(agreement(1)));
+            }
+        }
         if weight <= 0.0 {
             return None;
         }
-        let mut flux = Conserved::ZERO;
-        for (there, part) in [(&shock.front, part), (&shock.rear, 1.0 - part)] {
+        let (mut flux, mut ahead) = (Conserved::ZERO, 1.0);
+        let mut let_through = |there: &Primitive<D>, part: f64| {
             if part > 0.0 {
                 let [left, right] = [0, 1].map(|k| shifted(own[k], &known[k], there));
                 let jump = Jump::new(gas, left, right, seen.piece.normal);
                 flux = flux.plus(part * size, &jump.hllc());
             }
+        };
+        for Behind { shock, sector, .. } in &self.shocks {
+            let part = seen.piece.part(sector);
+            let_through(&shock.rear, part);
+            ahead -= part;
         }
+        let_through(&self.front, ahead);
         let more = flux.plus(-1.0, usual);
         Some(Conserved::ZERO.plus(weight, &more))
     }
@@ -167,26 +221,27 @@ impl<const D: usize> Cleaving<'_, D> {
     fn pressure<G: EquationOfState>(
         &self,
         gas: &G,
-        seen: &HollowWall,
+        seen: &RootWall,
         (i, normal): (usize, &[f64; D]),
         flow: Flow<'_, D>,
     ) -> Option<(f64, f64)> {
-        let shock = &self.shock;
+        // That before a bend is in front of the one shock there.
+        let bounds = |behind: &&Behind<D>| seen.behind.is_none_or(|wall| wall == behind.wall);
+        let shock = &self.shocks.iter().find(bounds)?.shock;
         let near = nearness(seen.away);
-        let cell = &self.hollow.cells[seen.cell as usize];
+        let cell = &self.root.cells[seen.cell as usize];
         // Farther from the shock slopes know nothing of it.
-        let reach = cell.radius + SLOPES * self.hollow.bend.unit;
+        let reach = cell.radius + SLOPES * self.root.bends[0].unit;
         if near <= 0.0 || flow.slopes[i].calmness < 0.0 || cell.height(&shock.normal).abs() >= reach
         {
             return None;
         }
         let own = &flow.states[i];
-        let known = shock.mean(gas, self.parts[seen.cell as usize]);
+        let known = self.known(gas, seen.cell);
         let weight = near * shock.share * shock.agreement(own, &known);
-        let there = if seen.is_behind {
-            &shock.rear
-        } else {
-            &shock.front
+        let there = match seen.behind {
+            Some(_) => &shock.rear,
+            None => &self.front,
         };
         let there = shifted(own, &known, there);
         let speed = dot(&there.velocity, normal);

@@ -11,7 +11,7 @@ use super::bend::{Kink, Surroundings};
 use super::beyond::Beyond;
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
 use super::face_list::{Face, Join};
-use super::hollow::Hollow;
+use super::root::Root;
 use super::image::Image;
 use super::sides::Side;
 use super::walls::Wall;
@@ -59,7 +59,7 @@ pub struct Block<const D: usize> {
     /// What lies around sharp convex bends of walls.
     pub bends: Vec<Surroundings<D>>,
     /// What lies around sharp concave bends in the plane.
-    pub hollows: Vec<Hollow<D>>,
+    pub roots: Vec<Root<D>>,
     /// Walls ahead of sharp concave bends and of blunt edges.
     pub kinks: Vec<Kink<D>>,
     /// Blocks with cells at most two faces away, this one among them.
@@ -113,7 +113,7 @@ impl<const D: usize> Net<D> {
                     walls: Vec::new(),
                     sides: Vec::new(),
                     bends: Vec::new(),
-                    hollows: Vec::new(),
+                    roots: Vec::new(),
                     kinks: Vec::new(),
                     nearby: Vec::new(),
                 })

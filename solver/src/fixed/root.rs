@@ -1,10 +1,11 @@
-//! A sharp concave bend of a wall in the plane, and the cells around it.
+//! Where shocks are rooted in the plane, at a sharp concave bend of a wall or a tip that parts the stream, and the cells around it.
 
 use aero_geometry::Vector;
 
 use super::bend::{Bend, turned};
+use super::state::dot;
 
-/// A straight piece of the outline of a cell, as seen from the bend.
+/// A straight piece of the outline of a cell, as seen from the root.
 #[derive(Clone, Copy, Debug)]
 pub struct Piece<const D: usize> {
     /// Unit normal, out of the cell.
@@ -13,7 +14,7 @@ pub struct Piece<const D: usize> {
     pub ends: [[f64; D]; 2],
 }
 
-/// The outline of a cell, as seen from the bend.
+/// The outline of a cell, as seen from the root.
 #[derive(Clone, Debug)]
 pub struct Plan<const D: usize> {
     /// Its point.
@@ -24,45 +25,59 @@ pub struct Plan<const D: usize> {
     pub pieces: Vec<Piece<D>>,
 }
 
-/// A face around the bend.
+/// A face around the root.
 #[derive(Clone, Copy, Debug)]
-pub struct HollowFace<const D: usize> {
+pub struct RootFace<const D: usize> {
     /// Its number in its block.
     pub number: u32,
-    /// Numbers of both cells among those around the bend.
+    /// Numbers of both cells among those around the root.
     pub cells: [u32; 2],
-    /// The face as seen from the bend.
+    /// The face as seen from the root.
     pub piece: Piece<D>,
-    /// How far its middle is from the bend, in spacings.
+    /// How far its middle is from the root, in spacings.
     pub away: f64,
 }
 
-/// A wall or a mirror around the bend.
+/// A wall or a mirror around the root.
 #[derive(Clone, Copy, Debug)]
-pub struct HollowWall {
+pub struct RootWall {
     /// Its number in its block.
     pub number: u32,
-    /// Number of its cell among those around the bend.
+    /// Number of its cell among those around the root.
     pub cell: u32,
-    /// How far it is from the bend, in spacings.
+    /// How far it is from the root, in spacings.
     pub away: f64,
-    /// True where it goes on as the wall behind the bend rather than as that before.
-    pub is_behind: bool,
+    /// Number of the wall that it goes on as, of those that lead away from the root; none where it goes on as that before a bend.
+    pub behind: Option<u8>,
 }
 
-/// What of a block lies around a sharp concave bend that is met from one side.
+/// The part of the plane between a shock and the wall behind it: what lies on one side of both of two lines through the root.
+#[derive(Clone, Copy, Debug)]
+pub struct Sector<const D: usize> {
+    /// Normals of the lines, into it. Twice the same where it is all that one of them bounds.
+    pub sides: [[f64; D]; 2],
+}
+
+/// What of a block lies around a sharp concave bend that is met from one side, or around a tip.
 #[derive(Clone, Debug)]
-pub struct Hollow<const D: usize> {
-    /// The bend.
-    pub bend: Bend<D>,
+pub struct Root<const D: usize> {
+    /// The bend; the two that gas meets at a tip, which parts it.
+    pub bends: Vec<Bend<D>>,
     /// Cells.
     pub cells: Vec<Plan<D>>,
     /// Faces between them.
-    pub faces: Vec<HollowFace<D>>,
+    pub faces: Vec<RootFace<D>>,
     /// Their walls.
-    pub walls: Vec<HollowWall>,
+    pub walls: Vec<RootWall>,
     /// Their mirrors.
-    pub mirrors: Vec<HollowWall>,
+    pub mirrors: Vec<RootWall>,
+}
+
+impl<const D: usize> Root<D> {
+    /// True of a tip.
+    pub fn is_tip(&self) -> bool {
+        self.bends.len() > 1
+    }
 }
 
 impl<const D: usize> Piece<D> {
@@ -81,19 +96,22 @@ impl<const D: usize> Piece<D> {
         (end - start).norm()
     }
 
-    /// The part of it that is on that side of a line through the bend to which its `normal` points.
-    pub fn part(&self, normal: &[f64; D]) -> f64 {
-        let normal = Vector::from(*normal);
-        let [start, end] = self.ends.map(|end| Vector::from(end).dot(&normal));
-        match (start > 0.0, end > 0.0) {
-            (true, true) => 1.0,
-            (false, false) => 0.0,
-            (true, false) => start / (start - end),
-            (false, true) => end / (end - start),
+    /// The part of it that is in a `sector`.
+    pub fn part(&self, sector: &Sector<D>) -> f64 {
+        let (mut from, mut to) = (0.0_f64, 1.0_f64);
+        for normal in sector.sides {
+            let [start, end] = self.ends.map(|end| dot(&end, &normal));
+            match (start > 0.0, end > 0.0) {
+                (true, true) => {}
+                (false, false) => return 0.0,
+                (true, false) => to = to.min(start / (start - end)),
+                (false, true) => from = from.max(start / (start - end)),
+            }
         }
+        (to - from).max(0.0)
     }
 
-    /// Area between the bend and the piece, more where it looks away from the bend and less where it looks there.
+    /// Area between the root and the piece, more where it looks away from the root and less where it looks there.
     fn area(&self) -> f64 {
         let away = Vector::from(self.ends[0]).dot(&Vector::from(self.normal));
         0.5 * away * self.length()
@@ -121,24 +139,36 @@ impl<const D: usize> Plan<D> {
         })
     }
 
-    /// How far its point is on that side of a line through the bend to which its unit `normal` points.
+    /// How far its point is on that side of a line through the root to which its unit `normal` points.
     pub fn height(&self, normal: &[f64; D]) -> f64 {
-        Vector::from(self.point).dot(&Vector::from(*normal))
+        dot(&self.point, normal)
     }
 
-    /// The part of its area that is on that side. What is between a piece and the bend has no side on a line through the bend.
-    pub fn part(&self, normal: &[f64; D]) -> f64 {
-        let height = self.height(normal);
-        if height.abs() >= self.radius {
-            return if height > 0.0 { 1.0 } else { 0.0 };
+    /// The part of its area that is in a `sector`. What is between a piece and the root has no part in a line through the root.
+    pub fn part(&self, sector: &Sector<D>) -> f64 {
+        /// Less than this is rounding.
+        const LEAST: f64 = 1e-9;
+        let height = sector.sides.map(|normal| self.height(&normal));
+        if height.iter().any(|height| *height <= -self.radius) {
+            return 0.0;
         }
-        let (mut above, mut all) = (0.0, 0.0);
+        if height.iter().all(|height| *height >= self.radius) {
+            return 1.0;
+        }
+        let (mut within, mut all) = (0.0, 0.0);
         for piece in &self.pieces {
             let area = piece.area();
-            above += piece.part(normal) * area;
+            within += piece.part(sector) * area;
             all += area;
         }
-        (above / all).clamp(0.0, 1.0)
+        let part = within / all;
+        if part < LEAST {
+            0.0
+        } else if part > 1.0 - LEAST {
+            1.0
+        } else {
+            part
+        }
     }
 }
 
@@ -173,7 +203,8 @@ mod tests {
             ([3.0, 1.0], [4.0, 2.0], 0.0),
             ([0.0, 0.0], [2.0, 1.0], 0.25),
         ] {
-            assert_relative_eq!(rectangle(low, high).part(&normal), part, epsilon = 1e-12);
+            let sector = Sector { sides: [normal; 2] };
+            assert_relative_eq!(rectangle(low, high).part(&sector), part, epsilon = 1e-12);
         }
     }
 

@@ -1,33 +1,38 @@
-//! Sharp concave bends of walls in the plane, and the cells around each.
+//! Sharp concave bends of walls and tips in the plane, and the cells around each.
 
 use std::collections::{BTreeMap, HashMap};
 
 use aero_geometry::Vector;
 
 use super::attached::FARTHEST;
-use super::bend::Bend;
+use super::bend::{Bend, Tip};
 use super::bent_face::middle;
 use super::cells::{Cells, RADIAL};
-use super::hollow::{Hollow, HollowFace, HollowWall, Piece, Plan};
+use super::root::{Root, RootFace, RootWall, Piece, Plan};
 use super::net::Net;
 use super::sight::Sight;
+use super::state::dot;
 
 /// Cosine of the elevation of a shock over the wall before its bend, at least.
 const STEEPEST: f64 = 0.17;
 
 impl<const D: usize> Net<D> {
-    /// Finds what lies around sharp concave `bends`. Shocks of several may come by the same place, fans as well: which of them stands there is
-    /// for the gas to say.
-    pub(super) fn add_hollows(
+    /// Finds what lies around sharp concave `bends` and around `tips`. Shocks of several may come by the same place, fans as well: which of them
+    /// stands there is for the gas to say.
+    pub(super) fn add_roots(
         &mut self,
         cells: &Cells<D>,
         bends: Vec<Bend<D>>,
+        tips: Vec<Tip<D>>,
         is_axisymmetric: bool,
     ) {
         let around = |middle: &Vector<D>| if is_axisymmetric { middle[RADIAL] } else { 1.0 };
-        for bend in bends {
+        let concave = bends.into_iter().map(|bend| (bend.clone(), vec![bend]));
+        let tips = tips.into_iter().map(|tip| (tip.around, tip.bends.into()));
+        for (around_it, bends) in concave.chain(tips) {
             let walls = self.blocks.iter().flat_map(|block| &block.walls);
-            let sight = Sight::new(&bend, walls, FARTHEST);
+            let sight = Sight::new(&around_it, walls, FARTHEST);
+            let bend = &bends[0];
             let at = Vector::from(bend.at);
             let is_own = |place: &Vector<D>| {
                 let away = place.norm();
@@ -44,9 +49,9 @@ impl<const D: usize> Net<D> {
                 })
                 .collect();
             for number in 0..self.blocks.len() {
-                let hollow = self.hollow(number, &bend, &plans, cells, around);
-                if !hollow.cells.is_empty() {
-                    self.blocks[number].hollows.push(hollow);
+                let root = self.root(number, &bends, &plans, cells, around);
+                if !root.cells.is_empty() {
+                    self.blocks[number].roots.push(root);
                 }
             }
         }
@@ -101,19 +106,19 @@ impl<const D: usize> Net<D> {
         pieces
     }
 
-    /// What of a block lies around a bend, whose cells have these `plans`. Faces go `around` an axis by so much.
-    fn hollow(
+    /// What of a block lies around the place of `bends`, whose cells have these `plans`. Faces go `around` an axis by so much.
+    fn root(
         &self,
         number: usize,
-        bend: &Bend<D>,
+        bends: &[Bend<D>],
         plans: &HashMap<u32, Plan<D>>,
         cells: &Cells<D>,
         around: impl Fn(&Vector<D>) -> f64,
-    ) -> Hollow<D> {
+    ) -> Root<D> {
         let block = &self.blocks[number];
-        let at = Vector::from(bend.at);
-        let mut hollow = Hollow {
-            bend: bend.clone(),
+        let (at, unit) = (Vector::from(bends[0].at), bends[0].unit);
+        let mut root = Root {
+            bends: bends.to_vec(),
             cells: Vec::new(),
             faces: Vec::new(),
             walls: Vec::new(),
@@ -138,38 +143,48 @@ impl<const D: usize> Net<D> {
             let normal = Vector::from(shape.area) / shape.size;
             let length = shape.size / around(&(seen + at));
             if let [Some(first), Some(second)] =
-                [face.i, face.j].map(|i| place(i, &mut hollow.cells))
+                [face.i, face.j].map(|i| place(i, &mut root.cells))
             {
-                hollow.faces.push(HollowFace {
+                root.faces.push(RootFace {
                     number,
                     cells: [first, second],
                     piece: Piece::new(&seen, &normal, length),
-                    away: seen.norm() / bend.unit,
+                    away: seen.norm() / unit,
                 });
             }
         }
         let mut walls = |i: u32, number: u32, foot: &Vector<D>, normal: &[f64; D]| {
-            let normal = Vector::from(*normal);
-            let off = |way: &[f64; D]| normal.dot(&Vector::from(*way)).abs();
-            Some(HollowWall {
+            Some(RootWall {
                 number,
-                cell: place(i, &mut hollow.cells)?,
-                away: (foot - at).norm() / bend.unit,
-                is_behind: off(&bend.along) < off(&bend.before),
+                cell: place(i, &mut root.cells)?,
+                away: (foot - at).norm() / unit,
+                behind: goes_on_as(bends, normal),
             })
         };
-        hollow.walls = (0..)
+        root.walls = (0..)
             .zip(&block.walls)
             .filter_map(|(number, wall)| walls(wall.i, number, &wall.foot, &wall.image.normal))
             .collect();
-        hollow.mirrors = (0..)
+        root.mirrors = (0..)
             .zip(&block.sides)
-            .filter(|(_, side)| side.is_mirror())
+            .filter(|(_, side)| side.is_mirror() && bends.len() == 1)
             .filter_map(|(number, side)| {
                 let foot = cells.points[side.i as usize] + Vector::from(side.way());
                 walls(side.i, number, &foot, &side.image.normal)
             })
             .collect();
-        hollow
+        root
     }
+}
+
+/// Number of the wall behind one of the `bends` that a wall with this `normal`, out of its cell, goes on as; none of that before.
+fn goes_on_as<const D: usize>(bends: &[Bend<D>], normal: &[f64; D]) -> Option<u8> {
+    let off = |way: &[f64; D]| dot(normal, way).abs();
+    if let [bend] = bends {
+        return (off(&bend.along) < off(&bend.before)).then_some(0);
+    }
+    let from = |bend: &Bend<D>| dot(normal, &bend.up);
+    let each = (0..).zip(bends);
+    each.min_by(|(_, a), (_, b)| from(a).total_cmp(&from(b)))
+        .map(|(number, _)| number)
 }
