@@ -37,11 +37,13 @@ impl<const D: usize> Net<D> {
     fn add_bends_in_plane(&mut self, cells: &Cells<D>, is_axisymmetric: bool) {
         let mirrors = self.mirrors(cells);
         let chain = Chain::new(self, cells, &mirrors);
-        let (bends, kinks) = (chain.bends(), chain.kinks());
+        let (mut bends, kinks) = (chain.bends(), chain.kinks());
         let (hollows, tips) = (chain.hollows(), chain.tips());
         for (number, kink) in kinks {
             self.add_kink(number, kink);
         }
+        // On the side of a tip that turns away from the stream a fan stands.
+        bends.extend(tips.iter().flat_map(|tip| tip.bends.clone()));
         self.add_roots(cells, hollows, tips, is_axisymmetric);
         if bends.is_empty() {
             return;

@@ -25,6 +25,9 @@ const LOOKS: usize = 6;
 /// Cosine between the directions of walls below which one is not the other's way on to a tip.
 const BLUNT: f64 = 0.7;
 
+/// Walls of less than this, in spacings, are short.
+const SHORT: f64 = 0.25;
+
 /// So far from the last walls before it, in spacings, a tip may be.
 const TIP: f64 = 2.5;
 
@@ -181,6 +184,7 @@ impl<'a, const D: usize> Chain<'a, D> {
 
     /// The tip between a wall that ends and one of the same body that starts, if they meet in one.
     fn tip(&self, end: usize, start: usize) -> Option<Tip<D>> {
+        let (end, start) = (self.longer(end, 1), self.longer(start, 0));
         let (to, from) = (self.way(end), self.way(start));
         let is_one = self.walls[end].owner == self.walls[start].owner;
         let turn = self.turn(end, start);
@@ -192,7 +196,7 @@ impl<'a, const D: usize> Chain<'a, D> {
         if !is_one || !is_convex || !is_smooth(end, 1) || !is_smooth(start, 0) {
             return None;
         }
-        let unit = self.units[end];
+        let unit = self.units[end].max(self.units[start]);
         let arm = self.walls[start].foot - self.walls[end].foot;
         let [past, back] = [&from, &to].map(|way| cross(&arm, way) / cross(&to, &from));
         if ![past, -back].iter().all(|away| (0.0..TIP * unit).contains(away)) {
@@ -214,6 +218,13 @@ impl<'a, const D: usize> Chain<'a, D> {
             around: bend(to, from, end),
             bends: [bend(before, -to, end), bend(before, from, start)],
         })
+    }
+
+    /// A wall, or where it is short the one beside it that `way`: the direction of short ones is uncertain.
+    fn longer(&self, wall: usize, way: usize) -> usize {
+        let is_short = self.walls[wall].image.share < SHORT * self.units[wall];
+        let beside = self.links[way][wall].filter(|_| is_short);
+        beside.unwrap_or(wall)
     }
 
     /// The cell with the nearest point to a place, no farther off than this.
