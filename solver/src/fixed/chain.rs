@@ -2,7 +2,7 @@
 
 use aero_geometry::Vector;
 
-use super::bend::{Bend, Kink, Tip, cross, turned};
+use super::bend::{Bend, Kink, cross, turned};
 use super::cells::Cells;
 use super::net::Net;
 use super::walls::Wall;
@@ -11,10 +11,10 @@ use super::walls::Wall;
 const SHARP: f64 = 0.02;
 
 /// Walls next to a sharp bend turn by less than this part of it: those of a curve turn alike.
-const SMOOTH: f64 = 1.0 / 3.0;
+pub(super) const SMOOTH: f64 = 1.0 / 3.0;
 
 /// Cosine between the directions of walls below which they do not follow each other.
-const ASKEW: f64 = 0.3;
+pub(super) const ASKEW: f64 = 0.3;
 
 /// Distance from a bend, in spacings, at which gas has not met it yet.
 const AHEAD: f64 = 1.0;
@@ -22,28 +22,16 @@ const AHEAD: f64 = 1.0;
 /// Walls that are looked at for such gas.
 const LOOKS: usize = 6;
 
-/// Cosine between the directions of walls below which one is not the other's way on to a tip.
-const BLUNT: f64 = 0.7;
-
-/// Walls of less than this, in spacings, are short.
-const SHORT: f64 = 0.25;
-
-/// So far from the last walls before it, in spacings, a tip may be.
-const TIP: f64 = 2.5;
-
-/// So far ahead of a tip, in spacings, gas has not met it yet.
-const AHEAD_OF_TIP: f64 = 1.5;
-
 /// The walls in the plane, each with those that follow it, the gas to the left.
 pub struct Chain<'a, const D: usize> {
-    cells: &'a Cells<D>,
-    walls: Vec<&'a Wall<D>>,
+    pub(super) cells: &'a Cells<D>,
+    pub(super) walls: Vec<&'a Wall<D>>,
     /// How many of them are walls; mirrors, which planes of symmetry are to gas that slides along, come after.
-    solid: usize,
+    pub(super) solid: usize,
     /// Mean distance to the neighbours of the cell of each.
-    units: Vec<f64>,
+    pub(super) units: Vec<f64>,
     /// What follows each, and what goes before it.
-    links: [Vec<Option<usize>>; 2],
+    pub(super) links: [Vec<Option<usize>>; 2],
 }
 
 impl<'a, const D: usize> Chain<'a, D> {
@@ -88,7 +76,7 @@ impl<'a, const D: usize> Chain<'a, D> {
     }
 
     /// Direction of a wall, the gas to its left.
-    fn way(&self, number: usize) -> Vector<D> {
+    pub(super) fn way(&self, number: usize) -> Vector<D> {
         turned(&self.walls[number].image.normal.into())
     }
 
@@ -116,7 +104,7 @@ impl<'a, const D: usize> Chain<'a, D> {
     }
 
     /// By how much the wall turns to the left from one to the next.
-    fn turn(&self, from: usize, to: usize) -> f64 {
+    pub(super) fn turn(&self, from: usize, to: usize) -> f64 {
         let (a, b) = (self.way(from), self.way(to));
         cross(&a, &b).atan2(a.dot(&b))
     }
@@ -157,82 +145,6 @@ impl<'a, const D: usize> Chain<'a, D> {
             }
         }
         bends
-    }
-
-    /// All tips: where a wall ends and another one goes back.
-    pub fn tips(&self) -> Vec<Tip<D>> {
-        // A short wall may stand across a tip.
-        let is_last = |wall: usize, way: usize| {
-            let next = self.links[way][wall].map(|next| self.way(next));
-            let goes_on = next.is_some_and(|next| next.dot(&self.way(wall)) > BLUNT);
-            wall < self.solid && !goes_on
-        };
-        let all = 0..self.walls.len();
-        let ends = all.clone().filter(|&end| is_last(end, 0));
-        let starts: Vec<usize> = all.filter(|&start| is_last(start, 1)).collect();
-        ends.filter_map(|end| {
-            let here = self.walls[end].foot;
-            let away = |start: usize| (self.walls[start].foot - here).norm();
-            let is_near = |start: usize| away(start) < 2.0 * TIP * self.units[end];
-            let near = starts.iter().copied().filter(|&start| is_near(start));
-            let tips = near.filter_map(|start| self.tip(end, start).map(|tip| (start, tip)));
-            let nearest = tips.min_by(|(a, _), (b, _)| away(*a).total_cmp(&away(*b)));
-            nearest.map(|(_, tip)| tip)
-        })
-        .collect()
-    }
-
-    /// The tip between a wall that ends and one of the same body that starts, if they meet in one.
-    fn tip(&self, end: usize, start: usize) -> Option<Tip<D>> {
-        let (end, start) = (self.longer(end, 1), self.longer(start, 0));
-        let (to, from) = (self.way(end), self.way(start));
-        let is_one = self.walls[end].owner == self.walls[start].owner;
-        let turn = self.turn(end, start);
-        let is_smooth = |wall: usize, way: usize| {
-            let step = self.links[way][wall].map(|to| self.turn(wall, to).abs());
-            step.is_some_and(|step| step < SMOOTH * turn.abs())
-        };
-        let is_convex = turn < 0.0 && to.dot(&from) < ASKEW;
-        if !is_one || !is_convex || !is_smooth(end, 1) || !is_smooth(start, 0) {
-            return None;
-        }
-        let unit = self.units[end].max(self.units[start]);
-        let arm = self.walls[start].foot - self.walls[end].foot;
-        let [past, back] = [&from, &to].map(|way| cross(&arm, way) / cross(&to, &from));
-        if ![past, -back].iter().all(|away| (0.0..TIP * unit).contains(away)) {
-            return None;
-        }
-        let at = self.walls[end].foot + to * past;
-        let before = (from - to).normalize();
-        let donor = self.gas_at(&(at - before * (AHEAD_OF_TIP * unit)), unit)?;
-        let bend = |before: Vector<D>, along: Vector<D>, wall: usize| Bend {
-            at: at.into(),
-            edge: [0.0; D],
-            donors: vec![(donor, 1.0)],
-            along: along.into(),
-            before: before.into(),
-            up: self.walls[wall].image.normal.map(|part| -part),
-            unit,
-        };
-        Some(Tip {
-            around: bend(to, from, end),
-            bends: [bend(before, -to, end), bend(before, from, start)],
-        })
-    }
-
-    /// A wall, or where it is short the one beside it that `way`: the direction of short ones is uncertain.
-    fn longer(&self, wall: usize, way: usize) -> usize {
-        let is_short = self.walls[wall].image.share < SHORT * self.units[wall];
-        let beside = self.links[way][wall].filter(|_| is_short);
-        beside.unwrap_or(wall)
-    }
-
-    /// The cell with the nearest point to a place, no farther off than this.
-    fn gas_at(&self, place: &Vector<D>, farthest: f64) -> Option<u32> {
-        let away = self.cells.points.iter().map(|point| (point - place).norm());
-        let near = (0..).zip(away).filter(|(_, away)| *away < farthest);
-        let nearest = near.min_by(|(i, a), (j, b)| a.total_cmp(b).then(i.cmp(j)));
-        nearest.map(|(i, _)| i)
     }
 
     /// The walls ahead of sharp concave bends within the cells that hold these, each with its number.

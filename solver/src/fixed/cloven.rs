@@ -7,8 +7,8 @@ use super::attached::{AttachedShock, mean, nearness};
 use super::bent::{Layout, shifted};
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
-use super::root::{Plan, Root, RootFace, RootWall, Sector};
 use super::net::Block;
+use super::root::{Plan, Root, RootFace, RootWall, Sector};
 use super::sides::pushed;
 use super::slopes::Flow;
 use super::state::{Conserved, Primitive, dot};
@@ -117,7 +117,12 @@ pub fn press<G: EquationOfState, const D: usize>(
     pressures: &mut [f64],
 ) {
     for cleaving in shocks {
-        for seen in cleaving.root.walls.iter().filter(|wall| wall.behind.is_some()) {
+        for seen in cleaving
+            .root
+            .walls
+            .iter()
+            .filter(|wall| wall.behind.is_some())
+        {
             let wall = &block.walls[seen.number as usize];
             let face = (wall.i as usize, &wall.image.normal);
             if let Some((pressure, weight)) = cleaving.pressure(gas, seen, face, flow) {

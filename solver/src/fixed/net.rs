@@ -11,8 +11,8 @@ use super::bend::{Kink, Surroundings};
 use super::beyond::Beyond;
 use super::cells::{Cells, Matrix, RADIAL, WallOwner};
 use super::face_list::{Face, Join};
-use super::root::Root;
 use super::image::Image;
+use super::root::Root;
 use super::sides::Side;
 use super::walls::Wall;
 

@@ -249,13 +249,8 @@ mod tests {
     use super::*;
     use crate::fixed::tests::flows::stream;
 
-    /// The last column of cells is 1.4 spacings wide, so that what belongs to its wall lies up to 1.3 spacings from its foot.
-    #[test]
-    fn walls_have_as_much_of_the_surface_as_they_are_long() {
-        let corner = bodies::expansion_corner(0.0, 45.0).unwrap();
-        let bounds = [[-0.5, -1.6], [1.2, 1.0]];
-        let problem = stream(2.0, bounds, 1.0 / 32.0, vec![Arc::new(corner)]);
-        let flow = FixedSimulation::new(problem).unwrap();
+    /// The walls of a flow, each with the length of what of the surface belongs to it over its own.
+    fn ratios(flow: &FixedSimulation<2>) -> Vec<(&Wall<2>, f64)> {
         let walls: Vec<(&Wall<2>, f64)> = flow.walls().collect();
         let nearby = Nearby::new(&walls, &flow.points, flow.problem.resolution.lattice());
         let panels = Panels::new(&flow.problem);
@@ -263,10 +258,39 @@ mod tests {
             .map(|panel| nearby.pieces(panel))
             .collect();
         let extents = extents(&flow.problem, &panels, &pieces, &walls);
-        for ((wall, _), extent) in walls.iter().zip(&extents) {
-            let ratio = wall.image.share / extent.size;
+        let each = walls.iter().zip(&extents);
+        each.map(|((wall, _), extent)| (*wall, wall.image.share / extent.size))
+            .collect()
+    }
+
+    /// The last column of cells is 1.4 spacings wide, so that what belongs to its wall lies up to 1.3 spacings from its foot.
+    #[test]
+    fn walls_have_as_much_of_the_surface_as_they_are_long() {
+        let corner = bodies::expansion_corner(0.0, 45.0).unwrap();
+        let bounds = [[-0.5, -1.6], [1.2, 1.0]];
+        let problem = stream(2.0, bounds, 1.0 / 32.0, vec![Arc::new(corner)]);
+        let flow = FixedSimulation::new(problem).unwrap();
+        for (wall, ratio) in ratios(&flow) {
             let is_off = (ratio - 1.0).abs() > 1e-6;
             assert!(!is_off || wall.foot[0] < 0.1, "{ratio} at {}", wall.foot);
+        }
+    }
+
+    /// Behind its tip a wedge is so thin that the nearest point to places on one of its sides may lie beyond the other.
+    #[test]
+    fn walls_on_both_sides_of_a_thin_wedge_have_as_much_of_it_as_they_are_long() {
+        let points = [[0.0, 0.0], [2.0, 0.28], [2.0, 0.42]];
+        let wedge = bodies::polygon(&points.map(Vector::from)).unwrap();
+        let problem = stream(
+            2.0,
+            [[-0.5, -1.0], [1.0, 1.0]],
+            1.0 / 32.0,
+            vec![Arc::new(wedge)],
+        );
+        let flow = FixedSimulation::new(problem).unwrap();
+        for (wall, ratio) in ratios(&flow) {
+            let is_off = (ratio - 1.0).abs() > 1e-3;
+            assert!(!is_off || wall.foot[0] < 0.05, "{ratio} at {}", wall.foot);
         }
     }
 

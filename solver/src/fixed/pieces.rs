@@ -5,6 +5,7 @@ use std::rc::Rc;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::{Pencils, Vector};
 
+use super::bend::turned;
 use super::walls::Wall;
 use crate::panels::Panel;
 
@@ -36,6 +37,9 @@ const FEW: usize = 12;
 
 /// What distances are off by at most.
 const ROUNDED: f64 = 1.0 + 1e-9;
+
+/// Walls in the plane are equally near where they are by this part of their length.
+const MEETING: f64 = 1e-6;
 
 /// Cosines that differ by less are of walls that face alike.
 const ALIKE: f64 = 1e-9;
@@ -166,6 +170,7 @@ impl<'a, const D: usize> Nearby<'a, D> {
                         n: n as usize,
                         cell: wall.i,
                         foot: wall.foot,
+                        along: turned(&wall.image.normal.into()),
                         point: self.points[wall.i as usize],
                         facing,
                         area: wall.image.share,
@@ -177,8 +182,8 @@ impl<'a, const D: usize> Nearby<'a, D> {
     }
 }
 
-/// Those of the walls `near` a panel that places on a part of it with these `corners` may belong to: a cell whose point is farther from all of
-/// it than another's owns none of its places. Fine cells may be thousands to the spacing that is looked about.
+/// Those of the walls `near` a panel that places on a part of it with these `corners` may belong to: one that is farther from all of it than another
+/// owns none of its places. Fine cells may be thousands to the spacing that is looked about.
 fn within<const D: usize>(
     near: &Rc<Vec<Candidate<D>>>,
     corners: &[Vector<D>; D],
@@ -193,14 +198,15 @@ fn within<const D: usize>(
     let in_reach = near
         .iter()
         .filter(|found| (found.foot - centre).norm() + radius < reach);
-    let nearest = in_reach.map(|found| (found.point - centre).norm());
+    let nearest = in_reach.map(|found| found.away(&centre));
     let farthest = ROUNDED * (nearest.fold(f64::INFINITY, f64::min) + 2.0 * radius);
-    let may_own = |found: &&Candidate<D>| (found.point - centre).norm() <= farthest;
+    let may_own = |found: &&Candidate<D>| found.away(&centre) <= farthest + MEETING * found.area;
     Rc::new(near.iter().filter(may_own).copied().collect())
 }
 
-/// Number of the wall that a place on a panel belongs to: as cells are divided, of the cell whose point is nearest; of its walls the one that
-/// faces the panel most, the larger one of several. None where all `near` the panel are farther than `reach`.
+/// Number of the wall that a place on a panel belongs to: in the plane the nearest one, in space that of the cell whose point is nearest, as cells
+/// are divided but for thin parts of bodies; of a cell's walls the one that faces the panel most, the larger one of several. None where all `near`
+/// the panel are farther than `reach`.
 fn owner<const D: usize>(near: &[Candidate<D>], place: &Vector<D>, reach: f64) -> Option<usize> {
     let mut best: Option<(&Candidate<D>, f64)> = None;
     for found in near {
@@ -209,7 +215,10 @@ fn owner<const D: usize>(near: &[Candidate<D>], place: &Vector<D>, reach: f64) -
         }
         let from_point = (found.point - place).norm_squared();
         let is_better = best.is_none_or(|(best, least)| {
-            if found.cell == best.cell || from_point == least {
+            let nearer = found.away(place) - best.away(place);
+            if D == 2 && nearer.abs() > MEETING * found.area {
+                nearer < 0.0
+            } else if found.cell == best.cell || from_point == least {
                 found.faces_more_than(best)
             } else {
                 from_point < least
@@ -230,6 +239,8 @@ struct Candidate<const D: usize> {
     /// Its cell.
     cell: u32,
     foot: Vector<D>,
+    /// Direction of the wall in the plane.
+    along: Vector<D>,
     /// That cell's point.
     point: Vector<D>,
     /// Cosine between the directions of the wall and of the panel.
@@ -239,6 +250,17 @@ struct Candidate<const D: usize> {
 }
 
 impl<const D: usize> Candidate<D> {
+    /// How far a place is, in the plane from the wall, which is as long as its cell says, and in space from the cell's point.
+    fn away(&self, place: &Vector<D>) -> f64 {
+        if D == 3 {
+            return (self.point - place).norm();
+        }
+        let arm = place - self.foot;
+        let along = arm.dot(&self.along);
+        let beyond = (along.abs() - 0.5 * self.area).max(0.0);
+        (arm - self.along * along).norm().hypot(beyond)
+    }
+
     /// Of walls that face alike the larger one: slivers, which facets that meet leave in a cell, would ask for pieces as small.
     fn faces_more_than(&self, other: &Self) -> bool {
         let more = self.facing - other.facing;

@@ -8,8 +8,8 @@ use super::attached::FARTHEST;
 use super::bend::{Bend, Tip};
 use super::bent_face::middle;
 use super::cells::{Cells, RADIAL};
-use super::root::{Root, RootFace, RootWall, Piece, Plan};
 use super::net::Net;
+use super::root::{Piece, Plan, Root, RootFace, RootWall};
 use super::sight::Sight;
 use super::state::dot;
 
@@ -142,8 +142,7 @@ impl<const D: usize> Net<D> {
             let shape = &self.face_shapes[face.shape as usize];
             let normal = Vector::from(shape.area) / shape.size;
             let length = shape.size / around(&(seen + at));
-            if let [Some(first), Some(second)] =
-                [face.i, face.j].map(|i| place(i, &mut root.cells))
+            if let [Some(first), Some(second)] = [face.i, face.j].map(|i| place(i, &mut root.cells))
             {
                 root.faces.push(RootFace {
                     number,

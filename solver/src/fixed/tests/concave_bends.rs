@@ -203,17 +203,12 @@ fn flows_whose_shock_is_not_at_the_bend_know_nothing_of_it() {
         let ramp = Ramp::new(mach, degrees, [1.0; 2], [0.3, 0.2]);
         let gains = |has_bends: bool| {
             let mut flow = FixedSimulation::new(ramp.problem()).unwrap();
-            assert!(
-                flow.net
-                    .blocks
-                    .iter()
-                    .any(|block| !block.hollows.is_empty())
-            );
+            assert!(flow.net.blocks.iter().any(|block| !block.roots.is_empty()));
             if !has_bends {
                 flow.net
                     .blocks
                     .iter_mut()
-                    .for_each(|block| block.hollows.clear());
+                    .for_each(|block| block.roots.clear());
             }
             for _ in 0..5 {
                 flow.step(1.0).unwrap();
