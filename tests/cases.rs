@@ -41,6 +41,7 @@ const SMALL: [(&str, &[&str]); 52] = [
         "cylinder-viscous",
         &["end_time=3.0", "stop=end-time", "scheme.refine=0"],
     ),
+    ("diamond", &["end_time=0.1", "stop=end-time"]),
     ("double-mach", &["end_time=0.02", "spacing=0.05"]),
     ("duct", &["end_time=0.1"]),
     (

@@ -11,6 +11,7 @@ mod comparison;
 pub mod cone;
 mod context;
 pub mod cylinder;
+mod diamond;
 pub mod double_mach;
 mod duct;
 mod edge;
@@ -66,7 +67,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 32] = [
+static CASES: [Case; 33] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -89,6 +90,7 @@ static CASES: [Case; 32] = [
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),
+    ("diamond", &[&diamond::DIAMOND]),
     ("aerofoil", &[&aerofoil::AEROFOIL]),
     ("transonic", &[&transonic::TRANSONIC]),
     (

@@ -1,0 +1,91 @@
+//! A diamond at an incidence, by shocks and expansions: exact as long as no wave from one of its sides meets another.
+//!
+//! Each of its front sides turns the stream through a shock, or where it faces away from it through a fan, each of its rear sides through a
+//! fan. Source: Anderson, "Modern Compressible Flow", section 4.15.
+
+use super::oblique::{Strength, oblique_shock};
+use super::prandtl_meyer::expand;
+use super::shock_expansion::Loads;
+use super::{ExactError, require};
+
+/// Pressures on the sides of a diamond, and what they make.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Diamond {
+    /// On the front and the rear of the upper face, over the free stream's.
+    pub upper: [f64; 2],
+    /// The same of the lower face.
+    pub lower: [f64; 2],
+    /// Coefficients over the chord.
+    pub loads: Loads,
+}
+
+/// A diamond whose sides are inclined by `half_angle` in a stream of Mach number `mach` from below, at `incidence`; radians.
+///
+/// # Errors
+/// Angles that are no diamond's, or through which no attached shock turns the stream.
+pub fn diamond(
+    half_angle: f64,
+    mach: f64,
+    incidence: f64,
+    gamma: f64,
+) -> Result<Diamond, ExactError> {
+    require(
+        half_angle > 0.0 && half_angle < 0.5,
+        "the inclination of a diamond's sides in radians",
+        half_angle,
+        "values above 0 and below 0.5",
+    )?;
+    let face = |turn: f64| -> Result<[f64; 2], ExactError> {
+        let [pressure, mach] = if turn > 0.0 {
+            let shock = oblique_shock(mach, turn, gamma, Strength::Weak)?;
+            [shock.pressure_ratio, shock.mach]
+        } else {
+            let fan = expand(mach, -turn, gamma)?;
+            [fan.pressure_ratio, fan.mach]
+        };
+        let rear = expand(mach, 2.0 * half_angle, gamma)?;
+        Ok([pressure, pressure * rear.pressure_ratio])
+    };
+    let (upper, lower) = (face(half_angle - incidence)?, face(half_angle + incidence)?);
+    // Each side is half a chord long along the chord.
+    let scale = 1.0 / (gamma * mach * mach);
+    let across = scale * (lower[0] + lower[1] - upper[0] - upper[1]);
+    let along = scale * half_angle.tan() * (upper[0] + lower[0] - upper[1] - lower[1]);
+    let (sine, cosine) = incidence.sin_cos();
+    Ok(Diamond {
+        upper,
+        lower,
+        loads: Loads {
+            lift: across * cosine - along * sine,
+            drag: across * sine + along * cosine,
+        },
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use approx::assert_relative_eq;
+
+    use super::*;
+
+    /// NACA Report 1135 (1953), table II and charts: 1.454 and 2.822 behind shocks that turn a stream of Mach 3 by 5 and by 15 degrees.
+    #[test]
+    fn the_front_sides_are_those_of_wedges() {
+        let [half, incidence] = [10.0_f64, 5.0].map(f64::to_radians);
+        let diamond = diamond(half, 3.0, incidence, 1.4).unwrap();
+        assert_relative_eq!(diamond.upper[0], 1.453_98, epsilon = 1e-5);
+        assert_relative_eq!(diamond.lower[0], 2.821_56, epsilon = 1e-5);
+        assert!(diamond.lower[1] < diamond.lower[0]);
+    }
+
+    /// Ackeret: a lift of `4 alpha / b` and a drag of `4 (alpha^2 + delta^2) / b`.
+    #[test]
+    fn a_thin_diamond_is_as_linear_theory_says() {
+        let (half, incidence, beta) = (2e-4_f64, 1e-4, 3.0_f64.sqrt());
+        let thin = diamond(half, 2.0, incidence, 1.4).unwrap().loads;
+        assert_relative_eq!(thin.lift, 4.0 * incidence / beta, max_relative = 2e-3);
+        let drag = 4.0 * (incidence * incidence + half * half) / beta;
+        assert_relative_eq!(thin.drag, drag, max_relative = 2e-3);
+        assert!(diamond(0.3, 1.5, 0.2, 1.4).is_err());
+    }
+}
