@@ -14,13 +14,13 @@ const SHARP: f64 = 0.02;
 pub(super) const SMOOTH: f64 = 1.0 / 3.0;
 
 /// Cosine between the directions of walls below which they do not follow each other.
-pub(super) const ASKEW: f64 = 0.3;
+const ASKEW: f64 = 0.3;
 
 /// Distance from a bend, in spacings, at which gas has not met it yet.
 const AHEAD: f64 = 1.0;
 
 /// Walls that are looked at for such gas.
-const LOOKS: usize = 6;
+pub(super) const LOOKS: usize = 6;
 
 /// The walls in the plane, each with those that follow it, the gas to the left.
 pub struct Chain<'a, const D: usize> {

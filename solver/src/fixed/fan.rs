@@ -93,6 +93,10 @@ impl<const D: usize> Fan<D> {
         let rising = dot(&bend.up, &onwards);
         let aside = less(&bend.up, &onwards.map(|part| rising * part));
         let size = dot(&aside, &aside).sqrt();
+        // Gas that goes straight at a side of a tip does not turn round it.
+        if size < LEAST {
+            return None;
+        }
         let aside = aside.map(|part| part / size);
         let turn = (-dot(&bend.along, &aside)).atan2(dot(&bend.along, &onwards));
         let share = fast * (1.0 - rise(turn, STEEP, STEEPEST));
