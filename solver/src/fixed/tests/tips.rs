@@ -54,6 +54,7 @@ fn pressure_on_a_wedge_is_right_from_its_tip_on() {
     for (mach, degrees, pressed, moved, allowed) in [
         (2.5, [10.0, 10.0], [1.863_87; 2], [0.5, 0.5], 0.01),
         (2.5, [10.0, 10.0], [1.863_87; 2], [0.3, 0.2], 0.01),
+        (2.5, [10.0, 10.0], [1.863_87; 2], [0.0, 0.0], 0.01),
         (3.0, [15.0, 5.0], [2.821_56, 1.453_98], [0.4, 0.6], 0.01),
         (8.0, [20.0, 20.0], [14.822_66; 2], [0.4, 0.1], 0.01),
         // A side along the stream, and sides that turn away from it.
@@ -118,6 +119,32 @@ fn a_march_about_a_tip_makes_nothing() {
     let off = wedge.off(&flow);
     assert!(off.iter().all(|off| *off < 0.01), "{off:?}");
     nothing_is_made(&flow, &before);
+}
+
+/// Ends of plates, and of a wedge that a face half a spacing high cuts off, are none; both ends of a lens are.
+#[test]
+fn only_sharp_ends_of_bodies_are_tips() {
+    let found = |points: &[[f64; 2]]| {
+        let points: Vec<_> = points.iter().map(|point| Vector::from(*point)).collect();
+        let body = Arc::new(bodies::polygon(&points).unwrap());
+        let flow =
+            FixedSimulation::new(stream(2.0, [[-0.4, -0.6], [1.2, 0.6]], DX, vec![body])).unwrap();
+        let roots = flow.net.blocks.iter().flat_map(|block| &block.roots);
+        let mut at: Vec<f64> = roots.map(|root| root.bends[0].at[0]).collect();
+        at.sort_by(f64::total_cmp);
+        at.dedup_by(|a, b| (*a - *b).abs() < 1e-6);
+        at
+    };
+    let half = 0.25 * DX;
+    let plate = [[0.0, -half], [0.8, -half], [0.8, half], [0.0, half]];
+    assert!(found(&plate).is_empty());
+    let cut = [[0.0, -half], [2.0, -0.5], [2.0, 0.5], [0.0, half]];
+    assert!(found(&cut).is_empty());
+    let at = found(&[[0.0, 0.01], [0.4, -0.05], [0.8, 0.01], [0.4, 0.07]]);
+    assert!(
+        at.len() == 2 && at[0].abs() < 1e-6 && (at[1] - 0.8).abs() < 1e-6,
+        "{at:?}"
+    );
 }
 
 /// A stream that is slower than sound, one that a shock ahead of the tip slows down, and one that leaves the tip.
