@@ -22,7 +22,7 @@ impl<const D: usize> Net<D> {
             self.add_kink(number, kink);
         }
         match D {
-            2 => self.add_bends_in_plane(cells, problem.domain.is_axisymmetric()),
+            2 => self.add_bends_in_plane(cells, problem),
             3 => {
                 let found =
                     Ridges::of(self, cells, problem).map(|ridges| ridges.around(self, cells));
@@ -34,17 +34,20 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    fn add_bends_in_plane(&mut self, cells: &Cells<D>, is_axisymmetric: bool) {
+    fn add_bends_in_plane(&mut self, cells: &Cells<D>, problem: &Problem<D>) {
         let mirrors = self.mirrors(cells);
         let chain = Chain::new(self, cells, &mirrors);
         let (mut bends, kinks) = (chain.bends(), chain.kinks());
-        let (hollows, tips) = (chain.hollows(), chain.tips());
+        let (hollows, mut tips) = (chain.hollows(), chain.tips());
+        // What the stream leaves, as trailing edges, parts nothing.
+        let stream = problem.free_stream.velocity;
+        tips.retain(|tip| stream.dot(&tip.bends[0].before.into()) >= 0.0);
         for (number, kink) in kinks {
             self.add_kink(number, kink);
         }
         // On the side of a tip that turns away from the stream a fan stands.
         bends.extend(tips.iter().flat_map(|tip| tip.bends.clone()));
-        self.add_roots(cells, hollows, tips, is_axisymmetric);
+        self.add_roots(cells, hollows, tips, problem.domain.is_axisymmetric());
         if bends.is_empty() {
             return;
         }

@@ -62,6 +62,9 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
                 })
             })
             .collect();
+        if shocks.is_empty() {
+            return None;
+        }
         let parts = |cell: &Plan<D>| {
             let mut parts = [0.0; MOST];
             for (part, behind) in parts.iter_mut().zip(&shocks) {
@@ -70,7 +73,7 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
             parts
         };
         let parts = root.cells.iter().map(parts).collect();
-        (!shocks.is_empty()).then_some(Cleaving {
+        Some(Cleaving {
             front,
             shocks,
             root,

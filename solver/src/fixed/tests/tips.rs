@@ -121,7 +121,7 @@ fn a_march_about_a_tip_makes_nothing() {
     nothing_is_made(&flow, &before);
 }
 
-/// Ends of plates, and of a wedge that a face half a spacing high cuts off, are none; both ends of a lens are.
+/// Ends of plates, and of a wedge that a face half a spacing high cuts off, are none, nor is the end of a diamond that the stream leaves.
 #[test]
 fn only_sharp_ends_of_bodies_are_tips() {
     let found = |points: &[[f64; 2]]| {
@@ -141,10 +141,7 @@ fn only_sharp_ends_of_bodies_are_tips() {
     let cut = [[0.0, -half], [2.0, -0.5], [2.0, 0.5], [0.0, half]];
     assert!(found(&cut).is_empty());
     let at = found(&[[0.0, 0.01], [0.4, -0.05], [0.8, 0.01], [0.4, 0.07]]);
-    assert!(
-        at.len() == 2 && at[0].abs() < 1e-6 && (at[1] - 0.8).abs() < 1e-6,
-        "{at:?}"
-    );
+    assert!(at.len() == 1 && at[0].abs() < 1e-6, "{at:?}");
 }
 
 /// A stream that is slower than sound, one that a shock ahead of the tip slows down, and one that leaves the tip.
@@ -169,7 +166,7 @@ fn flows_that_no_tip_parts_know_nothing_of_it() {
             }
             let mut flow = FixedSimulation::new(problem).unwrap();
             let blocks = &mut flow.net.blocks;
-            assert!(blocks.iter().any(|block| !block.roots.is_empty()));
+            assert!(backwards != blocks.iter().any(|block| !block.roots.is_empty()));
             if !has_tip {
                 for block in blocks {
                     block.roots.clear();
