@@ -61,6 +61,9 @@ struct Presser<const D: usize> {
     force: Option<Vector<D>>,
 }
 
+/// What presses a particle presses the panels within its reach, or where there are none those within so many times that.
+const FARTHER: [f64; 3] = [1.25, 1.5, 2.0];
+
 /// What each panel is pressed with at the last evaluation.
 pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<Pressed<D>> {
     let pressers = pressers(flow);
@@ -92,6 +95,12 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         .par_iter()
         .map(|presser| {
             let mut met = met_by(&presser.position, presser.reach);
+            // Ghosts of thinner gas may reach a particle farther than it does.
+            for wider in FARTHER {
+                if met.is_empty() && presser.force.is_some() {
+                    met = met_by(&presser.position, wider * presser.reach);
+                }
+            }
             let mut behind = Vector::zeros();
             // Gas that has come into the wall presses what is near.
             let in_front = met.iter().filter(|met| met.faces);

@@ -217,10 +217,13 @@ fn foot<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> Vector<D> {
 
 /// True of a ghost of a body unless its foot lies beyond a side that is no open one, where a copy of it or another wall is.
 fn is_reported<const D: usize>(domain: &Domain<D>, ghost: &Ghost<D>) -> bool {
+    /// Feet on a side may be rounded to beyond it by no more than this part of the ghost's smoothing length.
+    const ROUNDED: f64 = 1e-6;
     let foot = foot(domain, ghost);
-    domain
-        .each_side()
-        .all(|(axis, end, side, _)| side.is_open() || domain.depth_within(axis, end, &foot) >= 0.0)
+    let least = -ROUNDED * ghost.shown.smoothing_length;
+    domain.each_side().all(|(axis, end, side, _)| {
+        side.is_open() || domain.depth_within(axis, end, &foot) >= least
+    })
 }
 
 /// True of a ghost whose foot is not beyond a symmetry plane.
