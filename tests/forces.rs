@@ -106,7 +106,7 @@ fn the_force_on_a_block_is_the_integral_of_its_surface() {
 /// The floor before a step lies on the side that the step closes, and rounding may put the feet of its ghosts beyond.
 #[test]
 fn the_force_on_a_floor_along_a_side_is_the_integral_of_its_surface() {
-    let step = scene(2, 0.05, "forward_step = { foot = 0.2, height = 0.3 }", "");
+    let step = scene(2, 0.03, "forward_step = { foot = 0.2, height = 0.3 }", "");
     let step = step
         .replace("min = [-1.2, -1.0]", "min = [-1.2, 0.0]")
         .replace("y_min = \"free-stream\"", "y_min = \"body\"");
