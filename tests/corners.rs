@@ -122,13 +122,13 @@ fn a_corner_with_a_shock_in_it_shows_what_gas_presses_with() {
     place.run(&scene, &settings).succeeds();
     let surface = read_surface(&place.path("results/surface-000001.vtp"));
     let (pressure, area) = (&surface.arrays["pressure"], &surface.arrays["area"]);
-    let normal = &surface.arrays["normal"];
+    let (normal, friction) = (&surface.arrays["normal"], &surface.arrays["friction"]);
     let (mut shown, mut first) = ([0.0; 2], Vec::new());
     let stream = 1.0 / 1.4;
     for (n, corners) in surface.cells.iter().enumerate() {
         let push = (pressure[n] - stream) * area[n];
         for (k, sum) in shown.iter_mut().enumerate() {
-            *sum -= push * normal[3 * n + k];
+            *sum += friction[3 * n + k] * area[n] - push * normal[3 * n + k];
         }
         let along = 0.5 * (corners[0][0] + corners[1][0]) / SPACING;
         if (0.0..3.0).contains(&along) {
