@@ -18,11 +18,12 @@ use crate::problem::Problem;
 /// the axis it would swell without bound and pair with its own image.
 const NARROWEST: f64 = 0.5;
 
-/// Axis in the meridian plane along which `r` is measured.
+/// Axis in the meridian plane along which `r` is measured, and the one about which it is.
 const RADIAL: usize = 1;
+const AXIAL: usize = 0;
 
-/// How far around the axis a particle reaches.
-#[derive(Clone, Copy, Debug)]
+/// How far around the axis a particle reaches; by default there is none.
+#[derive(Clone, Copy, Debug, Default)]
 pub struct Rings {
     /// Smallest radius that counts; none in a plane flow or in space.
     narrowest: Option<f64>,
@@ -51,6 +52,21 @@ impl Rings {
             Some(_) => TAU * position[RADIAL].max(0.0),
             None => 1.0,
         }
+    }
+
+    /// Of a force per area at one place that something `towards` another makes, `pull`, what counts at the first place. Pair sums press
+    /// each ghost all around its own circumference, not its gas's: where a wall widens downstream those downstream weigh more.
+    pub fn pulled<const D: usize>(
+        &self,
+        at: &Vector<D>,
+        towards: &Vector<D>,
+        mut pull: Vector<D>,
+    ) -> Vector<D> {
+        if let Some(narrowest) = self.narrowest {
+            let wider = (towards[RADIAL] - at[RADIAL]) / at[RADIAL].max(narrowest);
+            pull[AXIAL] *= 1.0 - 0.5 * wider;
+        }
+        pull
     }
 
     /// True in an axisymmetric flow.

@@ -6,10 +6,11 @@ mod cut;
 mod exposed;
 pub(crate) mod fit;
 mod integral;
+mod left;
+mod loads;
 mod press;
 mod seen;
 mod show;
-mod uniform;
 
 pub use integral::shown_forces;
 pub use press::Pressed;
@@ -234,6 +235,11 @@ fn face<const D: usize>(region: &Bounds<D>, axis: usize, at: f64) -> Vec<[Vector
     pieces
         .map(|piece| std::array::from_fn(|n| piece[n]))
         .collect()
+}
+
+/// How many bodies and wall sides there are.
+fn owner_count<const D: usize>(problem: &Problem<D>) -> usize {
+    problem.bodies.len() + wall_sides(&problem.domain).len()
 }
 
 /// True of a place that belongs to the domain.

@@ -20,7 +20,7 @@ use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Pencils, Vector};
 
 use super::Panels;
-use super::bend::bends;
+use super::bend::{Bent, Front, bends};
 use super::seen::{Met, seen};
 use crate::Simulation;
 use crate::records::Matrix;
@@ -155,10 +155,15 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     for &(number, part) in solid.iter().flatten() {
         sums[number as usize].solid += part;
     }
-    let bends = bends(&seen, &grid, widest, |panel| {
-        sums[panel.number as usize].reach()
+    let rings = Rings::new(&flow.problem);
+    let bends = bends(&seen, (&rings, widest), |panel| {
+        sums[panel.number as usize].front()
     });
-    let mut bent = vec![(Vector::zeros(), 0.0); sums.len()];
+    let unbent = Bent {
+        beyond: 0.0,
+        pull: Vector::zeros(),
+    };
+    let mut bent = vec![(Vector::zeros(), unbent); sums.len()];
     for (panel, bend) in seen.iter().zip(bends).filter(|(panel, _)| !panel.is_image) {
         bent[panel.number as usize] = (panel.normal, bend);
     }
@@ -202,9 +207,12 @@ impl<const D: usize> Sum<D> {
         free + even * (filled / IN_A_CORNER).min(1.0) * (mean - free)
     }
 
-    /// How far the gas in front reaches on the mean.
-    fn reach(&self) -> Option<f64> {
-        (self.gas > 0.0).then(|| self.gas_reach / self.gas)
+    /// The gas in front, on the mean.
+    fn front(&self) -> Option<Front> {
+        (self.gas > 0.0).then(|| Front {
+            reach: self.gas_reach / self.gas,
+            pressure: self.mean_pressure(),
+        })
     }
 
     /// Of the gas in front; none where there is none.
@@ -227,7 +235,7 @@ impl<const D: usize> Sum<D> {
         }
     }
 
-    fn pressed(&self, size: f64, (normal, bend): (Vector<D>, f64)) -> Pressed<D> {
+    fn pressed(&self, size: f64, (normal, bent): (Vector<D>, Bent<D>)) -> Pressed<D> {
         if size <= 0.0 {
             return Pressed {
                 pressure: 0.0,
@@ -235,11 +243,12 @@ impl<const D: usize> Sum<D> {
                 mach: 0.0,
             };
         }
-        // No pressure, yet it is pressed with.
-        let bent = 2.0 * bend * self.mean_pressure();
+        let pressure = self.pressure(size) - 2.0 * bent.beyond * self.mean_pressure();
+        // What is no pressure.
+        let other = normal * (pressure - self.force / size);
         Pressed {
-            pressure: self.pressure(size) - bent,
-            friction: self.friction / size - normal * bent,
+            pressure,
+            friction: self.friction / size + other - bent.pull,
             mach: if self.weight > 0.0 {
                 self.mach / self.weight
             } else {

@@ -63,6 +63,12 @@ impl<const D: usize> Seen<D> {
         self.normal.dot(&other.normal) > BENDS_ON
             && arm.dot(&(self.normal + other.normal)).abs() <= OFF_AN_ARC * arm.norm()
     }
+
+    /// True where `other` is round an edge, as either is behind the other and no surface bends between them.
+    pub fn is_around_an_edge_from(&self, other: &Self) -> bool {
+        let arm = other.centre - self.centre;
+        arm.dot(&self.normal) < 0.0 && arm.dot(&other.normal) > 0.0 && !self.bends_on_to(other)
+    }
 }
 
 /// The panels where they are now, and their images beyond the sides that map the flow, as far as particles reach.

@@ -22,18 +22,21 @@ pub struct Heated {
 impl<const D: usize> Simulation<D> {
     /// The surfaces that the domain holds with the pressure on them now, bodies in scene order and wall sides after.
     pub fn panels(&self) -> PanelFrame {
-        let panels = self.panels.get_or_init(|| Panels::new(&self.problem));
-        let pressed = pressed(self, panels);
+        let panels = self.laid_panels();
         let time = self.clock.time;
-        panels.frame(&self.problem, time, &pressed, &[], |owner| {
-            self.walls.pose(owner, time)
-        })
+        let pose = |owner| self.walls.pose(owner, time);
+        let mut pressed = pressed(self, panels);
+        panels.add_what_is_left(&self.problem, pose, &self.loads(), &mut pressed);
+        panels.frame(&self.problem, time, &pressed, &[], pose)
+    }
+
+    fn laid_panels(&self) -> &Panels<D> {
+        self.panels.get_or_init(|| Panels::new(&self.problem))
     }
 
     /// Loads of a pressure of one everywhere: on bodies, then on wall sides.
     pub fn uniform_loads(&self) -> Vec<Load> {
-        let panels = self.panels.get_or_init(|| Panels::new(&self.problem));
-        panels.uniform_loads(&self.problem)
+        self.laid_panels().uniform_loads(&self.problem)
     }
 }
 

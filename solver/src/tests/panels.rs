@@ -172,3 +172,29 @@ fn a_side_that_cuts_a_body_leaves_no_slivers_of_its_surface() {
         assert!(least > 1e-10, "{at}: {least}");
     }
 }
+
+/// Gas flows along walls that sides cut, unevenly: a corner of two walls, and a nose about the axis.
+#[test]
+fn what_panels_show_of_what_sides_cut_adds_up_to_the_load() {
+    let corner: Arc<dyn Shape<2>> =
+        Arc::new(bodies::compression_corner(1.0, 0.35).expect("a corner"));
+    let place = Placement::default().moved(Vector::<2>::new(2.0, 0.0));
+    let nose = Placed::new(bodies::circle(0.6).expect("a circle"), place);
+    for (shape, lower) in [(corner, Side::Body), (Arc::new(nose), Side::Axis)] {
+        let mut problem = cube::<2>(20, Side::FreeStream);
+        problem.free_stream.velocity[0] = 2.5;
+        problem.domain.sides = [[Side::Inlet, Side::Outlet], [lower, Side::FreeStream]];
+        let mut wider = problem.clone();
+        (wider.domain.bounds.min[0], wider.domain.bounds.max[0]) = (-1.0, 3.0);
+        wider.domain.bounds.min[1] -= 1.0;
+        problem.bodies.push(body_on_the_lattice(&wider, shape));
+        let mut simulation = start(problem);
+        advance(&mut simulation, 40);
+        let (load, shown) = (simulation.loads()[0].force, integral(&simulation, 0));
+        let axes = if lower == Side::Axis { 1 } else { 2 };
+        for axis in 0..axes {
+            let off = (shown[axis] - load[axis]) / load[0];
+            assert!(off.abs() < 1e-9, "{lower:?}: {shown:?} {load:?}");
+        }
+    }
+}

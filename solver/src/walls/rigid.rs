@@ -19,6 +19,19 @@ pub struct Pose<const D: usize> {
 }
 
 impl<const D: usize> Pose<D> {
+    /// The pose of what stays as it is.
+    pub fn at_rest() -> Self {
+        Self {
+            rotation: Matrix::identity(),
+            first_pivot: Vector::zeros(),
+            pivot: Vector::zeros(),
+            velocity: Vector::zeros(),
+            acceleration: Vector::zeros(),
+            angular_velocity: Vector3::zeros(),
+            angular_acceleration: Vector3::zeros(),
+        }
+    }
+
     /// The pose at `time` of a body that moves as prescribed: the pivot moves at constant acceleration, the body turns about it.
     pub fn new(motion: &Motion<D>, time: f64) -> Self {
         Self {

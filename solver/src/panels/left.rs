@@ -1,0 +1,125 @@
+//! What panels do not show of loads, and where it belongs.
+//!
+//! Panels show what gas within is pressed with, loads count the pairs that cross the wall within the sides ([`crate::walls`]). Of a surface that
+//! runs on through an open side the pull between panels within and beyond is the difference where gas lies in front of the wall as ghosts lie
+//! behind it; where gas is squeezed there a part of it is left, which belongs where the surface is cut. About an axis loads count each ghost
+//! all around its own circumference ([`Rings::pulled`]), and what is left of that belongs to no place.
+
+use aero_geometry::Vector;
+use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
+
+use super::{Panels, Pressed, is_shown};
+use crate::frame::Load;
+use crate::problem::{Domain, Problem, Side};
+use crate::rings::Rings;
+use crate::sides::closed::reflections;
+use crate::walls::rigid::Pose;
+
+impl<const D: usize> Panels<D> {
+    /// Adds to the friction of panels next to open sides, about an axis of all, what the `loads` have over what is `pressed`; `pose` tells
+    /// where bodies are.
+    pub fn add_what_is_left(
+        &self,
+        problem: &Problem<D>,
+        pose: impl Fn(usize) -> Pose<D> + Copy,
+        loads: &[Load],
+        pressed: &mut [Pressed<D>],
+    ) {
+        let domain = &problem.domain;
+        let rings = Rings::new(problem);
+        if !domain.has(Side::is_open) && !rings.are_real() {
+            return;
+        }
+        let reach = SUPPORT * SMOOTHING_RATIO * problem.resolution.lattice();
+        let poses: Vec<Pose<D>> = (0..loads.len()).map(pose).collect();
+        let nearness: Vec<f64> = (self.all.iter())
+            .map(|panel| {
+                let centre = poses[panel.owner as usize].position(&panel.centre);
+                if !is_shown(domain, &centre) || panel.exposed <= 0.0 {
+                    0.0
+                } else if rings.are_real() {
+                    1.0
+                } else {
+                    (1.0 - depth(domain, &centre) / reach).max(0.0)
+                }
+            })
+            .collect();
+        let mut areas = vec![0.0; loads.len()];
+        for (panel, near) in self.all.iter().zip(&nearness) {
+            let centre = poses[panel.owner as usize].position(&panel.centre);
+            areas[panel.owner as usize] += near * panel.size * rings.surface(&centre);
+        }
+        let shown = self.loads(problem, pressed, pose);
+        let lacking: Vec<Vector<D>> = (loads.iter().zip(&shown).zip(&areas).enumerate())
+            .map(|(owner, ((load, shown), area))| {
+                let extent = problem.bodies.get(owner).map(|body| body.shape.bounds());
+                let images = reflections(domain, extent.as_ref());
+                Vector::from_fn(|k, _| {
+                    // What mirror images cancel nobody knows.
+                    let times: f64 = images.iter().map(|(sign, _)| sign[k]).sum();
+                    if times > 0.0 && *area > 0.0 {
+                        (load.force[k] - shown.force[k]) / (times * area)
+                    } else {
+                        0.0
+                    }
+                })
+            })
+            .collect();
+        for ((panel, near), pressed) in self.all.iter().zip(&nearness).zip(pressed) {
+            pressed.friction += lacking[panel.owner as usize] * *near;
+        }
+    }
+}
+
+/// How deep within all open sides a place lies.
+fn depth<const D: usize>(domain: &Domain<D>, place: &Vector<D>) -> f64 {
+    let sides = domain.each_side();
+    let open = sides.filter(|&(axis, end, _, _)| domain.opens(axis, end));
+    open.map(|(axis, end, _, _)| domain.depth_within(axis, end, place))
+        .fold(f64::INFINITY, f64::min)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Arc;
+
+    use aero_geometry::{Placed, Placement, bodies};
+
+    use super::*;
+    use crate::Simulation;
+    use crate::panels::press::pressed;
+    use crate::tests::cube;
+    use crate::tests::seam::body_on_the_lattice;
+
+    /// Edges and a side that cuts it pull it along its walls; together they are nothing, and each shows so where it is.
+    #[test]
+    fn gas_at_rest_presses_a_bar_that_a_side_cuts_with_its_pressure_alone() {
+        let (spacing, height) = (0.1, 0.8);
+        let mut problem = cube::<2>(30, Side::FreeStream);
+        let bar = bodies::rectangle(4.0, height, 0.0).expect("a bar");
+        let place = Placement::default().moved(Vector::<2>::new(3.5, 1.5));
+        let mut wider = problem.clone();
+        wider.domain.bounds.max[0] = 4.0;
+        let body = body_on_the_lattice(&wider, Arc::new(Placed::new(bar, place)));
+        problem.bodies.push(body);
+        let flow = Simulation::new(problem).expect("a bar");
+        let panels = Panels::new(&flow.problem);
+        let pressed = pressed(&flow, &panels);
+        let shown = panels.loads(&flow.problem, &pressed, |_| Pose::at_rest());
+        for load in [&flow.loads()[0], &shown[0]] {
+            let off = (load.force[0] - height) / spacing;
+            assert!(off.abs() < 0.1, "{off} spacings of it: {load:?}");
+        }
+        for (pressed, panel) in pressed.iter().zip(&panels.all) {
+            if is_shown(&flow.problem.domain, &panel.centre) && panel.owner == 0 {
+                let Pressed {
+                    pressure, friction, ..
+                } = pressed;
+                let is_at_an_edge = panel.centre[0] < 2.0;
+                let most = if is_at_an_edge { 0.16 } else { 0.01 };
+                assert!(friction.norm() < most, "{panel:?} {friction:?}");
+                assert!((pressure - 1.0).abs() < 0.01, "{panel:?} {pressure}");
+            }
+        }
+    }
+}
