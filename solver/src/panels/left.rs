@@ -12,6 +12,7 @@ use super::{Panels, Pressed, is_shown};
 use crate::frame::Load;
 use crate::problem::{Domain, Problem, Side};
 use crate::rings::Rings;
+use crate::scheme::PressureGradient;
 use crate::sides::closed::reflections;
 use crate::walls::rigid::Pose;
 
@@ -27,7 +28,9 @@ impl<const D: usize> Panels<D> {
     ) {
         let domain = &problem.domain;
         let rings = Rings::new(problem);
-        if !domain.has(Side::is_open) && !rings.are_real() {
+        // What walls bear of differences of pressures is not what the gas is given.
+        let is_given = problem.scheme.operators.pressure != PressureGradient::Difference;
+        if !is_given || !(domain.has(Side::is_open) || rings.are_real()) {
             return;
         }
         let reach = SUPPORT * SMOOTHING_RATIO * problem.resolution.lattice();
