@@ -125,4 +125,24 @@ mod tests {
             }
         }
     }
+
+    /// A ball about the axis, cut where it is widest: gas is pushed from ghosts that stand farther from the axis downstream than it does.
+    #[test]
+    fn little_is_left_of_what_presses_a_nose_about_an_axis() {
+        let mut problem = cube::<2>(30, Side::FreeStream);
+        problem.domain.sides[1][0] = Side::Axis;
+        let ball = bodies::circle(1.5).expect("a circle");
+        let place = Placement::default().moved(Vector::<2>::new(3.0, 0.0));
+        let mut wider = problem.clone();
+        wider.domain.bounds.max[0] = 4.0;
+        let body = body_on_the_lattice(&wider, Arc::new(Placed::new(ball, place)));
+        problem.bodies.push(body);
+        let flow = Simulation::new(problem).expect("a ball");
+        let panels = Panels::new(&flow.problem);
+        let pressed = pressed(&flow, &panels);
+        let shown = panels.loads(&flow.problem, &pressed, |_| Pose::at_rest());
+        let rim = std::f64::consts::TAU * 1.5 * 0.1;
+        let off = (shown[0].force[0] - flow.loads()[0].force[0]) / rim;
+        assert!(off.abs() < 0.1, "{off}");
+    }
 }

@@ -69,7 +69,21 @@ fn gas_at_rest_shows_its_pressure_on_a_body_that_stands_on_a_wall() {
 #[test]
 fn what_panels_show_adds_up_to_the_load() {
     let square = bodies::rectangle(0.8, 0.8, 0.0).expect("a square");
-    let mut problem = boxed(square, [1.5, 1.5]);
+    adds_up(boxed(square, [1.5, 1.5]));
+    // A notch of a right angle.
+    let corners = [
+        [-0.4, -0.4],
+        [0.4, -0.4],
+        [0.4, 0.0],
+        [0.0, 0.0],
+        [0.0, 0.4],
+        [-0.4, 0.4],
+    ];
+    let notched = bodies::polygon(&corners.map(Vector::<2>::from)).expect("a notched square");
+    adds_up(boxed(notched, [1.5, 1.5]));
+}
+
+fn adds_up(mut problem: Problem<2>) {
     problem.initial = Initial::Field(Field(Arc::new(|position: &Vector<2>| State {
         density: 1.4,
         velocity: Vector::<2>::new(0.4, 0.1),
@@ -80,7 +94,7 @@ fn what_panels_show_adds_up_to_the_load() {
     let load = Vector3::from(simulation.loads()[0].force);
     let shown = integral(&simulation, 0);
     let error = (shown - load).norm() / load.norm();
-    assert!(error < 0.01, "{shown:?} {load:?}");
+    assert!(error < 1e-3, "{shown:?} {load:?}");
 }
 
 #[test]
@@ -173,25 +187,35 @@ fn a_side_that_cuts_a_body_leaves_no_slivers_of_its_surface() {
     }
 }
 
-/// Gas flows along walls that sides cut, unevenly: a corner of two walls, and a nose about the axis.
+/// Gas flows along walls that sides cut, unevenly: a corner of two walls, and a nose, half of it and about the axis.
 #[test]
 fn what_panels_show_of_what_sides_cut_adds_up_to_the_load() {
     let corner: Arc<dyn Shape<2>> =
         Arc::new(bodies::compression_corner(1.0, 0.35).expect("a corner"));
     let place = Placement::default().moved(Vector::<2>::new(2.0, 0.0));
-    let nose = Placed::new(bodies::circle(0.6).expect("a circle"), place);
-    for (shape, lower) in [(corner, Side::Body), (Arc::new(nose), Side::Axis)] {
+    let nose: Arc<dyn Shape<2>> =
+        Arc::new(Placed::new(bodies::circle(0.6).expect("a circle"), place));
+    for (shape, lower) in [
+        (corner, Side::Body),
+        (nose.clone(), Side::Symmetry),
+        (nose, Side::Axis),
+    ] {
         let mut problem = cube::<2>(20, Side::FreeStream);
         problem.free_stream.velocity[0] = 2.5;
         problem.domain.sides = [[Side::Inlet, Side::Outlet], [lower, Side::FreeStream]];
         let mut wider = problem.clone();
         (wider.domain.bounds.min[0], wider.domain.bounds.max[0]) = (-1.0, 3.0);
-        wider.domain.bounds.min[1] -= 1.0;
+        if lower == Side::Body {
+            wider.domain.bounds.min[1] -= 1.0;
+        }
         problem.bodies.push(body_on_the_lattice(&wider, shape));
         let mut simulation = start(problem);
         advance(&mut simulation, 40);
-        let (load, shown) = (simulation.loads()[0].force, integral(&simulation, 0));
-        let axes = if lower == Side::Axis { 1 } else { 2 };
+        let load = simulation.loads()[0].force;
+        let halves = if lower == Side::Symmetry { 2.0 } else { 1.0 };
+        let shown = integral(&simulation, 0) * halves;
+        // Across a plane of symmetry both halves together bear nothing.
+        let axes = if lower == Side::Body { 2 } else { 1 };
         for axis in 0..axes {
             let off = (shown[axis] - load[axis]) / load[0];
             assert!(off.abs() < 1e-9, "{lower:?}: {shown:?} {load:?}");
