@@ -101,7 +101,8 @@ impl<const D: usize> Flow<D> {
         compiled::uniform_loads(&self.0)
     }
 
-    /// Forces on the bodies by what `panels`, those of now, show: pressure over the free stream's and friction. Those of [`Self::loads`] are
+    /// Forces on the bodies by what `panels`, those of now, show: pressure over the free stream's and friction, but for what of
+    /// it is spread. Those of [`Self::loads`] are
     /// what the gas itself is held off with.
     pub fn shown_forces(&self, panels: &PanelFrame) -> Vec<[f64; 3]> {
         shown_forces(self.problem(), panels)

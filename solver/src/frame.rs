@@ -160,6 +160,9 @@ pub struct PanelFrame {
     pub heat_flux: Vec<f64>,
     /// Temperature of the gas on it; of viscous gas alone.
     pub temperature: Vec<f64>,
+    /// Of what the domain holds of each body, then of each wall side, the force in the friction that is spread over panels because
+    /// nobody can tell which of them bears it; empty where there is none.
+    pub spread: Vec<[f64; 3]>,
 }
 
 /// What the cells about points that stay look like, in the plane (of the meridian about an axis) or in space.

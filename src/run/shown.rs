@@ -39,8 +39,13 @@ pub(super) fn warnings<const D: usize>(
         let part = lacking(&load, &shown, along, pressed);
         (part.abs() > WORTH).then(|| {
             let (part, word) = (100.0 * part.abs(), if part > 0.0 { "more" } else { "less" });
+            let spread = if panels.spread.is_empty() {
+                ""
+            } else {
+                ", without what is spread there as friction"
+            };
             let text = format!(
-                "its force is {part:.1} % {word} than the integral of what its surface shows: edges, thin parts or what \
+                "its force is {part:.1} % {word} than the integral of what its surface shows{spread}: edges, thin parts or what \
                  a side cuts off are no more than a few cells or particles large; use a smaller `spacing`, or halve it near the body",
             );
             Warning::new(About::Scene, text).of(&problem.bodies[number].name)

@@ -9,7 +9,7 @@ use crate::sides::closed::reflections;
 use crate::walls::rigid::pad;
 
 /// Forces on the bodies of `problem`, in scene order: the integrals over what the domain holds of them of the pressure over the free stream's
-/// and the friction that `panels` show. As with loads, a body that a symmetry plane cuts counts whole.
+/// and the friction that `panels` show, but for what is spread. As with loads, a body that a symmetry plane cuts counts whole.
 pub fn shown_forces<const D: usize>(problem: &Problem<D>, panels: &PanelFrame) -> Vec<[f64; 3]> {
     let calm = problem.free_stream.pressure;
     let rings = Rings::new(problem);
@@ -22,6 +22,11 @@ pub fn shown_forces<const D: usize>(problem: &Problem<D>, panels: &PanelFrame) -
         for k in 0..D {
             let stress = panels.friction[number][k] - over * panels.normal[number][k];
             force[k] += stress * panels.area[number];
+        }
+    }
+    for (force, spread) in forces.iter_mut().zip(&panels.spread) {
+        for k in 0..D {
+            force[k] -= spread[k];
         }
     }
     let each = forces.iter().zip(&problem.bodies).map(|(force, body)| {

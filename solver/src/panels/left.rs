@@ -14,24 +14,24 @@ use crate::problem::{Domain, Problem, Side};
 use crate::rings::Rings;
 use crate::scheme::PressureGradient;
 use crate::sides::closed::reflections;
-use crate::walls::rigid::Pose;
+use crate::walls::rigid::{Pose, pad};
 
 impl<const D: usize> Panels<D> {
     /// Adds to the friction of panels next to open sides, about an axis of all, what the `loads` have over what is `pressed`; `pose` tells
-    /// where bodies are.
+    /// where bodies are. Returns the forces that it adds up to on what the domain holds; none where nothing is left.
     pub fn add_what_is_left(
         &self,
         problem: &Problem<D>,
         pose: impl Fn(usize) -> Pose<D> + Copy,
         loads: &[Load],
         pressed: &mut [Pressed<D>],
-    ) {
+    ) -> Vec<[f64; 3]> {
         let domain = &problem.domain;
         let rings = Rings::new(problem);
         // What walls bear of differences of pressures is not what the gas is given.
         let is_given = problem.scheme.operators.pressure != PressureGradient::Difference;
         if !is_given || !(domain.has(Side::is_open) || rings.are_real()) {
-            return;
+            return Vec::new();
         }
         let reach = SUPPORT * SMOOTHING_RATIO * problem.resolution.lattice();
         let poses: Vec<Pose<D>> = (0..loads.len()).map(pose).collect();
@@ -71,6 +71,10 @@ impl<const D: usize> Panels<D> {
         for ((panel, near), pressed) in self.all.iter().zip(&nearness).zip(pressed) {
             pressed.friction += lacking[panel.owner as usize] * *near;
         }
+        let forces = lacking.iter().zip(&areas);
+        forces
+            .map(|(lacking, area)| pad(&(lacking * *area)).into())
+            .collect()
     }
 }
 

@@ -26,8 +26,11 @@ impl<const D: usize> Simulation<D> {
         let time = self.clock.time;
         let pose = |owner| self.walls.pose(owner, time);
         let mut pressed = pressed(self, panels);
-        panels.add_what_is_left(&self.problem, pose, &self.loads(), &mut pressed);
-        panels.frame(&self.problem, time, &pressed, &[], pose)
+        let spread = panels.add_what_is_left(&self.problem, pose, &self.loads(), &mut pressed);
+        PanelFrame {
+            spread,
+            ..panels.frame(&self.problem, time, &pressed, &[], pose)
+        }
     }
 
     fn laid_panels(&self) -> &Panels<D> {
