@@ -121,7 +121,7 @@ pub use checkpoint::FixedMemory;
 pub use face_list::{Face, FaceList};
 pub use settle::{Settled, Settling};
 
-use crate::frame::CellFrame;
+use crate::frame::{CellFrame, Load};
 use crate::panels::Panels;
 use crate::problem::Problem;
 use crate::scheme::Precision;
@@ -169,6 +169,8 @@ struct Fluid {
 struct Shown<const D: usize> {
     /// Surfaces of bodies and walls.
     panels: OnceLock<Panels<D>>,
+    /// What a pressure of one everywhere presses them with.
+    uniform_loads: OnceLock<Vec<Load>>,
     /// What the cells look like.
     outlines: OnceLock<Arc<CellFrame>>,
 }

@@ -34,7 +34,7 @@ struct Patch<const D: usize> {
 impl<const D: usize> FixedSimulation<D> {
     /// The surfaces that the domain holds with the pressure on them now, bodies in scene order and wall sides after.
     pub fn panels(&self) -> PanelFrame {
-        let panels = self.shown.panels.get_or_init(|| Panels::new(&self.problem));
+        let panels = self.laid_panels();
         let walls: Vec<(&Wall<D>, f64)> = self.walls().collect();
         let nearby = Nearby::new(&walls, &self.points, self.problem.resolution.lattice());
         let pieces: Vec<Vec<Piece<D>>> = panels
@@ -47,9 +47,8 @@ impl<const D: usize> FixedSimulation<D> {
         let patches: Vec<Patch<D>> = (walls.par_iter().zip(&extents))
             .map(|((wall, _), extent)| Patch::new(&around, wall, extent))
             .collect();
-        let mut pressed: Vec<Pressed<D>> = pieces
-            .par_iter()
-            .map(|pieces| self.pressed(pieces, &walls, &patches))
+        let mut pressed: Vec<Pressed<D>> = (panels.all().par_iter().zip(&pieces))
+            .map(|(panel, pieces)| self.pressed(panel, pieces, &walls, &patches))
             .collect();
         self.show_all(panels, &pieces, &walls, &patches, &mut pressed);
         let mut heated = Vec::new();
@@ -66,29 +65,29 @@ impl<const D: usize> FixedSimulation<D> {
     }
 
     /// Loads of a pressure of one everywhere: on bodies, then on wall sides.
-    pub fn uniform_loads(&self) -> Vec<Load> {
-        let panels = self.shown.panels.get_or_init(|| Panels::new(&self.problem));
-        panels.uniform_loads(&self.problem)
+    pub fn uniform_loads(&self) -> &[Load] {
+        let find = || self.laid_panels().uniform_loads(&self.problem);
+        self.shown.uniform_loads.get_or_init(find)
+    }
+
+    fn laid_panels(&self) -> &Panels<D> {
+        self.shown.panels.get_or_init(|| Panels::new(&self.problem))
     }
 
     /// What presses a panel: the mean over its pieces of the pressure on their walls, which is spread over what belongs to a wall
     /// as the pressure around rises. Neither is any of a wall's load lost nor shown twice, see [`Patch::shown`].
     fn pressed(
         &self,
+        panel: &Panel<D>,
         pieces: &[Piece<D>],
         walls: &[(&Wall<D>, f64)],
         patches: &[Patch<D>],
     ) -> Pressed<D> {
         let calm = self.problem.free_stream.pressure;
-        let mut pressed = Pressed {
-            pressure: calm,
-            friction: Vector::zeros(),
-            mach: 0.0,
-        };
-        if pieces.is_empty() {
-            return pressed;
+        if panel.is_covered || pieces.is_empty() {
+            return Pressed::calm(calm);
         }
-        pressed.pressure = 0.0;
+        let mut pressed = Pressed::calm(0.0);
         for piece in pieces {
             let (wall, pressure) = &walls[piece.wall];
             let patch = &patches[piece.wall];
@@ -119,11 +118,7 @@ impl<const D: usize> FixedSimulation<D> {
         let each = panels.all().iter().zip(pieces).zip(pressed);
         let bounds = &self.problem.domain.bounds;
         for ((panel, pieces), pressed) in each {
-            if !bounds.contains(&panel.centre) || pieces.is_empty() {
-                continue;
-            }
-            if panel.exposed == 0.0 {
-                pressed.pressure = calm;
+            if panel.is_covered || pieces.is_empty() || !bounds.contains(&panel.centre) {
                 continue;
             }
             let area = panel.size * rings.surface(&panel.centre);
@@ -192,7 +187,7 @@ fn extents<const D: usize>(
     let mut extents = vec![none; walls.len()];
     let bounds = &problem.domain.bounds;
     let shown = panels.all().iter().zip(pieces);
-    let is_seen = |panel: &Panel<D>| panel.exposed > 0.0 && bounds.contains(&panel.centre);
+    let is_seen = |panel: &Panel<D>| !panel.is_covered && bounds.contains(&panel.centre);
     for (panel, pieces) in shown.filter(|(panel, _)| is_seen(panel)) {
         for piece in pieces {
             let extent = &mut extents[piece.wall];

@@ -8,6 +8,7 @@ use aero_geometry::{Pencils, Vector};
 use super::bend::turned;
 use super::walls::Wall;
 use crate::panels::Panel;
+use crate::panels::cut::longest_edge;
 
 /// Part of the kernel's reach that a panel looks about, at first.
 const LOOK: f64 = 0.25;
@@ -284,13 +285,6 @@ fn length<const D: usize>(wall: &Wall<D>) -> f64 {
     } else {
         wall.image.share
     }
-}
-
-/// The ends and the length of the longest edge; none of a point.
-fn longest_edge<const D: usize>(corners: &[Vector<D>; D]) -> Option<(usize, usize, f64)> {
-    let edges = (0..D).flat_map(|a| (a + 1..D).map(move |b| (a, b)));
-    let long = edges.map(|(a, b)| (a, b, (corners[a] - corners[b]).norm()));
-    long.max_by(|x, y| x.2.total_cmp(&y.2))
 }
 
 #[cfg(test)]

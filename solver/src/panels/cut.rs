@@ -46,21 +46,28 @@ pub fn halved<const D: usize>(
 ) {
     let mut left = pieces;
     while let Some(piece) = left.pop() {
-        let edges = (0..D).flat_map(|a| (a + 1..D).map(move |b| (a, b)));
-        let length = |&(a, b): &(usize, usize)| (piece[a] - piece[b]).norm_squared();
-        let edge = edges.max_by(|x, y| length(x).total_cmp(&length(y)));
-        match edge.filter(|edge| length(edge) > longest * longest) {
-            Some((a, b)) => {
-                let middle = (piece[a] + piece[b]) * 0.5;
-                for end in [a, b] {
-                    let mut half = piece;
-                    half[end] = middle;
-                    left.push(half);
-                }
-            }
+        match longest_edge(&piece).filter(|(.., length)| *length > longest) {
+            Some((a, b, _)) => left.extend(halves(&piece, a, b)),
             None => take(piece),
         }
     }
+}
+
+/// A piece halved across its edge from corner `a` to corner `b`.
+pub fn halves<const D: usize>(piece: &[Vector<D>; D], a: usize, b: usize) -> [[Vector<D>; D]; 2] {
+    let middle = (piece[a] + piece[b]) * 0.5;
+    [a, b].map(|end| {
+        let mut half = *piece;
+        half[end] = middle;
+        half
+    })
+}
+
+/// The ends and the length of the longest edge; none of a point.
+pub fn longest_edge<const D: usize>(corners: &[Vector<D>; D]) -> Option<(usize, usize, f64)> {
+    let edges = (0..D).flat_map(|a| (a + 1..D).map(move |b| (a, b)));
+    let long = edges.map(|(a, b)| (a, b, (corners[a] - corners[b]).norm()));
+    long.max_by(|x, y| x.2.total_cmp(&y.2))
 }
 
 #[cfg(test)]

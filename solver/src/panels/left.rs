@@ -2,13 +2,15 @@
 //!
 //! Panels show what gas within is pressed with, loads count the pairs that cross the wall within the sides ([`crate::walls`]). Of a surface that
 //! runs on through an open side the pull between panels within and beyond is the difference where gas lies in front of the wall as ghosts lie
-//! behind it; where gas is squeezed there a part of it is left, which belongs where the surface is cut. About an axis loads count each ghost
+//! behind it; where gas is squeezed there a part of it is left, which belongs where the surface is cut. Where another solid stands on a surface,
+//! or near to it, loads go by whose ghosts press, panels by how near they are; what is left of that belongs there as well. About an axis loads count each ghost
 //! all around its own circumference ([`Rings::pulled`]), and what is left of that belongs to no place.
 
-use aero_geometry::Vector;
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
+use aero_geometry::parallel::prelude::*;
+use aero_geometry::{Pencils, Vector};
 
-use super::{Panels, Pressed, is_shown};
+use super::{Panel, Panels, Pressed, is_shown};
 use crate::frame::Load;
 use crate::problem::{Domain, Problem, Side};
 use crate::rings::Rings;
@@ -17,7 +19,7 @@ use crate::sides::closed::reflections;
 use crate::walls::rigid::{Pose, pad};
 
 impl<const D: usize> Panels<D> {
-    /// Adds to the friction of panels next to open sides, about an axis of all, what the `loads` have over what is `pressed`; `pose` tells
+    /// Adds to the friction of panels next to open sides and to other solids, about an axis of all, what the `loads` have over what is `pressed`; `pose` tells
     /// where bodies are. Returns the forces that it adds up to on what the domain holds; none where nothing is left.
     pub fn add_what_is_left(
         &self,
@@ -30,27 +32,29 @@ impl<const D: usize> Panels<D> {
         let rings = Rings::new(problem);
         // What walls bear of differences of pressures is not what the gas is given.
         let is_given = problem.scheme.operators.pressure != PressureGradient::Difference;
-        if !is_given || !(domain.has(Side::is_open) || rings.are_real()) {
+        if !is_given || !(domain.has(Side::is_open) || rings.are_real() || loads.len() > 1) {
             return Vec::new();
         }
         let reach = SUPPORT * SMOOTHING_RATIO * problem.resolution.lattice();
         let poses: Vec<Pose<D>> = (0..loads.len()).map(pose).collect();
-        let nearness: Vec<f64> = (self.all.iter())
-            .map(|panel| {
-                let centre = poses[panel.owner as usize].position(&panel.centre);
-                if !is_shown(domain, &centre) || panel.exposed <= 0.0 {
+        let centres: Vec<Vector<D>> = (self.all.iter())
+            .map(|panel| poses[panel.owner as usize].position(&panel.centre))
+            .collect();
+        let to_others = self.distances_to_others(&centres, reach);
+        let nearness: Vec<f64> = (self.all.iter().zip(&centres).zip(to_others))
+            .map(|((panel, centre), to_others)| {
+                if !is_shown(domain, centre) || panel.is_covered {
                     0.0
                 } else if rings.are_real() {
                     1.0
                 } else {
-                    (1.0 - depth(domain, &centre) / reach).max(0.0)
+                    (1.0 - depth(domain, centre).min(to_others) / reach).max(0.0)
                 }
             })
             .collect();
         let mut areas = vec![0.0; loads.len()];
-        for (panel, near) in self.all.iter().zip(&nearness) {
-            let centre = poses[panel.owner as usize].position(&panel.centre);
-            areas[panel.owner as usize] += near * panel.size * rings.surface(&centre);
+        for ((panel, centre), near) in self.all.iter().zip(&centres).zip(&nearness) {
+            areas[panel.owner as usize] += near * panel.size * rings.surface(centre);
         }
         let shown = self.loads(problem, pressed, pose);
         let lacking: Vec<Vector<D>> = (loads.iter().zip(&shown).zip(&areas).enumerate())
@@ -75,6 +79,30 @@ impl<const D: usize> Panels<D> {
         forces
             .map(|(lacking, area)| pad(&(lacking * *area)).into())
             .collect()
+    }
+}
+
+impl<const D: usize> Panels<D> {
+    /// How far each panel, with these `centres`, is from those of others that gas is in front of, up to `reach`.
+    fn distances_to_others(&self, centres: &[Vector<D>], reach: f64) -> Vec<f64> {
+        let first = self.all.first().map(|panel| panel.owner);
+        if self.all.iter().all(|panel| Some(panel.owner) == first) {
+            return vec![reach; centres.len()];
+        }
+        let grid = Pencils::new(centres, reach);
+        let distance = |(panel, centre): (&Panel<D>, &Vector<D>)| {
+            let mut least = reach;
+            grid.for_each_run_near(centre, centre, reach, |run| {
+                for &n in &grid.order()[run] {
+                    let other = &self.all[n as usize];
+                    if other.owner != panel.owner && !other.is_covered {
+                        least = least.min((centres[n as usize] - centre).norm());
+                    }
+                }
+            });
+            least
+        };
+        (self.all.par_iter().zip(centres)).map(distance).collect()
     }
 }
 

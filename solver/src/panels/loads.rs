@@ -12,7 +12,7 @@ use crate::walls::rigid::{Pose, pad};
 
 impl<const D: usize> Panels<D> {
     /// Loads on what the domain of `problem` holds of its bodies, then of its wall sides, which are as `pose` says, of what their panels
-    /// are `pressed` with; whole where a symmetry plane cuts them. Of what viscosity and heat do nothing is told apart.
+    /// are `pressed` with; whole where a symmetry plane cuts them, and without what stands on another solid. Of what viscosity and heat do nothing is told apart.
     pub fn loads(
         &self,
         problem: &Problem<D>,
@@ -24,8 +24,8 @@ impl<const D: usize> Panels<D> {
         })
     }
 
-    /// The same of a pressure of one everywhere, at time zero: nothing where bodies are closed. Gauge forces are the forces less the free
-    /// stream's pressure times this.
+    /// The same of a pressure of one everywhere, at time zero: nothing where bodies are closed, and stand on nothing. Gauge forces are the
+    /// forces less the free stream's pressure times this.
     pub fn uniform_loads(&self, problem: &Problem<D>) -> Vec<Load> {
         self.sums(problem, |_| Pose::at_rest(), |_, normal| -normal)
     }
@@ -46,7 +46,7 @@ impl<const D: usize> Panels<D> {
         for (number, panel) in self.all.iter().enumerate() {
             let place = &places[panel.owner as usize];
             let centre = place.pose.position(&panel.centre);
-            if is_shown(&problem.domain, &centre) {
+            if !panel.is_covered && is_shown(&problem.domain, &centre) {
                 let normal = place.pose.direction(&panel.normal);
                 let size = panel.size * rings.surface(&centre);
                 let force = traction(number, &normal) * size;

@@ -2,7 +2,7 @@
 //! the gas presses it with. What makes the pressure is in `press` for particles and in [`crate::fixed`] for points that stay.
 
 mod bend;
-mod cut;
+pub(crate) mod cut;
 mod exposed;
 pub(crate) mod fit;
 mod integral;
@@ -47,8 +47,8 @@ pub struct Panel<const D: usize> {
     pub size: f64,
     /// Number of the body, wall sides after.
     pub owner: u32,
-    /// Part of it that gas may be in front of: none where another solid stands on it.
-    pub exposed: f64,
+    /// Another solid stands on it, so that no gas is in front.
+    pub is_covered: bool,
 }
 
 /// The panels of all bodies and wall sides, also of what lies in the buffers of open sides.
@@ -89,6 +89,7 @@ impl<const D: usize> Panels<D> {
                 });
             }
         }
+        let mut all = exposed::part(problem, all);
         let bodies = &problem.bodies;
         let sliver = SLIVER * problem.resolution.finest().powi(D as i32 - 1);
         all.retain(|panel: &Panel<D>| {
@@ -103,7 +104,6 @@ impl<const D: usize> Panels<D> {
                             > -BURIED * problem.resolution.at(&panel.centre)
                 })
         });
-        exposed::find(problem, &mut all);
         Self { all }
     }
 
@@ -141,7 +141,7 @@ impl<const D: usize> Panel<D> {
             normal: own,
             size,
             owner,
-            exposed: 1.0,
+            is_covered: false,
         })
     }
 }

@@ -48,6 +48,17 @@ pub struct Pressed<const D: usize> {
     pub mach: f64,
 }
 
+impl<const D: usize> Pressed<D> {
+    /// With this pressure, of gas at rest.
+    pub fn calm(pressure: f64) -> Self {
+        Self {
+            pressure,
+            friction: Vector::zeros(),
+            mach: 0.0,
+        }
+    }
+}
+
 /// A particle that may press.
 #[derive(Clone, Copy, Debug)]
 struct Presser<const D: usize> {
@@ -168,8 +179,12 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
         bent[panel.number as usize] = (panel.normal, bend);
     }
     let each = sums.iter().zip(panels.all()).zip(bent);
-    each.map(|((sum, panel), bent)| sum.pressed(panel.size * panel.exposed, bent))
-        .collect()
+    let calm = flow.problem.free_stream.pressure;
+    each.map(|((sum, panel), bent)| match panel.is_covered {
+        true => Pressed::calm(calm),
+        false => sum.pressed(panel.size, bent),
+    })
+    .collect()
 }
 
 /// What comes together on a panel.
@@ -236,13 +251,6 @@ impl<const D: usize> Sum<D> {
     }
 
     fn pressed(&self, size: f64, (normal, bent): (Vector<D>, Bent<D>)) -> Pressed<D> {
-        if size <= 0.0 {
-            return Pressed {
-                pressure: 0.0,
-                friction: Vector::zeros(),
-                mach: 0.0,
-            };
-        }
         let pressure = self.pressure(size) - 2.0 * bent.beyond * self.mean_pressure();
         // What is no pressure.
         let other = normal * (pressure - self.force / size);

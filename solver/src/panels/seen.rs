@@ -21,7 +21,7 @@ pub struct Seen<const D: usize> {
     pub centre: Vector<D>,
     /// Unit normal into the gas.
     pub normal: Vector<D>,
-    /// Area that is exposed.
+    /// Area.
     pub size: f64,
     /// Axes that the image turns, -1 there.
     pub sign: Vector<D>,
@@ -80,13 +80,13 @@ pub fn seen<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>, reach: f64
         .all()
         .iter()
         .enumerate()
-        .filter(|(_, panel)| panel.exposed > 0.0)
+        .filter(|(_, panel)| !panel.is_covered)
         .map(|(number, panel)| {
             let pose = &poses[panel.owner as usize];
             Seen {
                 centre: pose.position(&panel.centre),
                 normal: pose.direction(&panel.normal),
-                size: panel.size * panel.exposed,
+                size: panel.size,
                 sign: Vector::repeat(1.0),
                 number: number as u32,
                 is_image: false,

@@ -40,7 +40,7 @@ use crate::gas::Gas;
 use crate::problem::{Body, Domain, Field, Initial, Motion, Problem, Side, State, WallKind};
 use crate::scheme::{Extrapolation, Scheme};
 
-const WALL: Side = Side::Wall {
+pub(crate) const WALL: Side = Side::Wall {
     kind: WallKind::Slip,
     velocity: 0.0,
     acceleration: 0.0,

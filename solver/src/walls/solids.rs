@@ -8,6 +8,15 @@ use crate::problem::{Body, Problem, Side};
 /// A foot this close to another solid, in spacings, is on no wall: no gas fits between.
 pub const TOUCHING: f64 = 0.25;
 
+/// Surfaces this close, in spacings, are one.
+const FLUSH: f64 = 1e-6;
+
+/// So far ahead of a surface, in spacings, it is seen whether another begins there.
+const NEAR: f64 = 1e-3;
+
+/// Cosine from which on two directions are one.
+const ALIKE: f64 = 0.9;
+
 /// All that is solid and stays where it is: bodies, and what lies beyond wall sides.
 pub struct Solids<'a, const D: usize> {
     pub problem: &'a Problem<D>,
@@ -106,16 +115,26 @@ impl<'a, const D: usize> Solids<'a, D> {
             })
     }
 
-    /// True of a point in a solid other than `owner`; nothing covers what moves.
-    pub fn covers(&self, point: &Vector<D>, owner: u32) -> bool {
+    /// True of a point on the surface of `owner`, with `normal`, that no gas is in front of: it lies in another solid, faces one that it touches,
+    /// or is flush with one of an earlier body, whose surface it is then. Nothing covers what moves.
+    pub fn covers(&self, point: &Vector<D>, normal: &Vector<D>, owner: u32) -> bool {
         let is_wall = owner as usize >= self.problem.bodies.len();
         if !is_wall && self.bodies.iter().all(|(number, ..)| *number != owner) {
             return false;
         }
-        let mut others = self.bodies.iter().filter(|(number, ..)| *number != owner);
-        self.beyond_walls(point) > 0.0
-            || others.any(|(_, body, extent)| {
-                extent.contains(point) && body.shape.signed_distance(point) < 0.0
+        let size = self.problem.resolution.at(point);
+        let (touching, flush, near) = (TOUCHING * size, FLUSH * size, NEAR * size);
+        let covers = |distance: &dyn Fn(&Vector<D>) -> f64, is_earlier: bool| {
+            let here = distance(point);
+            let nearer = |ahead: f64| (here - distance(&(point + normal * ahead))) / ahead;
+            here < -flush
+                || here < flush && (nearer(near) > 0.0 || is_earlier && nearer(near) < -ALIKE)
+                || here < touching && nearer(touching) > ALIKE
+        };
+        covers(&|at| -self.beyond_walls(at), false)
+            || self.bodies.iter().any(|(number, body, extent)| {
+                let is_other = *number != owner && extent.contains(point);
+                is_other && covers(&|at| body.shape.signed_distance(at), *number < owner)
             })
     }
 
