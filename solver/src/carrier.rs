@@ -115,7 +115,7 @@ impl<const D: usize> Carrier<D> {
 
     /// Loads of a pressure of one everywhere, on bodies, then on wall sides: nothing on what is closed.
     pub fn uniform_loads(&self) -> Vec<Load> {
-        of_either!(self, flow => flow.uniform_loads().to_vec())
+        of_either!(self, flow => flow.uniform_loads())
     }
 
     /// Loads on bodies, then on wall sides.

@@ -23,7 +23,7 @@ impl<const D: usize> FixedSimulation<D> {
         let bodies = &self.problem.bodies;
         let count = bodies.len() + wall_sides(&self.problem.domain).len();
         let calm = self.problem.free_stream.pressure;
-        let mut loads: Vec<Load> = (self.uniform_loads().iter())
+        let mut loads: Vec<Load> = (self.uniform().iter())
             .map(|load| Load {
                 force: load.force.map(|force| force * calm),
                 moment: load.moment.map(|moment| moment * calm),

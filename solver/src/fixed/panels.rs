@@ -16,7 +16,7 @@ use crate::panels::fit::Fit;
 use crate::panels::{Heated, Panel, Panels, Pressed};
 use crate::problem::{Motion, Problem};
 use crate::rings::Rings;
-use crate::walls::rigid::Pose;
+use crate::walls::rigid::{Pose, pad};
 
 /// A wall is larger or smaller than what of the surfaces belongs to it by this part at most, as chords are than arcs.
 const UNLIKE: f64 = 0.1;
@@ -50,7 +50,7 @@ impl<const D: usize> FixedSimulation<D> {
         let mut pressed: Vec<Pressed<D>> = (panels.all().par_iter().zip(&pieces))
             .map(|(panel, pieces)| self.pressed(panel, pieces, &walls, &patches))
             .collect();
-        self.show_all(panels, &pieces, &walls, &patches, &mut pressed);
+        let spread = self.show_all(panels, &pieces, &walls, &patches, &mut pressed);
         let mut heated = Vec::new();
         if let Some(viscous) = &self.fluid.viscous {
             let shares: Vec<&WallShare<D>> = self.wall_shares().collect();
@@ -61,11 +61,19 @@ impl<const D: usize> FixedSimulation<D> {
             }
         }
         let still = Pose::new(&Motion::none(), 0.0);
-        panels.frame(&self.problem, self.tally.time, &pressed, &heated, |_| still)
+        PanelFrame {
+            spread,
+            ..panels.frame(&self.problem, self.tally.time, &pressed, &heated, |_| still)
+        }
     }
 
     /// Loads of a pressure of one everywhere: on bodies, then on wall sides.
-    pub fn uniform_loads(&self) -> &[Load] {
+    pub fn uniform_loads(&self) -> Vec<Load> {
+        self.uniform().to_vec()
+    }
+
+    /// The same, found once.
+    pub(super) fn uniform(&self) -> &[Load] {
         let find = || self.laid_panels().uniform_loads(&self.problem);
         self.shown.uniform_loads.get_or_init(find)
     }
@@ -97,7 +105,8 @@ impl<const D: usize> FixedSimulation<D> {
         pressed
     }
 
-    /// Adds to what panels show what presses walls beyond that.
+    /// Adds to what panels show what presses walls beyond that: to their pressure, and what no pressure makes to their friction, but for gas with
+    /// viscosity, whose own friction that is no part of. Returns the forces that the latter adds up to, by owner.
     fn show_all(
         &self,
         panels: &Panels<D>,
@@ -105,7 +114,7 @@ impl<const D: usize> FixedSimulation<D> {
         walls: &[(&Wall<D>, f64)],
         patches: &[Patch<D>],
         pressed: &mut [Pressed<D>],
-    ) {
+    ) -> Vec<[f64; 3]> {
         let calm = self.problem.free_stream.pressure;
         let rings = Rings::new(&self.problem);
         let mut left: Vec<Left<'_, D>> = (walls.iter())
@@ -131,7 +140,16 @@ impl<const D: usize> FixedSimulation<D> {
             theirs.push(pressed);
         }
         let spacing = self.problem.resolution.lattice();
-        unshown::spread(&left, &shown, spacing, &mut theirs);
+        let rest = unshown::spread(&left, &shown, spacing, &mut theirs);
+        if self.fluid.viscous.is_some() {
+            return Vec::new();
+        }
+        let mut forces = vec![Vector::<D>::zeros(); self.uniform().len()];
+        for ((Shown { panel, area }, pressed), rest) in shown.iter().zip(theirs).zip(rest) {
+            pressed.friction += rest;
+            forces[panel.owner as usize] += rest * *area;
+        }
+        forces.iter().map(|force| pad(force).into()).collect()
     }
 
     fn mach(&self, cell: usize) -> f64 {

@@ -40,52 +40,61 @@ pub struct Left<'a, const D: usize> {
     pub force: Vector<D>,
 }
 
-/// Adds what is `left` of each wall to the pressures of the panels around it that face as it does, in gas of this `spacing`.
+/// Adds what is `left` of each wall to the pressures of the panels around it that face as it does, in gas of this `spacing`. Returns the force
+/// per area that these do not show of it: what is along them, and what they keep.
 pub fn spread<const D: usize>(
     left: &[Left<'_, D>],
     shown: &[Shown<'_, D>],
     spacing: f64,
     pressed: &mut [&mut Pressed<D>],
-) {
+) -> Vec<Vector<D>> {
     let reach = REACH * spacing;
     let centres: Vec<Vector<D>> = shown.iter().map(|shown| shown.panel.centre).collect();
     let feet: Vec<Vector<D>> = left.iter().map(|left| left.wall.foot).collect();
     let [by_centre, by_foot] = [&centres, &feet].map(|at| Pencils::new(at, reach));
     let share = |left: &Left<'_, D>| {
         let mut sums = SMatrix::<f64, D, D>::zeros();
+        let mut weights = 0.0;
         by_centre.for_each_run_near(&left.wall.foot, &left.wall.foot, reach, |run| {
             for &n in &by_centre.order()[run] {
                 let Shown { panel, area } = &shown[n as usize];
                 let weight = left.weight(panel, reach) * area;
                 sums += panel.normal * panel.normal.transpose() * weight;
+                weights += weight;
             }
         });
-        let mut share = Vector::<D>::zeros();
-        let all = sums.trace();
-        for _ in 0..PASSES {
-            if all > 0.0 {
-                share += (left.force - sums * share) / all;
-            }
+        if weights <= 0.0 {
+            return [Vector::zeros(); 2];
         }
-        share
+        let mut share = Vector::<D>::zeros();
+        for _ in 0..PASSES {
+            share += (left.force - sums * share) / weights;
+        }
+        [share, (left.force - sums * share) / weights]
     };
-    let shares: Vec<Vector<D>> = left.par_iter().map(share).collect();
+    let shares: Vec<[Vector<D>; 2]> = left.par_iter().map(share).collect();
     let more = |shown: &Shown<'_, D>| {
-        let mut sum = 0.0;
+        let (mut sum, mut rest) = (0.0, Vector::zeros());
         let panel = shown.panel;
         by_foot.for_each_run_near(&panel.centre, &panel.centre, reach, |run| {
             for &n in &by_foot.order()[run] {
                 // Panels look into the gas, which presses them the other way.
-                let n = n as usize;
-                sum -= left[n].weight(panel, reach) * shares[n].dot(&panel.normal);
+                let [share, unshown] = &shares[n as usize];
+                let weight = left[n as usize].weight(panel, reach);
+                sum -= weight * share.dot(&panel.normal);
+                rest += unshown * weight;
             }
         });
-        sum
+        (sum, rest)
     };
-    let more: Vec<f64> = shown.par_iter().map(more).collect();
-    for (pressed, more) in pressed.iter_mut().zip(more) {
-        pressed.pressure += more.max((KEPT - 1.0) * pressed.pressure);
-    }
+    let more: Vec<(f64, Vector<D>)> = shown.par_iter().map(more).collect();
+    let each = pressed.iter_mut().zip(shown).zip(more);
+    each.map(|((pressed, shown), (more, rest))| {
+        let taken = more.max((KEPT - 1.0) * pressed.pressure);
+        pressed.pressure += taken;
+        rest + shown.panel.normal * (taken - more)
+    })
+    .collect()
 }
 
 impl<const D: usize> Left<'_, D> {
@@ -175,6 +184,43 @@ mod tests {
         assert!(seen > 1 && unseen > 1, "{seen} {unseen}");
     }
 
+    /// What is along a face no pressure on it shows, and what panels keep of their pressure is missing.
+    #[test]
+    fn what_no_pressure_shows_is_left_over() {
+        let flow = begun(1.2, &[([0.7, 0.4], [0.0; 2])], 0.0);
+        let panels = Panels::new(&flow.problem);
+        let (wall, _) = (flow.walls())
+            .find(|(wall, _)| wall.image.normal[1] < -0.9 && wall.foot[0].abs() < 0.1)
+            .expect("a wall below gas");
+        let shown: Vec<Shown<'_, 2>> = (panels.all().iter())
+            .map(|panel| Shown {
+                panel,
+                area: panel.size,
+            })
+            .collect();
+        for force in [[1e-3, 0.0], [1e-3, 2e-3], [-2e-3, 100.0]] {
+            let force = Vector::from(force);
+            let mut pressed = vec![Pressed::calm(1.0); shown.len()];
+            let rest = spread(
+                &[Left { wall, force }],
+                &shown,
+                1.0 / 16.0,
+                &mut pressed.iter_mut().collect::<Vec<_>>(),
+            );
+            let mut along = 0.0;
+            let mut all = Vector::<2>::zeros();
+            for ((Shown { panel, area }, pressed), rest) in shown.iter().zip(&pressed).zip(&rest) {
+                all += (rest - panel.normal * (pressed.pressure - 1.0)) * *area;
+                along += rest[0] * area;
+            }
+            assert!((along - force[0]).abs() < 1e-12, "{along} {force:?}");
+            assert!(
+                (all - force).norm() < 1e-9 * force.norm(),
+                "{all:?} {force:?}"
+            );
+        }
+    }
+
     #[test]
     fn every_panel_keeps_a_tenth_of_its_pressure() {
         let flow = begun(1.2, &[([0.7, 0.4], [0.0; 2])], 0.0);
@@ -192,12 +238,7 @@ mod tests {
                 area: panel.size,
             })
             .collect();
-        let none = Pressed {
-            pressure: 1.0,
-            friction: Vector::zeros(),
-            mach: 0.0,
-        };
-        let mut pressed = vec![none; shown.len()];
+        let mut pressed = vec![Pressed::calm(1.0); shown.len()];
         spread(
             &left,
             &shown,

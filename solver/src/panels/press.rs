@@ -137,18 +137,7 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
             in_front.map(part).collect()
         })
         .collect();
-    let none = Sum {
-        force: 0.0,
-        gas: 0.0,
-        gas_pressure: 0.0,
-        gas_square: 0.0,
-        gas_reach: 0.0,
-        weight: 0.0,
-        mach: 0.0,
-        friction: Vector::zeros(),
-        solid: 0.0,
-    };
-    let mut sums = vec![none; panels.all().len()];
+    let mut sums = vec![Sum::none(); panels.all().len()];
     for (presser, shares) in pressers.iter().zip(&all) {
         for share in shares {
             let sum = &mut sums[share.number as usize];
@@ -180,9 +169,12 @@ pub fn pressed<const D: usize>(flow: &Simulation<D>, panels: &Panels<D>) -> Vec<
     }
     let each = sums.iter().zip(panels.all()).zip(bent);
     let calm = flow.problem.free_stream.pressure;
-    each.map(|((sum, panel), bent)| match panel.is_covered {
-        true => Pressed::calm(calm),
-        false => sum.pressed(panel.size, bent),
+    each.map(|((sum, panel), bent)| {
+        if panel.is_covered {
+            Pressed::calm(calm)
+        } else {
+            sum.pressed(panel.size, bent)
+        }
     })
     .collect()
 }
@@ -208,6 +200,20 @@ struct Sum<const D: usize> {
 }
 
 impl<const D: usize> Sum<D> {
+    fn none() -> Self {
+        Self {
+            force: 0.0,
+            gas: 0.0,
+            gas_pressure: 0.0,
+            gas_square: 0.0,
+            gas_reach: 0.0,
+            weight: 0.0,
+            mach: 0.0,
+            friction: Vector::zeros(),
+            solid: 0.0,
+        }
+    }
+
     /// Force per area on a free wall, mean pressure of even gas in front in a corner.
     fn pressure(&self, size: f64) -> f64 {
         let free = self.force / size;
