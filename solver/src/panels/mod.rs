@@ -9,11 +9,12 @@ mod integral;
 mod left;
 mod loads;
 mod press;
+mod pressed;
 mod seen;
 mod show;
 
 pub use integral::shown_forces;
-pub use press::Pressed;
+pub use pressed::Pressed;
 pub use show::Heated;
 
 use aero_geometry::{Bounds, Vector};

@@ -2,8 +2,8 @@
 
 use aero_geometry::Vector;
 
-use super::press::{Pressed, pressed};
-use super::{Panels, is_shown};
+use super::press::pressed;
+use super::{Panels, Pressed, is_shown};
 use crate::Simulation;
 use crate::frame::{Load, PanelFrame};
 use crate::problem::Problem;
