@@ -66,6 +66,26 @@ fn a_wall_that_ends_in_a_buffer_is_refused_with_the_mend() {
     assert!(said.contains("carry it on past x = 1.35"), "{said}");
 }
 
+/// Points have no gas behind the side.
+#[test]
+fn a_body_that_ends_on_an_outlet_is_told_to_particles_alone() {
+    let ramp = "[[body]]\nname = \"ramp\"\nshape = { polygon = { points = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.2]] } }";
+    let place = Workplace::new();
+    place.write("scene.toml", &scene(ON_A_WALL, ramp));
+    for (motion, is_told) in [("with-the-gas", true), ("fixed", false)] {
+        let motion = format!("scheme.motion={motion}");
+        let answer = place.aero(&["check", "scene.toml", "--set", &motion]);
+        answer.succeeds();
+        let told = answer.out.contains("`ramp`: ends on the side `x_max`");
+        assert_eq!(told, is_told, "{motion}: {}", answer.out);
+        assert!(
+            !answer.out.contains("spacings from the side `x_max`"),
+            "{}",
+            answer.out
+        );
+    }
+}
+
 #[test]
 fn a_body_through_a_free_stream_side_is_refused() {
     let pillar = block("pillar", [0.0, 0.2], [0.5, 1.2]);

@@ -113,7 +113,16 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
             } else {
                 (NEAR, "nearer than a particle feels")
             };
-            if side.is_open() && gap < near {
+            let is_flush = gap.abs() < CUT;
+            if side.is_open() && is_flush {
+                // To points it is a body that the side cuts.
+                if !stays {
+                    found.warnings.push(Warning::new(About::Scene, format!(
+                        "body `{}`: ends on the side `{name}`, behind which gas presses its end; carry it on beyond, or move the side away",
+                        body.name
+                    )));
+                }
+            } else if side.is_open() && gap < near {
                 found.warnings.push(Warning::new(About::Scene, format!(
                     "body `{}`: is {gap:.1} spacings from the side `{name}`, {why}; move the side away",
                     body.name
