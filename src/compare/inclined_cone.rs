@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use aero::run::Keep;
+use aero_validation::exact::cone::cone_flow;
 
 use super::comparison::{Comparison, Flow};
 use super::context::CompareError;
@@ -13,10 +14,14 @@ use super::variant::Variant;
 const THEORY: &str = "first order in the incidence (Stone 1948)";
 /// A force along the normals of a cone acts here: its moments about the tip are those of rings of equal slope.
 const NORMALS: &str = "2 / (3 cos^2 theta), pressure along the generators constant";
+const AXIAL: &str =
+    "pressure at no incidence (Taylor & Maccoll 1933); an incidence changes it in second order";
+const GAMMA: f64 = 1.4;
 /// Degrees.
 const INCIDENCE: f64 = 2.0;
-/// Largest errors: of the slope, per cent, and of the centre of pressure, lengths.
+/// Largest errors: of the slope and, by halvings of the spacing, of the axial force, per cent, and of the centre of pressure, lengths.
 const SLOPE: f64 = 3.0;
+const AXIAL_FORCE: [f64; 3] = [6.0, 3.0, 1.25];
 const CENTRE: f64 = 0.02;
 
 /// A cone and its stream.
@@ -90,13 +95,14 @@ pub const INCLINED_CONE: Comparison<Cone> = Comparison {
     together: None,
 };
 
-#[allow(clippy::unnecessary_wraps)] // what a comparison asks for
 fn rows(flow: &Flow<'_, Cone>) -> Result<Vec<Row>, CompareError> {
     let cone = flow.variant.own;
     let body = &flow.outcome.summary.bodies["cone"];
     let normal = body.cn_mean.unwrap_or(f64::NAN);
     let about_tip = body.cm_mean.unwrap_or(f64::NAN);
+    let axial = body.ca_mean.unwrap_or(f64::NAN);
     let cosine = cone.half_angle.to_radians().cos();
+    let exact = cone_flow(cone.mach, cone.half_angle.to_radians(), GAMMA)?;
     Ok(vec![
         Row::relative(
             "slope of the normal force, to a radian",
@@ -111,6 +117,13 @@ fn rows(flow: &Flow<'_, Cone>) -> Result<Vec<Row>, CompareError> {
             -about_tip / normal,
             2.0 / (3.0 * cosine * cosine),
             CENTRE,
+        ),
+        Row::relative(
+            "axial force on the base area",
+            AXIAL,
+            axial,
+            exact.pressure_coefficient,
+            AXIAL_FORCE[cone.halvings as usize],
         ),
         flow.no_leaks(),
     ])
