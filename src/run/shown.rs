@@ -16,8 +16,9 @@ const LEAST_DRAG: f64 = 0.1;
 /// A force counts as no less than this part of all that the body is pressed with over the stream's pressure.
 const LEAST: f64 = 0.05;
 
-/// Pressures that differ from the stream's by less than this part of it are rounded: gas at rest presses a body with nothing else.
-const ROUNDED: f64 = 1e-9;
+/// About points that stay and of particles: what differs from the stream's pressure by this part of it, on the mean over a body, is not told from
+/// gas at rest, in whose corners panels of particles pull a little.
+const AT_REST: [f64; 2] = [1e-9, 0.01];
 
 /// What there is to say of the loads of `flow` as it stands.
 pub(super) fn warnings<const D: usize>(
@@ -35,9 +36,10 @@ pub(super) fn warnings<const D: usize>(
     let each = flow.shown_forces(&panels).into_iter().enumerate();
     let told = each.filter_map(|(number, shown)| {
         let load = coefficients.gauge(number, &loads[number]).force;
-        let pressed = pressed(&panels, number, problem.free_stream.pressure);
+        let (pressed, at_rest) = pressed(&panels, number, problem.free_stream.pressure);
         let part = lacking(&load, &shown, along, pressed);
-        (part.abs() > WORTH).then(|| {
+        let moves = AT_REST[usize::from(problem.method.fixed().is_none())];
+        (pressed > moves * at_rest && part.abs() > WORTH).then(|| {
             let (part, word) = (100.0 * part.abs(), if part > 0.0 { "more" } else { "less" });
             let spread = if panels.spread.is_empty() {
                 ""
@@ -54,11 +56,14 @@ pub(super) fn warnings<const D: usize>(
     told.collect()
 }
 
-/// All that a body is pressed with over the stream's pressure, whatever its direction, and what the latter is rounded by.
-fn pressed(panels: &PanelFrame, body: usize, calm: f64) -> f64 {
+/// All that a body is pressed with over the stream's pressure, whatever its direction, and what that itself presses it with.
+fn pressed(panels: &PanelFrame, body: usize, calm: f64) -> (f64, f64) {
     let own = (0..panels.body.len()).filter(|&n| panels.body[n] as usize == body);
-    let over = |pressure: f64| (pressure - calm).abs() + ROUNDED * calm.abs();
-    own.map(|n| over(panels.pressure[n]) * panels.area[n]).sum()
+    own.fold((0.0, 0.0), |(over, at_rest), n| {
+        let area = panels.area[n];
+        let apart = (panels.pressure[n] - calm).abs();
+        (over + apart * area, at_rest + calm.abs() * area)
+    })
 }
 
 /// What a `load` has over what is `shown`, in parts of it: the larger of that of the whole and that of its part `along` the stream.
