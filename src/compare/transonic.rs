@@ -13,6 +13,9 @@ const COMPUTED: &str = "AGARD Advisory Report 211, 1985";
 /// Ratio of specific heats.
 const GAMMA: f64 = 1.4;
 
+/// Chords to either side of a shock that its rise is told by.
+const BESIDE: f64 = 0.03;
+
 /// A stream, the box that it is in, and what others have computed of it: the middle of what they say.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Stream {
@@ -118,7 +121,7 @@ fn rows(flow: &Flow<'_, Stream>) -> Result<Vec<Row>, CompareError> {
     ])
 }
 
-/// Where the last of the gas on the surface that is faster than sound comes to the speed of sound, chords behind the nose.
+/// Where the gas on the surface that is faster than sound comes to the speed of sound, chords behind the nose.
 fn shock(flow: &Flow<'_, Stream>, is_above: bool) -> Option<f64> {
     let panels = &flow.outcome.panels;
     let mach = flow.variant.own.mach;
@@ -132,12 +135,26 @@ fn shock(flow: &Flow<'_, Stream>, is_above: bool) -> Option<f64> {
         .map(|n| [middle(n, 0), panels.pressure_coefficient[n]])
         .collect();
     wall.sort_by(|a, b| a[0].total_cmp(&b[0]));
-    let ends = wall.windows(2).rev();
-    let mut crossed = ends.filter(|pair| pair[0][1] < sonic && pair[1][1] >= sonic);
-    crossed.next().map(|pair| {
+    strongest_end(&wall, sonic)
+}
+
+/// Where the coefficient of the pressure on a `wall`, by places along it in order, rises most of where it rises through that of the speed of sound: between the
+/// corners of its outline it goes up and down a little.
+fn strongest_end(wall: &[[f64; 2]], sonic: f64) -> Option<f64> {
+    let mean = |from: f64, to: f64| {
+        let within = wall.iter().filter(|one| (from..to).contains(&one[0]));
+        let (sum, count) = within.fold((0.0, 0.0), |(sum, count), one| (sum + one[1], count + 1.0));
+        sum / count
+    };
+    let ends = wall.windows(2);
+    let crossed = ends.filter(|pair| pair[0][1] < sonic && pair[1][1] >= sonic);
+    let places = crossed.map(|pair| {
         let part = (sonic - pair[0][1]) / (pair[1][1] - pair[0][1]);
-        pair[0][0] + part * (pair[1][0] - pair[0][0])
-    })
+        let at = pair[0][0] + part * (pair[1][0] - pair[0][0]);
+        (at, mean(at, at + BESIDE) - mean(at - BESIDE, at))
+    });
+    let strongest = places.max_by(|a, b| a.1.total_cmp(&b.1));
+    strongest.map(|(at, _)| at)
 }
 
 /// How far the pressure that the gas half a chord before the nose would come to rest with is off the stream's, in parts of the dynamic pressure.
@@ -165,6 +182,20 @@ mod tests {
     fn half_thickness(x: f64) -> f64 {
         0.6 * (0.2969 * x.sqrt() - 0.1260 * x - 0.3516 * x * x + 0.2843 * x.powi(3)
             - 0.1036 * x.powi(4))
+    }
+
+    /// Behind the shock the pressure comes down to that of the speed of sound once more.
+    #[test]
+    fn a_shock_is_where_the_pressure_rises_most() {
+        let wall: Vec<[f64; 2]> = (0..200)
+            .map(|n| {
+                let x = (f64::from(n) + 0.5) / 200.0;
+                let ripple = 0.1 * (-((x - 0.41) / 0.01).powi(2)).exp();
+                [x, if x < 0.35 { -0.6 } else { -0.35 - ripple }]
+            })
+            .collect();
+        let found = strongest_end(&wall, -0.43).expect("a shock");
+        assert!((found - 0.35).abs() < 0.005, "{found}");
     }
 
     #[test]

@@ -25,7 +25,7 @@ use crate::walls::plane::wall_sides;
 use crate::walls::rigid::pad;
 use cut::{clipped, halved};
 
-/// No panel is longer than this, in spacings of the flow.
+/// No panel is longer than this, in spacings of the flow where it is finest.
 const LONGEST: f64 = 1.0;
 
 /// Less of a surface than this part of a panel that is as long as the spacing is what rounding leaves of it where a side cuts it off: nothing
@@ -64,9 +64,7 @@ impl<const D: usize> Panels<D> {
         let region = region(problem);
         let mut all = Vec::new();
         for (number, body) in problem.bodies.iter().enumerate() {
-            let facets = body
-                .shape
-                .facets(LONGEST * problem.resolution.finest(), &region);
+            let facets = body.shape.facets(longest(problem), &region);
             for facet in &facets {
                 // What moves crosses the sides as it likes.
                 let region = (!body.motion.is_moving()).then_some(&region);
@@ -147,6 +145,14 @@ impl<const D: usize> Panel<D> {
     }
 }
 
+/// Length of the longest panel. In the plane they are as fine as cells are where the spacing is halved most; in space, where most cells are
+/// not, that would be too many.
+fn longest<const D: usize>(problem: &Problem<D>) -> f64 {
+    let points = problem.method.fixed().filter(|_| D == 2);
+    let halvings = points.map_or(0, |points| points.refine.levels());
+    LONGEST * problem.resolution.finest() / f64::from(1_u32 << halvings)
+}
+
 /// Where panels are laid: the domain, and the buffers of sides that gas or bodies pass through.
 fn region<const D: usize>(problem: &Problem<D>) -> Bounds<D> {
     let domain = &problem.domain;
@@ -210,7 +216,7 @@ fn lay<const D: usize>(
         parts.extend(clipped(&pieces, axis, plane, -1.0));
         pieces = parts;
     }
-    halved(pieces, LONGEST * problem.resolution.finest(), take);
+    halved(pieces, longest(problem), take);
 }
 
 /// The face of a box across an axis, at another place along it: a point, a segment, or two triangles.
