@@ -71,7 +71,7 @@ fn a_wall_that_ends_in_a_buffer_is_refused_with_the_mend() {
 fn a_body_that_ends_on_an_outlet_is_told_to_particles_alone() {
     let ramp = "[[body]]\nname = \"ramp\"\nshape = { polygon = { points = [[0.0, 0.0], [1.0, 0.0], [1.0, 0.2]] } }";
     let place = Workplace::new();
-    place.write("scene.toml", &scene(ON_A_WALL, ramp));
+    place.write("scene.toml", scene(ON_A_WALL, ramp));
     for (motion, is_told) in [("with-the-gas", true), ("fixed", false)] {
         let motion = format!("scheme.motion={motion}");
         let answer = place.aero(&["check", "scene.toml", "--set", &motion]);

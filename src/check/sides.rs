@@ -106,35 +106,40 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, fou
                 .filter(|panel| [-1.0, 1.0][end] * panel.normal[axis] > 0.0)
                 .map(|panel| -depth(&panel.centre))
                 .fold(f64::INFINITY, f64::min);
-            let gap = nearest / spacing;
-            let stays = problem.method.fixed().is_some();
-            let (near, why) = if stays {
-                (NARROW, "too near for gas to flow between them")
-            } else {
-                (NEAR, "nearer than a particle feels")
-            };
-            let is_flush = gap.abs() < CUT;
-            if side.is_open() && is_flush {
-                // To points it is a body that the side cuts.
-                if !stays {
-                    found.warnings.push(Warning::new(About::Scene, format!(
-                        "body `{}`: ends on the side `{name}`, behind which gas presses its end; carry it on beyond, or move the side away",
-                        body.name
-                    )));
-                }
-            } else if side.is_open() && gap < near {
-                found.warnings.push(Warning::new(About::Scene, format!(
-                    "body `{}`: is {gap:.1} spacings from the side `{name}`, {why}; move the side away",
-                    body.name
-                )));
-            } else if !side.is_open() && ON_IT < gap && gap < NARROW {
-                found.warnings.push(Warning::new(About::Scene, format!(
-                    "body `{}`: leaves a gap of {gap:.1} spacings to the side `{name}`, too narrow for gas to flow; \
-                     close it or take a spacing of {:.3e}",
-                    body.name,
-                    nearest / (2.0 * NARROW)
-                )));
-            }
+            let said = near(problem, side, nearest);
+            found.warnings.extend(said.map(|(what, mend)| {
+                let text = format!("body `{}`: {what} the side `{name}`, {mend}", body.name);
+                Warning::new(About::Scene, text)
+            }));
         }
+    }
+}
+
+/// What there is to say of a body whose `nearest` end stands so far before a side: where it is, and why that is worth a word, with the mend.
+fn near<const D: usize>(
+    problem: &Problem<D>,
+    side: Side,
+    nearest: f64,
+) -> Option<(String, String)> {
+    let stays = problem.method.fixed().is_some();
+    let gap = nearest / problem.resolution.lattice();
+    let (least, why) = if stays {
+        (NARROW, "too near for gas to flow between them")
+    } else {
+        (NEAR, "nearer than a particle feels")
+    };
+    if side.is_open() && gap.abs() < CUT {
+        // To points it is a body that the side cuts.
+        let mend = "behind which gas presses its end; carry it on beyond, or move the side away";
+        (!stays).then(|| ("ends on".into(), mend.into()))
+    } else if side.is_open() && gap < least {
+        let mend = format!("{why}; move the side away");
+        Some((format!("is {gap:.1} spacings from"), mend))
+    } else if !side.is_open() && ON_IT < gap && gap < NARROW {
+        let finer = nearest / (2.0 * NARROW);
+        let mend = format!("too narrow for gas to flow; close it or take a spacing of {finer:.3e}");
+        Some((format!("leaves a gap of {gap:.1} spacings to"), mend))
+    } else {
+        None
     }
 }
