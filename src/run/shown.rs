@@ -47,7 +47,7 @@ pub(super) fn warnings<const D: usize>(
                 ", without what is spread there as friction"
             };
             let text = format!(
-                "its force is {part:.1} % {word} than the integral of what its surface shows{spread}: edges, thin parts or what \
+                "its force is {part:.1} % {word} than the integral of what its surface shows{spread}: edges, thin parts, corners with other solids or what \
                  a side cuts off are no more than a few cells or particles large; use a smaller `spacing`, or halve it near the body",
             );
             Warning::new(About::Scene, text).of(&problem.bodies[number].name)
