@@ -10,16 +10,26 @@ pub fn position<const D: usize>(corner: &Vector<D>, spacing: f64, index: &[i64; 
 
 /// All indices with `first <= index < last` on every axis, the last axis running fastest.
 pub fn points<const D: usize>(first: [i64; D], last: [i64; D]) -> impl Iterator<Item = [i64; D]> {
-    let lengths: [i64; D] = std::array::from_fn(|k| (last[k] - first[k]).max(0));
-    let total = count(&first, &last);
-    (0..total as i64).map(move |number| {
-        let mut rest = number;
-        let mut index = first;
-        for k in (0..D).rev() {
-            index[k] += rest % lengths[k];
-            rest /= lengths[k];
-        }
-        index
+    (0..count(&first, &last) as usize).map(move |number| at(first, last, number))
+}
+
+/// That with a `number` of [`points`], from 0.
+pub fn at<const D: usize>(first: [i64; D], last: [i64; D], number: usize) -> [i64; D] {
+    let mut rest = number as i64;
+    let mut index = first;
+    for k in (0..D).rev() {
+        let length = last[k] - first[k];
+        index[k] += rest % length;
+        rest /= length;
+    }
+    index
+}
+
+/// The number of `index` among [`points`], if it is one of them.
+pub fn number<const D: usize>(first: [i64; D], last: [i64; D], index: &[i64; D]) -> Option<usize> {
+    (0..D).try_fold(0, |number, k| {
+        let is_among = (first[k]..last[k]).contains(&index[k]);
+        is_among.then(|| number * (last[k] - first[k]) as usize + (index[k] - first[k]) as usize)
     })
 }
 

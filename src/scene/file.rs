@@ -292,7 +292,7 @@ pub struct BodyEntry {
     pub spacing: Option<Positive>,
     /// Fly it all the same where more than two per cent of its surface have no ghosts; off unless given.
     pub allow_loss: Option<bool>,
-    /// Conforming fluid around it at the start, in place of the lattice; off unless given.
+    /// Layers of fluid around it at the start, laid as its ghosts are, in place of the lattice, whose particles next to a body stand in the middle of the room that it leaves them; off unless given.
     pub packed_fluid: Option<bool>,
     /// Where it stands.
     pub place: Option<PlaceEntry>,

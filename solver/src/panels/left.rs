@@ -118,31 +118,44 @@ fn depth<const D: usize>(domain: &Domain<D>, place: &Vector<D>) -> f64 {
 mod tests {
     use std::sync::Arc;
 
-    use aero_geometry::{Placed, Placement, bodies};
+    use aero_geometry::{Placed, Placement, Shape, bodies};
 
     use super::*;
     use crate::Simulation;
     use crate::panels::press::pressed;
+    use crate::problem::PackedFluid;
     use crate::tests::cube;
     use crate::tests::seam::body_on_the_lattice;
+
+    const SPACING: f64 = 0.1;
+
+    /// The flow about a body that goes out through the right side of a box, three wide; all stands on one lattice.
+    fn about(shape: impl Shape<2> + 'static, at: [f64; 2], below: Side) -> Simulation<2> {
+        let mut problem = cube::<2>(30, Side::FreeStream);
+        problem.domain.sides[1][0] = below;
+        let place = Placement::default().moved(Vector::from(at));
+        let mut wider = problem.clone();
+        wider.domain.bounds.max[0] = 4.0;
+        let mut body = body_on_the_lattice(&wider, Arc::new(Placed::new(shape, place)));
+        body.packed_fluid = Some(PackedFluid {
+            position: Vec::new(),
+            lattice_begins: body.starting_distance(SPACING),
+        });
+        problem.bodies.push(body);
+        Simulation::new(problem).expect("a sound problem")
+    }
 
     /// Edges and a side that cuts it pull it along its walls; together they are nothing, and each shows so where it is.
     #[test]
     fn gas_at_rest_presses_a_bar_that_a_side_cuts_with_its_pressure_alone() {
-        let (spacing, height) = (0.1, 0.8);
-        let mut problem = cube::<2>(30, Side::FreeStream);
+        let height = 0.8;
         let bar = bodies::rectangle(4.0, height, 0.0).expect("a bar");
-        let place = Placement::default().moved(Vector::<2>::new(3.5, 1.5));
-        let mut wider = problem.clone();
-        wider.domain.bounds.max[0] = 4.0;
-        let body = body_on_the_lattice(&wider, Arc::new(Placed::new(bar, place)));
-        problem.bodies.push(body);
-        let flow = Simulation::new(problem).expect("a bar");
+        let flow = about(bar, [3.5, 1.5], Side::FreeStream);
         let panels = Panels::new(&flow.problem);
         let pressed = pressed(&flow, &panels);
         let shown = panels.loads(&flow.problem, &pressed, |_| Pose::at_rest());
         for load in [&flow.loads()[0], &shown[0]] {
-            let off = (load.force[0] - height) / spacing;
+            let off = (load.force[0] - height) / SPACING;
             assert!(off.abs() < 0.1, "{off} spacings of it: {load:?}");
         }
         for (pressed, panel) in pressed.iter().zip(&panels.all) {
@@ -161,19 +174,12 @@ mod tests {
     /// A ball about the axis, cut where it is widest: gas is pushed from ghosts that stand farther from the axis downstream than it does.
     #[test]
     fn little_is_left_of_what_presses_a_nose_about_an_axis() {
-        let mut problem = cube::<2>(30, Side::FreeStream);
-        problem.domain.sides[1][0] = Side::Axis;
         let ball = bodies::circle(1.5).expect("a circle");
-        let place = Placement::default().moved(Vector::<2>::new(3.0, 0.0));
-        let mut wider = problem.clone();
-        wider.domain.bounds.max[0] = 4.0;
-        let body = body_on_the_lattice(&wider, Arc::new(Placed::new(ball, place)));
-        problem.bodies.push(body);
-        let flow = Simulation::new(problem).expect("a ball");
+        let flow = about(ball, [3.0, 0.0], Side::Axis);
         let panels = Panels::new(&flow.problem);
         let pressed = pressed(&flow, &panels);
         let shown = panels.loads(&flow.problem, &pressed, |_| Pose::at_rest());
-        let rim = std::f64::consts::TAU * 1.5 * 0.1;
+        let rim = std::f64::consts::TAU * 1.5 * SPACING;
         let off = (shown[0].force[0] - flow.loads()[0].force[0]) / rim;
         assert!(off.abs() < 0.1, "{off}");
     }

@@ -7,8 +7,8 @@ use std::ops::{Deref, DerefMut};
 use aero_geometry::parallel::prelude::*;
 
 mod particle;
+mod rooms;
 mod start;
-mod vessel;
 
 pub use particle::{ByPressure, Particle, Rates, Spared};
 pub use start::start;

@@ -3,8 +3,9 @@
 
 use aero_geometry::Vector;
 use aero_geometry::kernel::SMOOTHING_RATIO;
+use aero_geometry::parallel::prelude::*;
 
-use super::vessel;
+use super::rooms::{Place, Rooms};
 use super::{ByPressure, Particle, Particles, Spared};
 use crate::lattice;
 use crate::problem::{Body, Domain, Initial, Problem, State};
@@ -101,9 +102,25 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
     let drift = Vector::zeros();
     let (first, last) = buffers.sides.lattice_range(&drift);
     let id = buffers.set_aside(lattice::count(&first, &last));
-    let is_shut_in = vessel::is_shut_in(problem);
-    let mut placed = vessel::Placed::default();
-    for (id, index) in (id..).zip(lattice::points(first, last)) {
+    let starts = |position: &Vector<D>| {
+        let nearest = problem.resolution.at(position) * rows.nearest();
+        problem.is_clear(position, |body| body.starting_distance(nearest))
+    };
+    let sides = &buffers.sides;
+    let places = (0..lattice::count(&first, &last) as usize).into_par_iter();
+    let places: Vec<_> = places
+        .map(|number| {
+            let position = rows.position(&lattice::at(first, last, number), &drift);
+            match sides.zone(&position) {
+                Zone::Interior if starts(&position) => Place::Particle,
+                Zone::Interior => Place::Empty,
+                _ => Place::Beyond,
+            }
+        })
+        .collect();
+    let rooms = Rooms::new(problem, &rows, [first, last], &places);
+    for (number, index) in lattice::points(first, last).enumerate() {
+        let id = id + number as u64;
         let position = rows.position(&index, &drift);
         let zone = buffers.sides.zone(&position);
         if let (Zone::Beyond(side), Some(state)) = (zone, buffers.first_state(zone, &position)) {
@@ -114,23 +131,18 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
                     .of_share(rows.share());
                 buffers.add(OpenParticle::of_lattice(particle, side, Some(index)));
             }
-        } else if problem.is_clear(&position, |body| {
-            body.starting_distance(problem.resolution.at(&position) * rows.nearest())
-        }) {
+        } else if places[number] == Place::Particle
+            || (places[number] == Place::Beyond && starts(&position))
+        {
+            let room = rooms.at(&index);
             let disorder = problem.disorder * problem.resolution.at(&position);
             let shift = lattice::displacement(&index) * disorder;
-            if let Some(particle) = born(problem, (position, shift), zone, id)? {
-                let particle = particle.of_share(rows.share());
-                let number = fluid.len();
+            if let Some(mut particle) = born(problem, (position + room.offset, shift), zone, id)? {
+                particle.smoothing_length *= room.share.powf(1.0 / D as f64);
+                let particle = particle.of_share(rows.share() * room.share);
                 place(particle, zone, &mut fluid, &mut buffers);
-                if is_shut_in && fluid.len() > number {
-                    placed.insert(index, number);
-                }
             }
         }
-    }
-    if is_shut_in {
-        vessel::fill(problem, &rows, [first, last], &placed, &mut fluid);
     }
     if problem.starts_calm() {
         let buffered = buffers.particles_mut().iter_mut();

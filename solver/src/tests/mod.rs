@@ -20,6 +20,7 @@ mod rarefied;
 mod reference;
 mod rest;
 mod rings;
+mod rooms;
 pub(crate) mod seam;
 mod shifting;
 mod sources;
