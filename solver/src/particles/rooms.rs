@@ -182,9 +182,8 @@ impl<const D: usize> Cutter<'_, D> {
             for step in lattice::points([0; D], [PLACES; D]) {
                 let corner = std::array::from_fn(|k| corner[k] * PLACES + step[k]);
                 let place = self.place(&middle, corner, blocks * PLACES);
-                let heights = cuts.iter().map(|cut| cut.normal.dot(&(place - cut.point)));
-                let height = heights.fold(f64::INFINITY, f64::min);
-                if height <= 0.0 || self.is_shut_out(&place) {
+                let height = self.height(&place, &cuts);
+                if height <= 0.0 {
                     continue;
                 }
                 let takers = self.takers(&around, &place, height);
@@ -205,6 +204,16 @@ impl<const D: usize> Cutter<'_, D> {
             }
         }
         parts
+    }
+
+    /// Height of a place above the surfaces that cut its block: their planes, but for those seen from within, where a corner shows one
+    /// of its faces alone.
+    fn height(&self, place: &Vector<D>, cuts: &[Closest<D>]) -> f64 {
+        if least(cuts) < 0.0 {
+            return self.problem.clearance(place);
+        }
+        let heights = cuts.iter().map(|cut| cut.normal.dot(&(place - cut.point)));
+        heights.fold(f64::INFINITY, f64::min)
     }
 
     /// Middle of the piece at `corner` of a cell cut in so many along each axis.
@@ -250,16 +259,6 @@ impl<const D: usize> Cutter<'_, D> {
             }
         }
         found
-    }
-
-    /// True beyond a side that no gas comes through.
-    fn is_shut_out(&self, place: &Vector<D>) -> bool {
-        let domain = &self.problem.domain;
-        let mut sides = (0..D).flat_map(|axis| [(axis, 0), (axis, 1)]);
-        sides.any(|(axis, end)| {
-            domain.depth_within(axis, end, place) <= 0.0
-                && !domain.side_at(axis, end, place).is_open()
-        })
     }
 }
 
