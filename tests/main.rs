@@ -15,6 +15,7 @@ mod fixed_points;
 mod fly;
 mod folders;
 mod forces;
+mod forces_cut;
 mod free;
 mod gaps;
 mod hot_air;

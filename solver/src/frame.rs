@@ -165,6 +165,15 @@ pub struct PanelFrame {
     pub spread: Vec<[f64; 3]>,
 }
 
+impl PanelFrame {
+    /// The middle of panel `n`.
+    pub fn middle(&self, n: usize) -> [f64; 3] {
+        let corners = &self.points[n * self.corners..(n + 1) * self.corners];
+        let sum = |k: usize| corners.iter().map(|corner| corner[k]).sum::<f64>();
+        std::array::from_fn(|k| sum(k) / self.corners as f64)
+    }
+}
+
 /// What the cells about points that stay look like, in the plane (of the meridian about an axis) or in space.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct CellFrame {

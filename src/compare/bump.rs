@@ -73,7 +73,7 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
 /// Mean difference of the pressure coefficients on the bump, between each panel and the mirror image of the surface behind it.
 fn asymmetry(flow: &Flow<'_>) -> f64 {
     let panels = &flow.outcome.panels;
-    let middle = |n: usize| 0.5 * (panels.points[2 * n][0] + panels.points[2 * n + 1][0]);
+    let middle = |n: usize| panels.middle(n)[0];
     let on_bump = (0..panels.area.len()).filter(|&n| panels.body[n] == 0);
     let mut wall: Vec<(f64, usize)> = on_bump.map(|n| (middle(n), n)).collect();
     wall.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -99,8 +99,10 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
 /// Mean pressure on the lowest part of the step's face.
 fn stagnation_pressure(flow: &Flow<'_>) -> f64 {
     let panels = &flow.outcome.panels;
-    let middle = |n: usize, k: usize| 0.5 * (panels.points[2 * n][k] + panels.points[2 * n + 1][k]);
-    let is_judged = |n: &usize| (middle(*n, 0) - STEP[0]).abs() < 1e-6 && middle(*n, 1) < 0.05;
+    let is_judged = |n: &usize| {
+        let [x, y, _] = panels.middle(*n);
+        (x - STEP[0]).abs() < 1e-6 && y < 0.05
+    };
     let (mut force, mut area) = (0.0, 0.0);
     for n in (0..panels.area.len()).filter(is_judged) {
         force += panels.area[n] * panels.pressure[n];

@@ -130,8 +130,7 @@ fn wall_errors(outcome: &Outcome, wall: usize) -> [f64; 2] {
     let [_, pressure] = exact(RADII[wall]);
     let (mut sum, mut whole, mut worst) = (0.0, 0.0, 0.0_f64);
     for n in 0..panels.area.len() {
-        let middle = |k: usize| 0.5 * (panels.points[2 * n][k] + panels.points[2 * n + 1][k]);
-        let [x, y] = [middle(0), middle(1)];
+        let [x, y, _] = panels.middle(n);
         let is_there = x > 0.0 && y > 0.0 && x.hypot(y) < 1.05 * RADII[1];
         if panels.body[n] as usize == wall && is_there {
             let off = (panels.pressure[n] / pressure - 1.0).abs();

@@ -129,10 +129,9 @@ fn shock(flow: &Flow<'_, Stream>, is_above: bool) -> Option<f64> {
     let ratio = ((1.0 + 0.5 * (GAMMA - 1.0) * mach * mach) / (0.5 * (GAMMA + 1.0)))
         .powf(GAMMA / (GAMMA - 1.0));
     let sonic = 2.0 / (GAMMA * mach * mach) * (ratio - 1.0);
-    let middle = |n: usize, k: usize| 0.5 * (panels.points[2 * n][k] + panels.points[2 * n + 1][k]);
-    let on_side = (0..panels.area.len()).filter(|&n| (middle(n, 1) > 0.0) == is_above);
+    let on_side = (0..panels.area.len()).filter(|&n| (panels.middle(n)[1] > 0.0) == is_above);
     let mut wall: Vec<[f64; 2]> = on_side
-        .map(|n| [middle(n, 0), panels.pressure_coefficient[n]])
+        .map(|n| [panels.middle(n)[0], panels.pressure_coefficient[n]])
         .collect();
     wall.sort_by(|a, b| a[0].total_cmp(&b[0]));
     strongest_end(&wall, sonic)

@@ -101,20 +101,12 @@ fn felt(places: &[(f64, Place)], panels: &PanelFrame, own: &[usize]) -> f64 {
     let (mut all, mut felt) = (0.0, 0.0);
     for &n in own.iter().step_by(chosen(own.len())) {
         all += panels.area[n];
-        let middle = middle(panels, n);
+        let middle = panels.middle(n);
         if places().any(|(_, place)| place.reaches(&middle)) {
             felt += panels.area[n];
         }
     }
     if all > 0.0 { felt / all } else { 0.0 }
-}
-
-/// The middle of a panel.
-fn middle(panels: &PanelFrame, n: usize) -> [f64; 3] {
-    let corners = &panels.points[n * panels.corners..(n + 1) * panels.corners];
-    std::array::from_fn(|k| {
-        corners.iter().map(|corner| corner[k]).sum::<f64>() / corners.len() as f64
-    })
 }
 
 impl Place {

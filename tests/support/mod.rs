@@ -1,5 +1,7 @@
 //! What the command-line tests share: the program, a folder of its own for each test, small scenes.
 
+pub mod forces;
+
 use std::path::{Path, PathBuf};
 
 use assert_cmd::Command;
