@@ -73,9 +73,21 @@ impl<S: Shape<D>, const D: usize> Mirrored<S, D> {
     }
 }
 
+/// A piece this near to a plane, in parts of its own size, lies in it.
+const IN_PLANE: f64 = 1e-9;
+
 /// The part of a segment or triangle on the side of a plane that is shown: none, or one or two pieces that face the same way
-/// [Sutherland & Hodgman 1974, Commun. ACM 17, 32, doi:10.1145/360767.360802].
+/// [Sutherland & Hodgman 1974, Commun. ACM 17, 32, doi:10.1145/360767.360802]. What lies in the plane is no surface: both sides of it are
+/// alike.
 fn cut_off<const D: usize>(piece: &[Vector<D>; D], plane: &MirrorPlane) -> Vec<[Vector<D>; D]> {
+    let size = (1..D).map(|n| (piece[n] - piece[0]).norm());
+    let size = size.fold(0.0, f64::max);
+    if piece
+        .iter()
+        .all(|corner| plane.height(corner).abs() <= IN_PLANE * size)
+    {
+        return Vec::new();
+    }
     let mut outline: Vec<Vector<D>> = Vec::with_capacity(D + 1);
     for n in 0..D {
         let (from, to) = (piece[n], piece[(n + 1) % D]);

@@ -1,6 +1,6 @@
 //! Bodies of which mirrors show one side.
 
-use aero_geometry::bodies::{cuboid, rectangle};
+use aero_geometry::bodies::{cuboid, polygon, rectangle};
 use aero_geometry::{Bounds, MirrorPlane, Mirrored, Placed, Placement, Shape, Vector};
 use approx::assert_relative_eq;
 
@@ -68,4 +68,24 @@ fn segments_of_a_mirrored_outline_enclose_twice_the_part_that_is_shown() {
     // The cut itself has no surface.
     assert_relative_eq!(parts.sum::<f64>(), 2.0 * 0.3 * 2.0, epsilon = 1e-9);
     assert_eq!(shown.mirror_planes(), [(1, 0.2), (0, 0.0)]);
+}
+
+/// A ramp on a floor, the floor in the plane: what is below it is not there, and the ramp has an image.
+#[test]
+fn what_lies_in_a_mirror_plane_is_no_surface() {
+    let corners = [[0.0, 0.0], [1.0, 0.0], [2.0, 0.5], [2.0, -0.5], [0.0, -0.5]];
+    let floor = polygon(&corners.map(Vector::from)).unwrap();
+    let plane = MirrorPlane {
+        axis: 1,
+        position: 0.0,
+        shows_above: true,
+    };
+    let length: f64 = Mirrored::new(floor, vec![plane])
+        .facets(0.1, &everywhere())
+        .iter()
+        .map(|[a, b]| (b - a).norm())
+        .sum();
+    // The ramp and its back, twice.
+    let expected = 2.0 * (1.25_f64.sqrt() + 0.5);
+    assert!((length - expected).abs() < 1e-9, "{length} {expected}");
 }
