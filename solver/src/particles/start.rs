@@ -113,7 +113,7 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
             let position = rows.position(&lattice::at(first, last, number), &drift);
             match sides.zone(&position) {
                 Zone::Interior if starts(&position) => Place::Particle,
-                Zone::Interior => Place::Empty,
+                Zone::Interior if problem.domain.bounds.contains(&position) => Place::Empty,
                 _ => Place::Beyond,
             }
         })
@@ -131,8 +131,7 @@ pub fn start<const D: usize>(problem: &Problem<D>) -> Result<(Particles<D>, Buff
                     .of_share(rows.share());
                 buffers.add(OpenParticle::of_lattice(particle, side, Some(index)));
             }
-        } else if places[number] == Place::Particle
-            || (places[number] == Place::Beyond && starts(&position))
+        } else if places[number] == Place::Particle || (zone != Zone::Interior && starts(&position))
         {
             let room = rooms.at(&index);
             let disorder = problem.disorder * problem.resolution.at(&position);

@@ -12,12 +12,22 @@ use crate::scheme::Volume;
 
 /// The gas about a rectangle in a box of 4 by 4, forty spacings wide, of density 1.4.
 fn gas_about(
-    [width, height]: [f64; 2],
+    size: [f64; 2],
     turned: f64,
     middle: [f64; 2],
     side: Side,
 ) -> (Problem<2>, Vec<Particle<2>>) {
-    let mut problem = cube::<2>(40, side);
+    gas_between([[side; 2]; 2], size, turned, middle)
+}
+
+fn gas_between(
+    sides: [[Side; 2]; 2],
+    [width, height]: [f64; 2],
+    turned: f64,
+    middle: [f64; 2],
+) -> (Problem<2>, Vec<Particle<2>>) {
+    let mut problem = cube::<2>(40, Side::WALL);
+    problem.domain.sides = sides;
     let body = bodies::rectangle(width, height, 0.0).unwrap();
     let place = Placement::default()
         .rotated(turned)
@@ -53,13 +63,22 @@ fn gas_has_the_mass_of_all_the_room_that_a_body_leaves() {
 
 /// Nor does gas within leave for what is beyond.
 #[test]
-fn gas_beyond_an_open_side_is_none_of_the_particles_within() {
-    for turned in [0.0, 0.3, 0.7] {
-        let (_, fluid) = gas_about([2.0, 1.0], turned, [4.0, 2.0], Side::FreeStream);
-        let (mass, expected) = (mass(&fluid), 1.4 * (16.0 - 1.0));
+fn gas_beyond_a_side_is_none_of_the_particles_within() {
+    let cut_or_standing = [
+        (0.0, [4.0, 2.0], 1.0),
+        (0.3, [4.0, 2.0], 1.0),
+        (0.7, [4.0, 2.0], 1.0),
+        (0.0, [2.0, 0.5], 2.0),
+        (0.0, [2.03, 0.49], 1.98),
+        (0.3, [2.0, 0.0], 1.0),
+    ];
+    for (turned, middle, area) in cut_or_standing {
+        let sides = [[Side::FreeStream; 2], [Side::WALL, Side::FreeStream]];
+        let (_, fluid) = gas_between(sides, [2.0, 1.0], turned, middle);
+        let (mass, expected) = (mass(&fluid), 1.4 * (16.0 - area));
         assert!(
             (mass / expected - 1.0).abs() < 1e-3,
-            "{turned}: {mass} {expected}"
+            "{turned} {middle:?}: {mass} {expected}"
         );
     }
 }
