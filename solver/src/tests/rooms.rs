@@ -17,17 +17,17 @@ fn gas_about(
     middle: [f64; 2],
     side: Side,
 ) -> (Problem<2>, Vec<Particle<2>>) {
-    gas_between([[side; 2]; 2], size, turned, middle)
+    gas_between(&[[side; 2]; 2], size, turned, middle)
 }
 
 fn gas_between(
-    sides: [[Side; 2]; 2],
+    sides: &[[Side; 2]; 2],
     [width, height]: [f64; 2],
     turned: f64,
     middle: [f64; 2],
 ) -> (Problem<2>, Vec<Particle<2>>) {
     let mut problem = cube::<2>(40, Side::WALL);
-    problem.domain.sides = sides;
+    problem.domain.sides = *sides;
     let body = bodies::rectangle(width, height, 0.0).unwrap();
     let place = Placement::default()
         .rotated(turned)
@@ -74,7 +74,7 @@ fn gas_beyond_a_side_is_none_of_the_particles_within() {
     ];
     for (turned, middle, area) in cut_or_standing {
         let sides = [[Side::FreeStream; 2], [Side::WALL, Side::FreeStream]];
-        let (_, fluid) = gas_between(sides, [2.0, 1.0], turned, middle);
+        let (_, fluid) = gas_between(&sides, [2.0, 1.0], turned, middle);
         let (mass, expected) = (mass(&fluid), 1.4 * (16.0 - area));
         assert!(
             (mass / expected - 1.0).abs() < 1e-3,
