@@ -119,6 +119,17 @@ struct Part<const D: usize> {
     moment: Vector<D>,
 }
 
+/// A piece of a cell.
+struct Block<const D: usize> {
+    centre: Vector<D>,
+    /// From there to its corners.
+    reach: f64,
+    /// No surface is nearer to the centre; negative within a body.
+    clear: f64,
+    /// Of each body near, the closest.
+    surfaces: Vec<Closest<D>>,
+}
+
 /// Cuts cells of the lattice at bodies.
 struct Cutter<'a, const D: usize> {
     problem: &'a Problem<D>,
@@ -156,33 +167,31 @@ impl<const D: usize> Cutter<'_, D> {
         if clear < -cell || clear > 4.0 * cell {
             return Vec::new();
         }
-        let has_own = self.at(index) == Place::Particle;
         if clear > cell {
             let whole = Part {
                 taker: *index,
                 share: 1.0,
                 moment: Vector::zeros(),
             };
+            let has_own = self.at(index) == Place::Particle;
             return if has_own { vec![whole] } else { Vec::new() };
         }
-        let around = self.around(index, has_own);
+        let around = self.around(index);
         if around.is_empty() {
             return Vec::new();
         }
         let blocks = BLOCKS[usize::from(D > 2)];
         let share = ((blocks * PLACES) as f64).powi(-(D as i32));
-        let block = self.reach(blocks);
         let mut parts = Vec::<Part<D>>::new();
         for corner in lattice::points([0; D], [blocks; D]) {
-            let centre = self.place(&middle, corner, blocks);
-            let cuts = self.problem.near(&centre, block);
-            if least(&cuts) < -block {
+            let block = self.block(self.place(&middle, corner, blocks), self.reach(blocks));
+            if block.clear < -block.reach {
                 continue;
             }
             for step in lattice::points([0; D], [PLACES; D]) {
                 let corner = std::array::from_fn(|k| corner[k] * PLACES + step[k]);
                 let place = self.place(&middle, corner, blocks * PLACES);
-                let height = self.height(&place, &cuts);
+                let height = self.height(&place, &block);
                 if height <= 0.0 {
                     continue;
                 }
@@ -206,13 +215,29 @@ impl<const D: usize> Cutter<'_, D> {
         parts
     }
 
-    /// Height of a place above the surfaces that cut its block: their planes, but for those seen from within, where a corner shows one
-    /// of its faces alone.
-    fn height(&self, place: &Vector<D>, cuts: &[Closest<D>]) -> f64 {
-        if least(cuts) < 0.0 {
+    /// The block about a `centre`, whose corners are within `reach`.
+    fn block(&self, centre: Vector<D>, reach: f64) -> Block<D> {
+        let far = 4.0 * self.reach(1);
+        let surfaces = self.problem.near(&centre, far);
+        Block {
+            centre,
+            reach,
+            clear: least(&surfaces).min(far),
+            surfaces,
+        }
+    }
+
+    /// A height of a place in a block that no surface is nearer than: above the planes of those that cut the block, but where a body is
+    /// seen from within, as a corner shows one of its faces alone there.
+    fn height(&self, place: &Vector<D>, block: &Block<D>) -> f64 {
+        if block.clear > block.reach {
+            return block.clear - (place - block.centre).norm();
+        }
+        if block.clear < 0.0 {
             return self.problem.clearance(place);
         }
-        let heights = cuts.iter().map(|cut| cut.normal.dot(&(place - cut.point)));
+        let cuts = block.surfaces.iter().filter(|s| s.distance <= block.reach);
+        let heights = cuts.map(|cut| cut.normal.dot(&(place - cut.point)));
         heights.fold(f64::INFINITY, f64::min)
     }
 
@@ -223,17 +248,17 @@ impl<const D: usize> Cutter<'_, D> {
         })
     }
 
-    /// Particles that gas of the cell at `index` may go to: its own first, then those around it.
-    fn around(&self, index: &[i64; D], has_own: bool) -> Vec<[i64; D]> {
-        let steps = lattice::points([-1; D], [2; D]).filter(|step| *step != [0; D]);
-        let others = steps.map(|step| std::array::from_fn(|k| index[k] + step[k]));
-        let own = has_own.then_some(*index).into_iter();
-        own.chain(others.filter(|other| self.at(other) == Place::Particle))
+    /// Particles that gas of the cell at `index` may go to: its own, and those around it.
+    fn around(&self, index: &[i64; D]) -> Vec<[i64; D]> {
+        let around = lattice::points([-1; D], [2; D]);
+        around
+            .map(|step| std::array::from_fn(|k| index[k] + step[k]))
+            .filter(|place| self.at(place) == Place::Particle)
             .collect()
     }
 
-    /// Who of those `around` takes the gas at `place`, `height` above a surface, with the way there from each: its own
-    /// cell's if it sees it, or the nearest; all that are as near, for symmetry's sake.
+    /// Who of those `around` takes the gas at `place`, `height` above all surfaces, with the way there from each: the nearest that sees
+    /// it; all that are as near, for symmetry's sake.
     fn takers(
         &self,
         around: &[[i64; D]],

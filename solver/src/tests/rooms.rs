@@ -123,6 +123,25 @@ fn gas_keeps_to_its_side_of_a_plate_thinner_than_a_spacing() {
     }
 }
 
+/// It passes between particles and corners of their cells, which are two parts in ten thousand of the gas above.
+#[test]
+fn gas_keeps_to_its_side_of_a_thin_plate_askew() {
+    let (turned, thickness) = (0.6_f64, 0.02);
+    for height in [2.0, 2.02, 2.03, 2.07] {
+        let (_, fluid) = gas_about([8.0, thickness], turned, [2.0, height], Side::WALL);
+        let above = fluid
+            .iter()
+            .filter(|p| p.position[1] - height > turned.tan() * (p.position[0] - 2.0));
+        let across = 0.5 * thickness / turned.cos();
+        let expected = 1.4 * 4.0 * (4.0 - height - across);
+        let mass = mass(above);
+        assert!(
+            (mass / expected - 1.0).abs() < 1.5e-4,
+            "{height}: {mass} {expected}"
+        );
+    }
+}
+
 #[test]
 fn rooms_about_a_body_are_symmetric_as_it_is() {
     for (width, turned) in [(0.93, 0.25 * std::f64::consts::PI), (0.84, 0.0)] {
