@@ -29,24 +29,26 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
         .bodies
         .iter()
         .filter(|body| body.wall.sticks())
-        .map(|body| (body.name.clone(), along(&body.shape.bounds())));
+        .map(|body| (body.name.clone(), along(&body.shape.bounds()), true));
+    // A wall without ends has a layer that grows until it meets another: no length says how thick it is.
+    let ends = problem.domain.sides[stream.velocity.iamax()][0] != Side::Periodic;
     let sides = problem.domain.each_side();
     let sides = sides.filter_map(|(axis, end, side, _)| match side {
         Side::Wall { kind, .. } if kind.sticks() => {
-            Some((side_name(axis, end), along(&problem.domain.bounds)))
+            Some((side_name(axis, end), along(&problem.domain.bounds), ends))
         }
         _ => None,
     });
     let levels = problem.method.fixed().map_or(0, |p| p.refine.levels());
     let finest = problem.resolution.lattice() / f64::from(1_u32 << levels.min(20));
-    for (name, length) in bodies.chain(sides) {
+    for (name, length, ends) in bodies.chain(sides) {
         let reynolds = per_length * length;
         let thickness = (BLASIUS * length / reynolds.sqrt()).min(length);
         if !(thickness > 0.0 && thickness.is_finite()) {
             continue;
         }
         let mut tell = |text| found.warnings.push(Warning::new(About::Scene, text));
-        if thickness < LEAST * finest {
+        if ends && thickness < LEAST * finest {
             tell(format!(
                 "`{name}`: a laminar boundary layer is about {thickness:.2e} thick at its end (Reynolds number {reynolds:.1e}), {:.1} spacings: \
                  friction and heat ask for {LEAST}; take `spacing = {:.1e}`, or with points that stay `refine = {}`",
@@ -122,6 +124,21 @@ y_max = "free-stream"
             "gas.viscosity={ reynolds = 1e5 }",
         ];
         assert!(warnings(&slides).is_empty());
+    }
+
+    #[test]
+    fn walls_without_ends_have_no_thickness_told_and_may_be_turbulent() {
+        let endless = |reynolds: &str| {
+            warnings(&[
+                "domain.sides.x_min=periodic",
+                "domain.sides.x_max=periodic",
+                &format!("gas.viscosity={{ reynolds = {reynolds} }}"),
+            ])
+        };
+        assert!(endless("1e5").is_empty(), "{:?}", endless("1e5"));
+        let told = endless("1e6");
+        assert_eq!(told.len(), 1, "{told:?}");
+        assert!(told[0].contains("turbulent"));
     }
 
     #[test]
