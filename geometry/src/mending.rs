@@ -34,7 +34,7 @@ impl Solid {
     ///
     /// # Errors
     /// Triangles that do not enclose a solid; numbers out of range.
-    pub fn new(soup: &Soup, mending: Mending, watch: &Watch) -> Result<Self, GeometryError> {
+    pub fn new(soup: Soup, mending: Mending, watch: &Watch) -> Result<Self, GeometryError> {
         let of_mesh = |mesh: Mesh| Self {
             repairs: mesh.repairs().to_vec(),
             shape: Arc::new(mesh),
@@ -42,9 +42,9 @@ impl Solid {
         match mending {
             Mending::Refuse => Mesh::sound(soup, watch).map(of_mesh),
             Mending::Fill => Mesh::filled(soup, watch).map(of_mesh),
-            Mending::Wrap(spacing) => Mesh::wrapped(soup, spacing, watch).map(of_mesh),
+            Mending::Wrap(spacing) => Mesh::wrapped(&soup, spacing, watch).map(of_mesh),
             Mending::Thicken(thickness) => {
-                let sheet = Sheet::new(soup, thickness, watch)?;
+                let sheet = Sheet::new(&soup, thickness, watch)?;
                 Ok(Self {
                     repairs: sheet.repairs().to_vec(),
                     shape: Arc::new(sheet),

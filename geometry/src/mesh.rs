@@ -283,6 +283,10 @@ impl Shape<3> for Mesh {
         self.surface().collect()
     }
 
+    fn for_each_facet(&self, _: f64, _: &Bounds<3>, visit: &mut dyn FnMut([Vector<3>; 3])) {
+        self.surface().for_each(visit);
+    }
+
     fn ridges(&self, _: f64, region: &Bounds<3>) -> Vec<Ridge<3>> {
         self.convex_creases(region)
     }

@@ -219,6 +219,14 @@ impl<S: Shape<D>, const D: usize> Shape<D> for Placed<S, D> {
         facets
     }
 
+    fn for_each_facet(&self, size: f64, region: &Bounds<D>, visit: &mut dyn FnMut([Vector<D>; D])) {
+        let region = self.region_back(region);
+        let placement = &self.placement;
+        let mut place = |facet: [Vector<D>; D]| visit(facet.map(|corner| placement.point(&corner)));
+        self.shape
+            .for_each_facet(size / placement.scale, &region, &mut place);
+    }
+
     fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {
         let region = self.region_back(region);
         let mut ridges = self.shape.ridges(size / self.placement.scale, &region);

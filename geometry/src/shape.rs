@@ -46,6 +46,11 @@ pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
         Vec::new()
     }
 
+    /// Calls `visit` with each of [`Shape::facets`] in their order; millions of them need no memory then.
+    fn for_each_facet(&self, size: f64, region: &Bounds<D>, visit: &mut dyn FnMut([Vector<D>; D])) {
+        self.facets(size, region).into_iter().for_each(visit);
+    }
+
     /// Sharp convex edges (3D) of the surface where it meets `region`, round ones in pieces about `size` long at most; parts
     /// that lie inside of the body or beyond the region may be among them. Empty for a shape that cannot tell.
     fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {
@@ -85,6 +90,15 @@ macro_rules! forward {
 
             fn facets(&self, size: f64, region: &Bounds<D>) -> Vec<[Vector<D>; D]> {
                 (**self).facets(size, region)
+            }
+
+            fn for_each_facet(
+                &self,
+                size: f64,
+                region: &Bounds<D>,
+                visit: &mut dyn FnMut([Vector<D>; D]),
+            ) {
+                (**self).for_each_facet(size, region, visit);
             }
 
             fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {

@@ -4,7 +4,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 
 use aero_geometry::bodies::{Capsule, cone, cuboid, round_rod, sphere};
 use aero_geometry::outline::Piece;
-use aero_geometry::{Bounds, Placed, Placement, Revolution, Shape, Vector};
+use aero_geometry::{Bounds, Mesh, Placed, Placement, Revolution, Shape, Vector};
 use approx::assert_relative_eq;
 use proptest::prelude::*;
 
@@ -269,4 +269,24 @@ fn a_body_far_larger_than_the_region_has_facets_near_that_alone() {
     assert!(widest > 1.0, "{widest}");
     let everywhere = region.grown(f64::INFINITY);
     assert_eq!(near, cone(10.0, 2.0).unwrap().facets(0.5, &everywhere));
+}
+
+#[test]
+fn facets_one_by_one_are_the_same_as_all_at_once() {
+    let everywhere = Bounds::new(at(-9.0, -9.0, -9.0), at(9.0, 9.0, 9.0));
+    let place = Placement::default().scaled(0.7).unwrap();
+    let place = place
+        .rotated_about(&at(0.3, 0.9, 0.2), 0.4)
+        .unwrap()
+        .moved(at(0.1, 0.2, -0.3));
+    let mesh = || Mesh::from_facets(sphere(1.0).unwrap().tessellate(12)).unwrap();
+    let mut all = bodies();
+    all.push(Box::new(mesh()));
+    all.push(Box::new(Placed::new(mesh(), place)));
+    for body in all {
+        let mut one_by_one = Vec::new();
+        body.for_each_facet(0.3, &everywhere, &mut |facet| one_by_one.push(facet));
+        assert!(!one_by_one.is_empty());
+        assert_eq!(one_by_one, body.facets(0.3, &everywhere));
+    }
 }

@@ -37,9 +37,9 @@ pub(crate) fn samples<const D: usize>(
         number: 0,
         found: Vec::new(),
     };
-    for facet in shape.facets(2.0 * step, region) {
+    shape.for_each_facet(2.0 * step, region, &mut |facet| {
         sequence.sample(facet, region, LONG * step, HALVINGS);
-    }
+    });
     let tolerance = ON_SURFACE * step;
     sequence
         .found

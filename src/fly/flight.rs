@@ -99,8 +99,7 @@ impl Flight {
         };
         let watch = Watch::default();
         let soup = entry.read(Path::new(""), &watch).map_err(|e| body(&e))?;
-        let solid = entry.solid(&soup, 0.0, &watch).map_err(|e| body(&e))?;
-        drop(soup);
+        let solid = entry.solid(soup, 0.0, &watch).map_err(|e| body(&e))?;
         let attitude = Attitude::new(solid.shape.as_ref(), wishes.axes, wishes.roll)?;
         let shape: Arc<dyn Shape<3>> = Arc::new(Placed::new(solid.shape, attitude.placement()?));
         let bounds = box_of(shape.as_ref());

@@ -72,7 +72,7 @@ mod tests {
         let mut bytes = Vec::new();
         stl::write_binary(&mut bytes, &body.tessellate(around)).expect("a file");
         let soup = stl::parse(bytes).expect("triangles");
-        let solid = Solid::new(&soup, Mending::Refuse, &Watch::default());
+        let solid = Solid::new(soup, Mending::Refuse, &Watch::default());
         solid.expect("a solid").shape
     }
 

@@ -75,8 +75,7 @@ pub fn pack_mesh(entry: &StlEntry, wishes: &PackWishes) -> Result<AnyPacked, Sce
     } else {
         0.0
     };
-    let solid = entry.solid(&soup, rough, &wishes.watch).map_err(fail)?;
-    drop(soup);
+    let solid = entry.solid(soup, rough, &wishes.watch).map_err(fail)?;
     let made = made(solid, None).map_err(fail)?;
     let bounds = made.shape.bounds();
     let thin = || thinnest_part(made.shape.as_ref(), &bounds);

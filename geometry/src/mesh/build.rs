@@ -33,7 +33,7 @@ impl Mesh {
     pub fn read_watched(path: &Path, unit: Unit, watch: &Watch) -> Result<Self, GeometryError> {
         watch.begin("reading");
         let soup = files::read(path, unit)?;
-        Self::make(&soup, false, watch).map_err(|source| GeometryError::In {
+        Self::make(soup, false, watch).map_err(|source| GeometryError::In {
             path: path.to_owned(),
             source: Box::new(source),
         })
@@ -44,7 +44,7 @@ impl Mesh {
     /// # Errors
     /// Corners that are not finite; triangles that do not enclose a solid.
     pub fn from_facets(facets: Vec<Facet>) -> Result<Self, GeometryError> {
-        Self::new(&Soup {
+        Self::new(Soup {
             facets,
             solids: Vec::new(),
         })
@@ -54,7 +54,7 @@ impl Mesh {
     ///
     /// # Errors
     /// See [`Mesh::from_facets`].
-    pub fn new(soup: &Soup) -> Result<Self, GeometryError> {
+    pub fn new(soup: Soup) -> Result<Self, GeometryError> {
         Self::make(soup, false, &Watch::default())
     }
 
@@ -62,7 +62,7 @@ impl Mesh {
     ///
     /// # Errors
     /// See [`Mesh::from_facets`].
-    pub fn sound(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
+    pub fn sound(soup: Soup, watch: &Watch) -> Result<Self, GeometryError> {
         Self::make(soup, false, watch)
     }
 
@@ -70,7 +70,7 @@ impl Mesh {
     ///
     /// # Errors
     /// See [`Mesh::from_facets`]; a sheet, around which closing its rim makes no solid.
-    pub fn filled(soup: &Soup, watch: &Watch) -> Result<Self, GeometryError> {
+    pub fn filled(soup: Soup, watch: &Watch) -> Result<Self, GeometryError> {
         Self::make(soup, true, watch)
     }
 
@@ -80,12 +80,14 @@ impl Mesh {
         watch: &Watch,
     ) -> Result<Self, GeometryError> {
         let solids = Vec::new();
-        Self::make(&Soup { facets, solids }, false, watch)
+        Self::make(Soup { facets, solids }, false, watch)
     }
 
-    fn make(soup: &Soup, fill: bool, watch: &Watch) -> Result<Self, GeometryError> {
+    /// Each form of the triangles is let go of once the next is made: millions of them are large.
+    fn make(soup: Soup, fill: bool, watch: &Watch) -> Result<Self, GeometryError> {
+        let Soup { facets, solids } = soup;
         let not_finite = |facet: &Facet| !facet.iter().flatten().all(|x| x.is_finite());
-        if let Some(index) = soup.facets.iter().position(not_finite) {
+        if let Some(index) = facets.iter().position(not_finite) {
             return Err(GeometryError::Surface(format!(
                 "triangle {} has a corner that is not finite",
                 index + 1
@@ -93,23 +95,25 @@ impl Mesh {
         }
         watch.begin("welding");
         let mut repairs = Vec::new();
-        let welded = weld(&soup.facets, &mut repairs);
+        let welded = weld(&facets, &mut repairs);
+        drop(facets);
         watch.begin("repairing");
         let mut closed = close(welded, fill, &mut repairs)?;
         slivers::flip(&mut closed, &mut repairs);
-        let names = soup.solids.iter().map(|(name, _)| name.clone()).collect();
-        Self::assemble(&closed, names, repairs, watch)
+        let names = solids.into_iter().map(|(name, _)| name).collect();
+        Self::assemble(closed, names, repairs, watch)
     }
 
     fn assemble(
-        surface: &Indexed,
+        surface: Indexed,
         names: Vec<String>,
         mut repairs: Vec<String>,
         watch: &Watch,
     ) -> Result<Self, GeometryError> {
         watch.begin("sorting triangles");
         let (tree, order) = Tree::new(&surface.vertices, &surface.facets);
-        let closed = reorder(surface, &order);
+        let closed = reorder(&surface, &order);
+        drop((surface, order));
         let Indexed {
             vertices, facets, ..
         } = &closed;

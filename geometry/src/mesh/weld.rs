@@ -3,6 +3,8 @@
 
 use std::collections::HashMap;
 
+use foldhash::fast::FixedState;
+
 use crate::stl::Facet;
 use crate::{Bounds, Vector};
 
@@ -76,7 +78,9 @@ pub(super) fn weld(soup: &[Facet], repairs: &mut Vec<String>) -> Indexed {
 }
 
 fn merge_equal(soup: &[Facet]) -> (Vec<Vector<3>>, Vec<[u32; 3]>) {
-    let mut numbers: HashMap<[u64; 3], u32> = HashMap::with_capacity(soup.len());
+    let hasher = FixedState::default();
+    let mut numbers: HashMap<[u64; 3], u32, _> =
+        HashMap::with_capacity_and_hasher(soup.len() / 2, hasher);
     let mut vertices = Vec::with_capacity(soup.len() / 2);
     let facets = soup
         .iter()
@@ -101,7 +105,11 @@ fn merge_near(vertices: &[Vector<3>], tolerance: f64) -> (Vec<Vector<3>>, Vec<u3
     // Cells much larger than the tolerance, so that most vertices look into one only.
     let inverse_width = 1.0 / (32.0 * tolerance).max(f64::MIN_POSITIVE);
     let cell = |p: Vector<3>| p.map(|x| (x * inverse_width).floor() as i64);
-    let mut grid: HashMap<[i64; 3], Vec<u32>> = HashMap::with_capacity(vertices.len());
+    let hasher = FixedState::default();
+    // The last vertex kept in each cell, and of each kept one the one before it in its cell.
+    let mut grid: HashMap<[i64; 3], u32, _> =
+        HashMap::with_capacity_and_hasher(vertices.len(), hasher);
+    let mut before: Vec<Option<u32>> = Vec::with_capacity(vertices.len());
     let mut kept: Vec<Vector<3>> = Vec::with_capacity(vertices.len());
     let mut number = Vec::with_capacity(vertices.len());
     for p in vertices {
@@ -113,7 +121,8 @@ fn merge_near(vertices: &[Vector<3>], tolerance: f64) -> (Vec<Vector<3>>, Vec<u3
         for x in low.x..=high.x {
             for y in low.y..=high.y {
                 for z in low.z..=high.z {
-                    let near = grid.get(&[x, y, z]).into_iter().flatten().copied();
+                    let last = grid.get(&[x, y, z]).copied();
+                    let near = std::iter::successors(last, |&v| before[v as usize]);
                     let first = near
                         .filter(|&v| (kept[v as usize] - p).norm() <= tolerance)
                         .min();
@@ -127,7 +136,7 @@ fn merge_near(vertices: &[Vector<3>], tolerance: f64) -> (Vec<Vector<3>>, Vec<u3
         number.push(found.unwrap_or_else(|| {
             let new = kept.len() as u32;
             let home = cell(*p);
-            grid.entry([home.x, home.y, home.z]).or_default().push(new);
+            before.push(grid.insert([home.x, home.y, home.z], new));
             kept.push(*p);
             new
         }));

@@ -144,7 +144,7 @@ fn holes_are_filled_if_that_is_asked_for_and_told_of() {
             facets,
             solids: Vec::new(),
         };
-        Mesh::filled(&soup, &Watch::default())
+        Mesh::filled(soup, &Watch::default())
     };
     let mut cup = unit_block();
     cup.retain(|f| !f.iter().all(|v| v.z == 0.5));

@@ -63,7 +63,7 @@ impl StlEntry {
     }
 
     /// The body that the triangles make, packed at `spacing` metres.
-    pub(crate) fn solid(&self, soup: &Soup, spacing: f64, watch: &Watch) -> Result<Solid, String> {
+    pub(crate) fn solid(&self, soup: Soup, spacing: f64, watch: &Watch) -> Result<Solid, String> {
         let wanted = [
             (self.fill == Some(true)).then_some(Mending::Fill),
             self.thicken.map(|t| Mending::Thicken(t.get())),
@@ -115,7 +115,7 @@ impl Tessellated {
         let mut bytes = Vec::new();
         stl::write_binary(&mut bytes, &facets)
             .map_err(|error| GeometryError::Stl(error.to_string()))?;
-        Solid::new(&stl::parse(bytes)?, Mending::Refuse, &Watch::default())
+        Solid::new(stl::parse(bytes)?, Mending::Refuse, &Watch::default())
     }
 }
 

@@ -161,7 +161,7 @@ impl ShapeEntry {
                 let soup = entry.read(making.folder, making.watch);
                 let soup = soup.map_err(|error| error.to_string())?;
                 let scale = place_in_space(place)?.scale();
-                let solid = entry.solid(&soup, making.spacing / scale, making.watch)?;
+                let solid = entry.solid(soup, making.spacing / scale, making.watch)?;
                 return mesh::made(solid, place).map(Some);
             }
             Self::Tessellated(entry) => {
