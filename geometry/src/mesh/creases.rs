@@ -55,6 +55,12 @@ impl Creases<'_> {
         if other == NONE {
             return true;
         }
+        // Most edges are of fine surfaces, and flat: an angle takes longer than its tangent.
+        let (a, b) = (normal(&self.corners(facet)), normal(&self.corners(other)));
+        let along = a.dot(&b);
+        if along > 0.0 && a.cross(&b).norm_squared() <= (FLAT.tan() * along).powi(2) {
+            return false;
+        }
         let bend = self.bend(facet, edge).abs();
         if bend <= FLAT || bend > CREASE {
             return bend > CREASE;
