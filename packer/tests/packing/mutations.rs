@@ -44,7 +44,7 @@ fn try_one(number: u64) -> Result<Fate, String> {
         history,
         damaged,
     } = defective(number);
-    let mesh = match parse(bytes).and_then(|soup| Mesh::new(soup)) {
+    let mesh = match parse(bytes).and_then(Mesh::new) {
         Ok(mesh) => mesh,
         Err(error) => {
             assert!(!error.to_string().is_empty());
