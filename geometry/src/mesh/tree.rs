@@ -2,7 +2,7 @@
 //!
 //! Leaves hold consecutive triangles: the mesh keeps its triangles in the tree's order.
 
-use super::triangle::closest_on;
+use super::triangle::distance_squared;
 use crate::Vector;
 
 /// Triangles per leaf at most.
@@ -25,12 +25,14 @@ pub(super) struct Node {
 }
 
 impl Node {
+    #[inline]
     fn distance_squared(&self, p: &Vector<3>) -> f64 {
+        // One instruction: that of `f64` looks for what is no number.
+        let larger = |a: f64, b: f64| if a > b { a } else { b };
         let mut sum = 0.0;
         for axis in 0..3 {
-            let outside = (self.min[axis] - p[axis])
-                .max(p[axis] - self.max[axis])
-                .max(0.0);
+            let outside = larger(self.min[axis] - p[axis], p[axis] - self.max[axis]);
+            let outside = larger(outside, 0.0);
             sum += outside * outside;
         }
         sum
@@ -120,7 +122,7 @@ impl Tree {
                     if hidden(facet) {
                         continue;
                     }
-                    let distance = (closest_on(&corners(facet), p).point - p).norm_squared();
+                    let distance = distance_squared(&corners(facet), p);
                     if distance < best.1 {
                         best = (facet, distance);
                     }

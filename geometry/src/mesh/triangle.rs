@@ -20,63 +20,100 @@ pub(super) struct OnTriangle {
     pub feature: Feature,
 }
 
-/// The point of the triangle closest to `p`, by the region of its Voronoi diagram that `p` lies
-/// in. [Ericson 2005, Real-Time Collision Detection, section 5.1.5]
+/// The part of a triangle that is closest to a point, and where on it that is.
+#[derive(Clone, Copy)]
+enum Region {
+    Vertex(usize),
+    /// The edge from this corner to the next, and the part of the way along it.
+    Edge(usize, f64),
+    /// Weights of the second and the third corner.
+    Face(f64, f64),
+}
+
+impl Region {
+    /// By the region of the triangle's Voronoi diagram that `p` lies in. [Ericson 2005, Real-Time Collision Detection, section 5.1.5]
+    #[inline(always)]
+    fn of([a, b, c]: &[Vector<3>; 3], p: &Vector<3>) -> Self {
+        let (ab, ac, ap) = (b - a, c - a, p - a);
+        let (d1, d2) = (ab.dot(&ap), ac.dot(&ap));
+        if d1 <= 0.0 && d2 <= 0.0 {
+            return Self::Vertex(0);
+        }
+        let bp = p - b;
+        let (d3, d4) = (ab.dot(&bp), ac.dot(&bp));
+        if d3 >= 0.0 && d4 <= d3 {
+            return Self::Vertex(1);
+        }
+        let vc = d1 * d4 - d3 * d2;
+        if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
+            return Self::Edge(0, d1 / (d1 - d3));
+        }
+        let cp = p - c;
+        let (d5, d6) = (ab.dot(&cp), ac.dot(&cp));
+        if d6 >= 0.0 && d5 <= d6 {
+            return Self::Vertex(2);
+        }
+        let vb = d5 * d2 - d1 * d6;
+        if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
+            return Self::Edge(2, 1.0 - d2 / (d2 - d6));
+        }
+        let va = d3 * d6 - d5 * d4;
+        if va <= 0.0 && d4 >= d3 && d5 >= d6 {
+            return Self::Edge(1, (d4 - d3) / ((d4 - d3) + (d5 - d6)));
+        }
+        let scale = 1.0 / (va + vb + vc);
+        Self::Face(vb * scale, vc * scale)
+    }
+
+    #[inline(always)]
+    fn point(self, corners: &[Vector<3>; 3]) -> Vector<3> {
+        match self {
+            Self::Vertex(corner) => corners[corner],
+            Self::Edge(edge, part) => {
+                let (from, to) = (&corners[edge], &corners[(edge + 1) % 3]);
+                from + (to - from) * part
+            }
+            Self::Face(v, w) => {
+                let [a, b, c] = corners;
+                a + (b - a) * v + (c - a) * w
+            }
+        }
+    }
+
+    fn weights(self) -> [f64; 3] {
+        let mut weights = [0.0; 3];
+        match self {
+            Self::Vertex(corner) => weights[corner] = 1.0,
+            Self::Edge(edge, part) => {
+                weights[edge] = 1.0 - part;
+                weights[(edge + 1) % 3] = part;
+            }
+            Self::Face(v, w) => weights = [1.0 - v - w, v, w],
+        }
+        weights
+    }
+
+    fn feature(self) -> Feature {
+        match self {
+            Self::Vertex(corner) => Feature::Vertex(corner),
+            Self::Edge(edge, _) => Feature::Edge(edge),
+            Self::Face(..) => Feature::Face,
+        }
+    }
+}
+
+/// The point of the triangle closest to `p`, and what it lies on.
+pub(super) fn closest_on(corners: &[Vector<3>; 3], p: &Vector<3>) -> OnTriangle {
+    let region = Region::of(corners, p);
+    OnTriangle {
+        point: region.point(corners),
+        weights: region.weights(),
+        feature: region.feature(),
+    }
+}
+
+/// How far the triangle is from `p`, squared.
 #[inline]
-pub(super) fn closest_on([a, b, c]: &[Vector<3>; 3], p: &Vector<3>) -> OnTriangle {
-    let (ab, ac, ap) = (b - a, c - a, p - a);
-    let (d1, d2) = (ab.dot(&ap), ac.dot(&ap));
-    if d1 <= 0.0 && d2 <= 0.0 {
-        return corner(0, a);
-    }
-    let bp = p - b;
-    let (d3, d4) = (ab.dot(&bp), ac.dot(&bp));
-    if d3 >= 0.0 && d4 <= d3 {
-        return corner(1, b);
-    }
-    let vc = d1 * d4 - d3 * d2;
-    if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-        return on_edge(0, [a, b], d1 / (d1 - d3));
-    }
-    let cp = p - c;
-    let (d5, d6) = (ab.dot(&cp), ac.dot(&cp));
-    if d6 >= 0.0 && d5 <= d6 {
-        return corner(2, c);
-    }
-    let vb = d5 * d2 - d1 * d6;
-    if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-        return on_edge(2, [c, a], 1.0 - d2 / (d2 - d6));
-    }
-    let va = d3 * d6 - d5 * d4;
-    if va <= 0.0 && d4 >= d3 && d5 >= d6 {
-        return on_edge(1, [b, c], (d4 - d3) / ((d4 - d3) + (d5 - d6)));
-    }
-    let scale = 1.0 / (va + vb + vc);
-    let (v, w) = (vb * scale, vc * scale);
-    OnTriangle {
-        point: a + ab * v + ac * w,
-        weights: [1.0 - v - w, v, w],
-        feature: Feature::Face,
-    }
-}
-
-fn corner(index: usize, point: &Vector<3>) -> OnTriangle {
-    let mut weights = [0.0; 3];
-    weights[index] = 1.0;
-    OnTriangle {
-        point: *point,
-        weights,
-        feature: Feature::Vertex(index),
-    }
-}
-
-fn on_edge(edge: usize, [from, to]: [&Vector<3>; 2], part: f64) -> OnTriangle {
-    let mut weights = [0.0; 3];
-    weights[edge] = 1.0 - part;
-    weights[(edge + 1) % 3] = part;
-    OnTriangle {
-        point: from + (to - from) * part,
-        weights,
-        feature: Feature::Edge(edge),
-    }
+pub(super) fn distance_squared(corners: &[Vector<3>; 3], p: &Vector<3>) -> f64 {
+    (Region::of(corners, p).point(corners) - p).norm_squared()
 }
