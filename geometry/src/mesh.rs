@@ -140,7 +140,11 @@ impl Mesh {
             return (facet, OnTriangle { point, ..on }, cut);
         }
         let hidden = |f: u32| self.hidden[f as usize];
-        let nearest = self.tree.closest(p, |f| self.corners(f), hidden);
+        let corners = |f: u32| {
+            let [a, b, c] = self.facets[f as usize];
+            [a, b, c].map(|v| &self.vertices[v as usize])
+        };
+        let nearest = self.tree.closest(p, corners, hidden);
         // A mesh without any visible triangle is never made.
         let (facet, _) = nearest.unwrap_or((0, 0.0));
         (facet, closest_on(&self.corners(facet), p), false)
@@ -273,6 +277,10 @@ impl Shape<3> for Mesh {
             normal,
             face: self.smooth.patches[facing as usize],
         }
+    }
+
+    fn way_out(&self, from: &Vector<3>, direction: &Vector<3>) -> Option<f64> {
+        winding::way_out(&self.tree, from, direction, |f| self.corners(f))
     }
 
     fn mirror_planes(&self) -> Vec<(usize, f64)> {

@@ -77,6 +77,11 @@ impl<const D: usize> Placement<D> {
         self.rotation * d
     }
 
+    /// Where a placed direction comes from.
+    pub fn direction_back(&self, d: &Vector<D>) -> Vector<D> {
+        self.rotation.tr_mul(d)
+    }
+
     /// Where a placed point comes from.
     pub fn point_back(&self, p: &Vector<D>) -> Vector<D> {
         self.rotation.tr_mul(&(p - self.translation)) / self.scale
@@ -189,6 +194,15 @@ impl<S: Shape<D>, const D: usize> Shape<D> for Placed<S, D> {
             normal: self.placement.direction(&closest.normal),
             face: closest.face,
         }
+    }
+
+    fn way_out(&self, from: &Vector<D>, direction: &Vector<D>) -> Option<f64> {
+        let placement = &self.placement;
+        let from = placement.point_back(from);
+        let way = self
+            .shape
+            .way_out(&from, &placement.direction_back(direction))?;
+        Some(placement.scale * way)
     }
 
     fn mirror_planes(&self) -> Vec<(usize, f64)> {

@@ -29,10 +29,18 @@ pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
         self.closest(point).distance
     }
 
+    /// How far it is from a place inside of the body along a unit vector to where that leaves it, metres; zero from outside. Nothing
+    /// from a shape that cannot tell at once, or where the way passes through an edge: steps of the signed distance tell then.
+    fn way_out(&self, from: &Vector<D>, direction: &Vector<D>) -> Option<f64> {
+        let _ = (from, direction);
+        None
+    }
+
     /// Coordinate planes `(axis, position)` about which the body is mirror symmetric.
     fn mirror_planes(&self) -> Vec<(usize, f64)> {
         Vec::new()
     }
+
     /// The exact curve, of a two-dimensional shape that is one.
     fn outline(&self) -> Option<&Outline> {
         None
@@ -78,6 +86,10 @@ macro_rules! forward {
 
             fn signed_distance(&self, point: &Vector<D>) -> f64 {
                 (**self).signed_distance(point)
+            }
+
+            fn way_out(&self, from: &Vector<D>, direction: &Vector<D>) -> Option<f64> {
+                (**self).way_out(from, direction)
             }
 
             fn mirror_planes(&self) -> Vec<(usize, f64)> {

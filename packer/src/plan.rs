@@ -1,6 +1,6 @@
 //! What is to be packed: the part of space, the grid over it and the volume of each layer.
 
-use std::collections::HashSet;
+use std::collections::HashMap;
 
 use aero_geometry::kernel::{SMOOTHING_RATIO, SUPPORT};
 use aero_geometry::parallel::prelude::*;
@@ -52,8 +52,8 @@ pub(crate) struct Plan<'a, const D: usize> {
     pub band: Vec<Cell<D>>,
     /// The same, cut up where layers are not smooth.
     cut_band: Vec<Cell<D>>,
-    /// Cells with parts that are left to rows.
-    of_rows: HashSet<[i64; D]>,
+    /// Cells with parts that are left to rows, and how many layers have room in all parts of them.
+    of_rows: HashMap<[i64; D], usize>,
     /// How exactly a point has to meet its level.
     pub tolerance: f64,
 }
@@ -104,8 +104,13 @@ impl<'a, const D: usize> Plan<'a, D> {
         } else {
             cut_up(shape, &band, &mirrors, (spacing, side))
         };
-        let of_rows = cut_band.iter().filter(|cell| is_of_rows(cell, side));
-        let of_rows = of_rows.map(|cell| cell.index).collect();
+        let mut of_rows = HashMap::new();
+        for cell in &cut_band {
+            if cell.full < layers && is_of_rows(cell, side) {
+                let full = of_rows.entry(cell.index).or_insert(cell.full);
+                *full = cell.full.min(*full);
+            }
+        }
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
         });
@@ -190,11 +195,11 @@ impl<'a, const D: usize> Plan<'a, D> {
     /// False at a place on `level`, in space, where its layer has no room and a row stands: the wall layer of what carries a fin must not
     /// creep up the fin.
     pub fn may_stand(&self, place: &Vector<D>, level: f64) -> bool {
-        if D == 2 || self.of_rows.is_empty() || !self.of_rows.contains(&self.grid.index(place)) {
-            return true;
-        }
         let layer = (level.abs() / self.options.spacing).floor() as usize;
-        has_room(self.shape, place, layer, self.options.spacing)
+        let full = self.of_rows.get(&self.grid.index(place));
+        D == 2
+            || full.is_none_or(|&full| layer < full)
+            || has_room(self.shape, place, layer, self.options.spacing)
     }
 
     /// `place` where that is on the particles' side of the surface, else `home`.

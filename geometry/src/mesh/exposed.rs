@@ -114,7 +114,7 @@ impl Exposed {
 
     /// The triangle with the closest exposed piece, and the closest point of that piece.
     pub fn closest(&self, p: &Vector<3>) -> Option<(u32, OnTriangle)> {
-        let corners = |n: u32| self.pieces[n as usize].0;
+        let corners = |n: u32| self.pieces[n as usize].0.each_ref();
         let (piece, _) = self.tree.closest(p, corners, |_| false)?;
         let (corners, owner) = &self.pieces[piece as usize];
         Some((*owner, closest_on(corners, p)))

@@ -114,7 +114,8 @@ impl Sheet {
 
     /// The closest triangle and the distance to it.
     fn nearest(&self, p: &Vector<3>) -> (u32, f64) {
-        let nearest = self.tree.closest(p, |f| self.corners(f), |_| false);
+        let corners = |f: u32| self.facets[f as usize].map(|v| &self.vertices[v as usize]);
+        let nearest = self.tree.closest(p, corners, |_| false);
         // A sheet without triangles is never made.
         let (facet, squared) = nearest.unwrap_or((0, 0.0));
         (facet, squared.sqrt())

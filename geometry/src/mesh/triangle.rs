@@ -1,5 +1,7 @@
 //! The closest point of a triangle.
 
+use wide::f64x4;
+
 use crate::Vector;
 
 /// The part of a triangle that a point lies on.
@@ -112,8 +114,61 @@ pub(super) fn closest_on(corners: &[Vector<3>; 3], p: &Vector<3>) -> OnTriangle 
     }
 }
 
-/// How far the triangle is from `p`, squared.
-#[inline]
-pub(super) fn distance_squared(corners: &[Vector<3>; 3], p: &Vector<3>) -> f64 {
-    (Region::of(corners, p).point(corners) - p).norm_squared()
+/// Triangles that are looked at together.
+pub(super) const TOGETHER: usize = 4;
+
+/// How far triangles are from `p`, squared: the least of the distances to their edges and, where `p` is above the face, to
+/// that. The products are those of [`Region::of`].
+#[inline(always)]
+pub(super) fn distances_squared(
+    [s, t, u, v]: [[&Vector<3>; 3]; TOGETHER],
+    p: &Three,
+) -> [f64; TOGETHER] {
+    let [a, b, c] = [0, 1, 2].map(|corner| -> Three {
+        let [s, t, u, v] = [s[corner], t[corner], u[corner], v[corner]];
+        std::array::from_fn(|axis| f64x4::new([s[axis], t[axis], u[axis], v[axis]]))
+    });
+    let (ab, ac, bc) = (minus(&b, &a), minus(&c, &a), minus(&c, &b));
+    let (ap, bp, cp) = (minus(p, &a), minus(p, &b), minus(p, &c));
+    let (d1, d2) = (dot(&ab, &ap), dot(&ac, &ap));
+    let (d3, d4) = (dot(&ab, &bp), dot(&ac, &bp));
+    let (d5, d6) = (dot(&ab, &cp), dot(&ac, &cp));
+    let to_edges = to_edge(&ap, &ab, d1, d1 - d3)
+        .fast_min(to_edge(&ap, &ac, d2, d2 - d6))
+        .fast_min(to_edge(&bp, &bc, d4 - d3, (d4 - d3) + (d5 - d6)));
+    let (va, vb, vc) = (d3 * d6 - d5 * d4, d5 * d2 - d1 * d6, d1 * d4 - d3 * d2);
+    let scale = f64x4::ONE / (va + vb + vc);
+    let foot = along(&along(&ap, &ab, vb * scale), &ac, vc * scale);
+    let above = va.fast_min(vb).fast_min(vc).simd_gt(f64x4::ZERO);
+    let to_face = above.select(dot(&foot, &foot), f64x4::splat(f64::INFINITY));
+    to_face.fast_min(to_edges).to_array()
+}
+
+/// Vectors, one in each lane.
+pub(super) type Three = [f64x4; 3];
+
+#[inline(always)]
+fn minus(a: &Three, b: &Three) -> Three {
+    std::array::from_fn(|axis| a[axis] - b[axis])
+}
+
+#[inline(always)]
+fn dot(a: &Three, b: &Three) -> f64x4 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+/// `offset`, seen from a place that lies the part `part` along `way`.
+#[inline(always)]
+fn along(offset: &Three, way: &Three, part: f64x4) -> Three {
+    std::array::from_fn(|axis| offset[axis] - way[axis] * part)
+}
+
+/// Distance squared to an edge, by the offset from its start, its way, their product and the square of its length.
+#[inline(always)]
+fn to_edge(offset: &Three, way: &Three, product: f64x4, squared: f64x4) -> f64x4 {
+    let part = product / squared;
+    // An edge without length has no parts; its start stands for it.
+    let part = part.simd_gt(f64x4::ZERO).select(part, f64x4::ZERO);
+    let foot = along(offset, way, part.fast_min(f64x4::ONE));
+    dot(&foot, &foot)
 }

@@ -32,7 +32,7 @@ pub(super) fn winding_number(
     corners: impl Fn(u32) -> [Vector<3>; 3],
 ) -> f64 {
     let mut number = 0;
-    let nudge = NUDGE * (tree.nodes[0].max - tree.nodes[0].min).norm();
+    let nudge = NUDGE * tree.diagonal();
     for (times, direction) in DIRECTIONS.into_iter().enumerate() {
         let near = p + times as f64 * nudge * Vector::<3>::from(direction);
         if crossings(tree, &near, &corners, |_| true, |_, side| number += side) {
@@ -62,7 +62,7 @@ pub(super) fn crossings(
             }
             match ray.meets(&corners(facet)) {
                 Meeting::Edge => return false,
-                Meeting::Crossing(side) => found.push((facet, side)),
+                Meeting::Crossing(side, _) => found.push((facet, side)),
                 Meeting::None => {}
             }
             true
@@ -77,10 +77,44 @@ pub(super) fn crossings(
     false
 }
 
+/// How far it is from `p` along `direction`, a unit vector, to where that leaves what the triangles wind around; zero outside of
+/// that. Nothing where the way meets an edge.
+pub(super) fn way_out(
+    tree: &Tree,
+    p: &Vector<3>,
+    direction: &Vector<3>,
+    corners: impl Fn(u32) -> [Vector<3>; 3],
+) -> Option<f64> {
+    let ray = Ray::new(p, (*direction).into());
+    let mut found = Vec::new();
+    let clear = tree.all_along(p, &ray.inverse, |facet| {
+        match ray.meets(&corners(facet)) {
+            Meeting::Edge => return false,
+            Meeting::Crossing(side, way) => found.push((way, side)),
+            Meeting::None => {}
+        }
+        true
+    });
+    if !clear {
+        return None;
+    }
+    found.sort_by(|a, b| a.0.total_cmp(&b.0));
+    let mut number: i32 = found.iter().map(|crossing| crossing.1).sum();
+    if number <= 0 {
+        return Some(0.0);
+    }
+    let out = found.iter().find(|crossing| {
+        number -= crossing.1;
+        number <= 0
+    });
+    out.map(|crossing| crossing.0)
+}
+
 /// How a ray meets a triangle.
 enum Meeting {
     None,
-    Crossing(i32),
+    /// Through its inside: outwards, +1, or inwards, -1; and how far away, in lengths of the direction.
+    Crossing(i32, f64),
     Edge,
 }
 
@@ -118,7 +152,8 @@ impl Ray {
                 direction[axes[1]] / along,
                 1.0 / along,
             ],
-            inverse: Vector::<3>::from(direction).map(f64::recip),
+            // Across an axis it never arrives; infinitely many of its lengths times no way would be no number.
+            inverse: Vector::<3>::from(direction).map(|d| d.recip().clamp(f64::MIN, f64::MAX)),
         }
     }
 
@@ -149,6 +184,6 @@ impl Ray {
         if ahead * whole.signum() <= 0.0 {
             return Meeting::None;
         }
-        Meeting::Crossing(if whole < 0.0 { 1 } else { -1 })
+        Meeting::Crossing(if whole < 0.0 { 1 } else { -1 }, ahead / whole)
     }
 }

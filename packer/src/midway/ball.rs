@@ -70,7 +70,10 @@ pub(super) fn climbed<const D: usize>(
     (seen.point - radius * seen.normal, radius)
 }
 
-/// How far below the surface, in spacings, a chord begins.
+/// How far below the surface, in spacings, a chord begins that is told at once: by more than round-off.
+const JUST_BELOW: f64 = 1e-6;
+
+/// And how far one that is found step by step.
 const BELOW: f64 = 0.02;
 
 /// The end of a chord is found to this many spacings.
@@ -86,6 +89,11 @@ pub(crate) fn chord<const D: usize>(
     longest: f64,
     spacing: f64,
 ) -> Option<f64> {
+    let inside = point - JUST_BELOW * spacing * normal;
+    if let Some(way) = shape.way_out(&inside, &-normal) {
+        let whole = way.max(AT_THE_END * spacing);
+        return (whole < longest).then_some(whole);
+    }
     let mut travelled = BELOW * spacing;
     for _ in 0..CHORD_STEPS {
         let room = -shape.signed_distance(&(point - travelled * normal));

@@ -42,7 +42,9 @@ impl Set {
 
     /// The closest point and the normal of its triangle.
     fn closest(&self, p: &Vector<3>) -> Option<(Vector<3>, Vector<3>)> {
-        let (facet, _) = self.tree.closest(p, |f| self.corners(f), |_| false)?;
+        let (facet, _) = self
+            .tree
+            .closest(p, |f| self.facets[f as usize].each_ref(), |_| false)?;
         let corners = self.corners(facet);
         Some((closest_on(&corners, p).point, normal(&corners)))
     }
