@@ -142,7 +142,8 @@ impl Mesh {
         let hidden = |f: u32| self.hidden[f as usize];
         let corners = |f: u32| {
             let [a, b, c] = self.facets[f as usize];
-            [a, b, c].map(|v| &self.vertices[v as usize])
+            let at = |v: u32| &self.vertices[v as usize];
+            [at(a), at(b), at(c)]
         };
         let nearest = self.tree.closest(p, corners, hidden);
         // A mesh without any visible triangle is never made.

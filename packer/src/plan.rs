@@ -197,9 +197,11 @@ impl<'a, const D: usize> Plan<'a, D> {
     pub fn may_stand(&self, place: &Vector<D>, level: f64) -> bool {
         let layer = (level.abs() / self.options.spacing).floor() as usize;
         let full = self.of_rows.get(&self.grid.index(place));
-        D == 2
-            || full.is_none_or(|&full| layer < full)
-            || has_room(self.shape, place, layer, self.options.spacing)
+        D == 2 || full.is_none_or(|&full| layer < full) || {
+            let seen = self.shape.closest(place);
+            let seen = (place, seen.distance, &seen.normal);
+            has_room(self.shape, seen, layer, self.options.spacing)
+        }
     }
 
     /// `place` where that is on the particles' side of the surface, else `home`.

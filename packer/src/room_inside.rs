@@ -28,38 +28,37 @@ const RIDGE: f64 = 0.01;
 /// How far behind the last layer, in spacings, a ridge still counts.
 const BEYOND: f64 = 0.2;
 
-/// True where layer `layer` has room at `point`, in the body or on its surface.
+/// True where layer `layer` has room at `point`, in the body or on its surface, where the signed distance is `distance` and its gradient
+/// `normal`.
 pub(crate) fn has_room<const D: usize>(
     shape: &dyn Shape<D>,
-    point: &Vector<D>,
+    (point, distance, normal): (&Vector<D>, f64, &Vector<D>),
     layer: usize,
     spacing: f64,
 ) -> bool {
     let wanted = FITS * (layer as f64 + 1.0) * spacing;
+    let mut missing = wanted + distance;
+    let mut last = *normal;
+    let farthest = FARTHEST * missing + SLACK * spacing;
     let mut here = *point;
-    let mut farthest = f64::INFINITY;
     let mut strength = 1.0;
-    let mut last = Vector::zeros();
-    for _ in 0..PUSHES {
+    for _ in 1..PUSHES {
+        if missing <= (1.0 - NEARLY) * wanted {
+            return true;
+        }
+        here -= strength * missing * last;
+        if (here - point).norm() > farthest {
+            return false;
+        }
         let seen = shape.closest(&here);
-        let missing = wanted + seen.distance;
+        missing = wanted + seen.distance;
         // Between two parallel faces, pushed from one to the other, it comes to the middle.
         if seen.normal.dot(&last) < PARALLEL {
             strength *= 0.5;
         }
         last = seen.normal;
-        if farthest == f64::INFINITY {
-            farthest = FARTHEST * missing + SLACK * spacing;
-        }
-        if missing <= (1.0 - NEARLY) * wanted {
-            return true;
-        }
-        here -= strength * missing * seen.normal;
-        if (here - point).norm() > farthest {
-            return false;
-        }
     }
-    false
+    missing <= (1.0 - NEARLY) * wanted
 }
 
 /// How much room the layer of ghosts at the centre of a cell has, and how many layers have room there.
@@ -82,8 +81,9 @@ pub(crate) fn room_inside<const D: usize>(
     let first = ((depth - reach) / spacing).floor().max(0.0) as usize;
     let layer = (depth.max(0.0) / spacing).floor() as usize;
     let inside = cell.centre + depth.min(0.0) * cell.normal;
+    let inside = (&inside, -depth.max(0.0), &cell.normal);
     let full = (first..end as usize)
-        .find(|&layer| !has_room(shape, &inside, layer, spacing))
+        .find(|&layer| !has_room(shape, inside, layer, spacing))
         .unwrap_or(usize::MAX);
     let room = if full <= layer {
         Room::Thin
@@ -105,7 +105,7 @@ pub(crate) fn layers_with_room<const D: usize>(
         return most;
     }
     (0..most)
-        .find(|&layer| !has_room(shape, point, layer, spacing))
+        .find(|&layer| !has_room(shape, (point, 0.0, normal), layer, spacing))
         .unwrap_or(most)
 }
 
@@ -119,10 +119,12 @@ mod tests {
     fn a_block_has_room_in_its_corners_and_a_plate_none_at_its_rim() {
         let block = bodies::cuboid([9.0, 9.0, 9.0]).expect("a block");
         let corner = Vector::<3>::repeat(4.5);
-        assert!(has_room(&block, &corner, 0, 1.0) && has_room(&block, &corner, 3, 1.0));
+        let out = Vector::<3>::repeat(3.0_f64.sqrt().recip());
+        let corner = (&corner, 0.0, &out);
+        assert!(has_room(&block, corner, 0, 1.0) && has_room(&block, corner, 3, 1.0));
         let plate = bodies::cuboid([9.0, 9.0, 1.2]).expect("a plate");
         let rim = Vector::<3>::new(4.5, 0.3, 0.1);
-        assert!(!has_room(&plate, &rim, 0, 1.0));
+        assert!(!has_room(&plate, (&rim, 0.0, &Vector::<3>::x()), 0, 1.0));
         let thick = bodies::cuboid([9.0, 9.0, 2.4]).expect("a plate");
         let up = Vector::<3>::z();
         let face = Vector::<3>::new(0.0, 0.3, 1.2);

@@ -50,12 +50,11 @@ fn in_the_plane<const D: usize>(plan: &Plan<'_, D>) -> Cloud<D> {
             for s in rows.seeds(contour, &mut carry) {
                 let guess = plan.mirrors.snapped(contour.point_at(s), 1e-9 * spacing);
                 let point = project(plan.shape, &guess, level, plan.tolerance).unwrap_or(guess);
+                let normal = plan.shape.closest(&point).normal;
+                let seen = (&point, level, &normal);
                 let has_room = match plan.side {
-                    Side::Ghosts => has_room(plan.shape, &point, layer, spacing),
-                    Side::Fluid => {
-                        let normal = plan.shape.closest(&point).normal;
-                        fits(plan.shape, (&point, level, &normal), layer, spacing)
-                    }
+                    Side::Ghosts => has_room(plan.shape, seen, layer, spacing),
+                    Side::Fluid => fits(plan.shape, seen, layer, spacing),
                 };
                 if has_room {
                     cloud.push(

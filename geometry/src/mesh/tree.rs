@@ -98,7 +98,7 @@ impl Tree {
             if child.count > 0 {
                 let last = child.first + child.count - 1;
                 let all = std::array::from_fn(|k| corners(last.min(child.first + k as u32)));
-                let distances = distances_squared(all, &point);
+                let distances = distances_squared(&all, &point);
                 for (facet, distance) in child.triangles().zip(distances) {
                     if distance < best.1 && !hidden(facet) {
                         best = (facet, distance);

@@ -121,13 +121,14 @@ pub(super) const TOGETHER: usize = 4;
 /// that. The products are those of [`Region::of`].
 #[inline(always)]
 pub(super) fn distances_squared(
-    [s, t, u, v]: [[&Vector<3>; 3]; TOGETHER],
+    triangles: &[[&Vector<3>; 3]; TOGETHER],
     p: &Three,
 ) -> [f64; TOGETHER] {
-    let [a, b, c] = [0, 1, 2].map(|corner| -> Three {
-        let [s, t, u, v] = [s[corner], t[corner], u[corner], v[corner]];
-        std::array::from_fn(|axis| f64x4::new([s[axis], t[axis], u[axis], v[axis]]))
-    });
+    let [a, b, c] = [
+        side_by_side(triangles, 0),
+        side_by_side(triangles, 1),
+        side_by_side(triangles, 2),
+    ];
     let (ab, ac, bc) = (minus(&b, &a), minus(&c, &a), minus(&c, &b));
     let (ap, bp, cp) = (minus(p, &a), minus(p, &b), minus(p, &c));
     let (d1, d2) = (dot(&ab, &ap), dot(&ac, &ap));
@@ -146,6 +147,14 @@ pub(super) fn distances_squared(
 
 /// Vectors, one in each lane.
 pub(super) type Three = [f64x4; 3];
+
+/// The corners with one number.
+#[inline(always)]
+fn side_by_side([s, t, u, v]: &[[&Vector<3>; 3]; TOGETHER], corner: usize) -> Three {
+    let [s, t, u, v] = [s[corner], t[corner], u[corner], v[corner]];
+    let along = |axis: usize| f64x4::new([s[axis], t[axis], u[axis], v[axis]]);
+    [along(0), along(1), along(2)]
+}
 
 #[inline(always)]
 fn minus(a: &Three, b: &Three) -> Three {
