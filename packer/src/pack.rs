@@ -57,8 +57,9 @@ fn pack_whole<const D: usize>(
     let start = Instant::now();
     let watch = &options.watch;
     watch.begin("finding the layers");
-    let plan = Plan::new(shape, options, &Mirrors::of(shape), Side::Ghosts, 2.0)?;
+    let mut plan = Plan::new(shape, options, &Mirrors::of(shape), Side::Ghosts, 2.0)?;
     let (mut cloud, _) = seed(&plan);
+    plan.forget_sites();
     let surface = samples(shape, &plan.bounds, SAMPLES * options.spacing);
     let layers = cloud.len();
     let thinnest = midway::lay(&plan, &mut cloud, &surface)?;
@@ -71,6 +72,7 @@ fn pack_whole<const D: usize>(
             target.densities(points, smoothing)
         });
     }
+    plan.keep_wall_cells();
     settle(&plan, &mut cloud, &target);
     let strays = leave_out_strays(&plan, &mut cloud);
     mend(&plan, &mut cloud, &surface);
@@ -161,7 +163,7 @@ fn leave_out_strays<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) ->
 /// shows: a small body has few, and a symmetric one a multiple of two, four or eight.
 fn share_volume<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>) {
     let (total, mut movable) = volumes(plan, cloud);
-    let missing = plan.shell_volume() - total;
+    let missing = plan.shell_volume - total;
     if missing.abs() < VOLUME_TOLERANCE * total {
         return;
     }

@@ -27,6 +27,12 @@ const FINENESS: f64 = 5.0;
 /// A centre this near to a mirror plane, in edges of its cell, is on it.
 const ON_PLANE: f64 = 1e-6;
 
+/// Places per spacing at which cells are looked up on a way through them.
+const ON_THE_WAY: usize = 2;
+
+/// Depth of the first of them, in spacings.
+const JUST_INSIDE: f64 = 0.1;
+
 /// A piece of a thin part: its centre and volume.
 pub(crate) type Bit<const D: usize> = (Vector<D>, f64);
 
@@ -46,14 +52,16 @@ pub(crate) struct Plan<'a, const D: usize> {
     pub bounds: Bounds<D>,
     /// Grid over the layers: in space the lattice's cells, in the plane finer ones.
     pub grid: Grid<D>,
-    /// Volume of what is deeper than the layers.
-    core: f64,
     /// Its cells in the layers.
     pub band: Vec<Cell<D>>,
     /// The same, cut up where layers are not smooth.
     cut_band: Vec<Cell<D>>,
     /// Cells with parts that are left to rows, and how many layers have room in all parts of them.
     of_rows: HashMap<[i64; D], usize>,
+    /// Volume of the packed part of space that is deeper than all layers.
+    pub core_volume: f64,
+    /// Volume of all layers inside the region, images included.
+    pub shell_volume: f64,
     /// How exactly a point has to meet its level.
     pub tolerance: f64,
 }
@@ -114,7 +122,7 @@ impl<'a, const D: usize> Plan<'a, D> {
         let reach = (0..D).fold(0.0, |r: f64, k| {
             r.max(bounds.min[k].abs()).max(bounds.max[k].abs())
         });
-        Ok(Self {
+        let mut plan = Self {
             shape,
             options,
             side,
@@ -122,12 +130,16 @@ impl<'a, const D: usize> Plan<'a, D> {
             mirrors,
             bounds,
             grid,
-            core: beyond,
             band,
             cut_band,
             of_rows,
+            core_volume: beyond,
+            shell_volume: 0.0,
             tolerance: 1e-12 * spacing + 8.0 * f64::EPSILON * reach,
-        })
+        };
+        plan.core_volume += plan.core_in_cells();
+        plan.shell_volume = plan.shell_in_cells();
+        Ok(plan)
     }
 
     /// Distance of a layer's middle: negative for ghosts.
@@ -204,6 +216,18 @@ impl<'a, const D: usize> Plan<'a, D> {
         }
     }
 
+    /// True where there may be parts that are left to rows straight below a place of the surface: in space, where a cell on the way down
+    /// through the layers has some.
+    pub fn may_have_rows_below(&self, point: &Vector<D>, normal: &Vector<D>) -> bool {
+        D == 2
+            || (0..=ON_THE_WAY * self.layers).any(|n| {
+                let depth = (n as f64 / ON_THE_WAY as f64).max(JUST_INSIDE);
+                let below = point - depth * self.options.spacing * normal;
+                let cell = self.grid.index(&self.mirrors.folded(below));
+                self.of_rows.contains_key(&cell)
+            })
+    }
+
     /// `place` where that is on the particles' side of the surface, else `home`.
     pub fn on_side(&self, place: &Vector<D>, home: &Vector<D>) -> Vector<D> {
         let depth = self.sign() * self.shape.signed_distance(place);
@@ -258,19 +282,36 @@ impl<'a, const D: usize> Plan<'a, D> {
         height > 0.0 && height < self.layers as f64 * self.options.spacing
     }
 
-    /// Volume of the packed part of space that is deeper than all layers.
-    pub fn core_volume(&self) -> f64 {
+    /// Lets go of the whole cells once seeds stand on their sites.
+    pub fn forget_sites(&mut self) {
+        self.band = Vec::new();
+    }
+
+    /// Lets go of the cut cells once all particles are laid: of them all, those that the wall layer is measured by are kept.
+    pub fn keep_wall_cells(&mut self) {
+        self.cut_band = self.wall_cells().copied().collect();
+    }
+
+    /// Cells around the middle of the wall layer that have room for it.
+    pub fn wall_cells(&self) -> impl Iterator<Item = &Cell<D>> {
+        let level = self.level(0);
+        let cells = self.roomy_cells();
+        cells.filter(move |cell| (cell.distance - level).abs() < 0.5 * cell.step)
+    }
+
+    /// What of the cells is deeper than all layers.
+    fn core_in_cells(&self) -> f64 {
         let end = self.face(self.layers);
         let cells = self.cut_band.iter();
         let near = cells.map(|cell| {
             let corner = cell.centre.add_scalar(-0.5 * cell.step);
             cell.fraction_below(end) * volume_in(&self.bounds, &corner, cell.step)
         });
-        self.core + near.sum::<f64>()
+        near.sum()
     }
 
-    /// Volume of all layers inside the region, images included.
-    pub fn shell_volume(&self) -> f64 {
+    /// What of the cells is in a layer inside the region, images included.
+    fn shell_in_cells(&self) -> f64 {
         let volumes = self.summed_volumes(|cell| {
             let mut count = usize::from(self.keeps(&cell.centre));
             self.mirrors.images(&cell.centre, |_, image| {

@@ -184,7 +184,7 @@ impl<const D: usize> Quality<'_, D> {
             .filter(|(point, _)| mirrors.above(point))
             .map(|(point, volume)| volume * self.plan.part_in_region(&point))
             .sum();
-        let exact = self.plan.shell_volume();
+        let exact = self.plan.shell_volume;
         100.0 * (packed - exact).abs() / exact
     }
 
@@ -204,7 +204,7 @@ impl<const D: usize> Quality<'_, D> {
         };
         let copies = 2.0_f64.powi(plan.mirrors.planes().len() as i32);
         let ghosts: f64 = particles(&self.ghosts.all).map(|(_, volume)| volume).sum();
-        100.0 * (ghosts + copies * plan.core_volume() - exact) / exact
+        100.0 * (ghosts + copies * plan.core_volume - exact) / exact
     }
 
     /// Largest distance from a place on the wall layer's middle to the nearest ghost, in spacings.
@@ -213,8 +213,7 @@ impl<const D: usize> Quality<'_, D> {
         let spacing = plan.options.spacing;
         let level = plan.level(0);
         let places: Vec<Vector<D>> = plan
-            .roomy_cells()
-            .filter(|cell| (cell.distance - level).abs() < 0.5 * cell.step)
+            .wall_cells()
             .flat_map(|cell| {
                 // A few places around the centre, brought onto the level's plane.
                 (0..1_usize << D).map(move |n| {
