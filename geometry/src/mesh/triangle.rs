@@ -47,8 +47,8 @@ impl Region {
             return Self::Vertex(1);
         }
         let vc = d1 * d4 - d3 * d2;
-        if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 {
-            return Self::Edge(0, d1 / (d1 - d3));
+        if vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3 {
+            return Self::Edge(0, part_of_way(d1, d1 - d3));
         }
         let cp = p - c;
         let (d5, d6) = (ab.dot(&cp), ac.dot(&cp));
@@ -57,11 +57,11 @@ impl Region {
         }
         let vb = d5 * d2 - d1 * d6;
         if vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 {
-            return Self::Edge(2, 1.0 - d2 / (d2 - d6));
+            return Self::Edge(2, 1.0 - part_of_way(d2, d2 - d6));
         }
         let va = d3 * d6 - d5 * d4;
         if va <= 0.0 && d4 >= d3 && d5 >= d6 {
-            return Self::Edge(1, (d4 - d3) / ((d4 - d3) + (d5 - d6)));
+            return Self::Edge(1, part_of_way(d4 - d3, (d4 - d3) + (d5 - d6)));
         }
         let scale = 1.0 / (va + vb + vc);
         Self::Face(vb * scale, vc * scale)
@@ -102,6 +102,12 @@ impl Region {
             Self::Face(..) => Feature::Face,
         }
     }
+}
+
+/// Part of the way along an edge; an edge without length has no parts, and its start stands for it.
+fn part_of_way(product: f64, squared: f64) -> f64 {
+    let part = product / squared;
+    if part > 0.0 { part } else { 0.0 }
 }
 
 /// The point of the triangle closest to `p`, and what it lies on.
@@ -172,12 +178,56 @@ fn along(offset: &Three, way: &Three, part: f64x4) -> Three {
     std::array::from_fn(|axis| offset[axis] - way[axis] * part)
 }
 
-/// Distance squared to an edge, by the offset from its start, its way, their product and the square of its length.
+/// Distance squared to an edge, by the offset from its start, its way, their product and the square of its length, as [`part_of_way`].
 #[inline(always)]
 fn to_edge(offset: &Three, way: &Three, product: f64x4, squared: f64x4) -> f64x4 {
     let part = product / squared;
-    // An edge without length has no parts; its start stands for it.
     let part = part.simd_gt(f64x4::ZERO).select(part, f64x4::ZERO);
     let foot = along(offset, way, part.fast_min(f64x4::ONE));
     dot(&foot, &foot)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn four_triangles_at_once_are_as_far_as_one_by_one() {
+        let mut seed = 11_u64;
+        let mut next = || {
+            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+            (seed >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut seen = [0; 3];
+        for round in 0..5000 {
+            let mut triangles: [[Vector<3>; 3]; TOGETHER] = std::array::from_fn(|_| {
+                std::array::from_fn(|_| Vector::<3>::from_fn(|_, _| next()))
+            });
+            // Edges without length, points and needles; of triangles that are lines the nearest part is anyone's guess.
+            match round % 5 {
+                0 => triangles[0][1] = triangles[0][0],
+                1 => {
+                    let [a, b, c] = triangles[1];
+                    triangles[1][2] = a + 0.7 * (b - a) + 1e-5 * (c - a);
+                }
+                2 => triangles[2] = [triangles[2][0]; 3],
+                3 => triangles[3][2] = triangles[3][1] + 1e-7 * triangles[3][2],
+                _ => {}
+            }
+            let p = Vector::<3>::from_fn(|_, _| 1.6 * next() - 0.3);
+            let splat = [p.x, p.y, p.z].map(f64x4::splat);
+            let found = distances_squared(&triangles.each_ref().map(<[_; 3]>::each_ref), &splat);
+            for (corners, found) in triangles.iter().zip(found) {
+                let on = closest_on(corners, &p);
+                let expected = (on.point - p).norm();
+                assert!((found.sqrt() - expected).abs() < 1e-9, "{corners:?} {p:?}");
+                seen[match on.feature {
+                    Feature::Face => 0,
+                    Feature::Edge(_) => 1,
+                    Feature::Vertex(_) => 2,
+                }] += 1;
+            }
+        }
+        assert!(seen.iter().all(|&count| count > 800), "{seen:?}");
+    }
 }

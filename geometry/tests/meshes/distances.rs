@@ -1,10 +1,10 @@
 //! Distances and normals against exact bodies and another library.
 
-use aero_geometry::Shape;
 use aero_geometry::bodies::{Capsule, cone, cuboid, sphere};
+use aero_geometry::{Placed, Placement, Shape, Vector};
 use approx::assert_relative_eq;
 
-use super::{at, mesh, prism, unit_block};
+use super::{at, block, mesh, prism, unit_block};
 
 #[test]
 fn a_sphere_of_triangles_is_close_to_the_exact_one() {
@@ -131,4 +131,82 @@ fn distances_agree_with_another_library() {
             other.distance_to_local_point(parry3d::math::Vector::new(p.x, p.y, p.z), false);
         assert!((mesh.signed_distance(&p).abs() - distance.abs()).abs() < 1e-12);
     }
+}
+
+#[test]
+fn the_way_out_of_a_block_is_that_to_its_far_face_and_an_edge_tells_nothing() {
+    let block = mesh(unit_block());
+    let out = |from: Vector<3>, way: Vector<3>| block.way_out(&from, &way.normalize());
+    let from = at(-0.31, 0.12, 0.23);
+    for (way, expected) in [
+        (at(1.0, 0.0, 0.0), 0.81),
+        (at(-1.0, 0.0, 0.0), 0.19),
+        (at(0.0, -1.0, 0.0), 0.62),
+        (at(0.0, 0.0, 1.0), 0.27),
+        (at(3.0, 0.1, 0.2), 0.27 * 9.05_f64.sqrt()),
+    ] {
+        assert_relative_eq!(out(from, way).unwrap(), expected, max_relative = 1e-12);
+    }
+    // From outside, towards the block and away from it.
+    assert_eq!(out(at(-0.7, 0.1, 0.2), at(1.0, 0.0, 0.0)), Some(0.0));
+    assert_eq!(out(at(-0.7, 0.1, 0.2), at(-1.0, 0.0, 0.0)), Some(0.0));
+    // Along a face, into an edge, and through a diagonal between two triangles of a face.
+    assert_eq!(out(at(0.0, 0.0, 0.0), at(1.0, 1.0, 0.0)), None);
+    assert_eq!(out(at(0.0, 0.0, 0.0), at(1.0, 0.0, 0.0)), None);
+}
+
+#[test]
+fn ways_out_of_a_union_lead_through_all_of_it_and_scale_with_it() {
+    let mut facets = block([0.0; 3], [1.0; 3]);
+    facets.extend(block([0.7, -0.2, -0.3], [2.0, 1.2, 1.4]));
+    let both = mesh(facets);
+    let (from, along) = (at(0.11, 0.32, 0.47), at(1.0, 0.0, 0.0));
+    assert_relative_eq!(both.way_out(&from, &along).unwrap(), 1.89, epsilon = 1e-12);
+    assert_relative_eq!(
+        both.way_out(&at(0.83, 0.32, 0.47), &along).unwrap(),
+        1.17,
+        epsilon = 1e-12
+    );
+    let placement = Placement::default()
+        .scaled(2.5)
+        .unwrap()
+        .rotated_about(&at(0.0, 0.0, 1.0), 0.4)
+        .unwrap()
+        .moved(at(3.0, -1.0, 2.0));
+    let placed = Placed::new(both, placement);
+    let (from, along) = (placement.point(&from), placement.direction(&along));
+    assert_relative_eq!(
+        placed.way_out(&from, &along).unwrap(),
+        2.5 * 1.89,
+        epsilon = 1e-12
+    );
+}
+
+#[test]
+fn the_way_out_agrees_with_steps_of_the_distance() {
+    let exact = Capsule::apollo().body().unwrap();
+    let mesh = mesh(exact.tessellate(40));
+    let mut told = 0;
+    for k in 0..500 {
+        let k = f64::from(k);
+        let from = at(
+            1.5 + (0.37 * k).sin(),
+            (0.73 * k).cos(),
+            0.9 * (1.13 * k).sin(),
+        );
+        let way = at((0.51 * k).sin(), (1.7 * k).cos(), (0.77 * k).sin()).normalize();
+        if mesh.signed_distance(&from) >= 0.0 {
+            continue;
+        }
+        let mut travelled = 0.0;
+        let room = |travelled: f64| -mesh.signed_distance(&(from + travelled * way));
+        while room(travelled) > 1e-10 {
+            travelled += room(travelled);
+        }
+        if let Some(found) = mesh.way_out(&from, &way) {
+            assert!((found - travelled).abs() < 1e-6, "{k}: {found} {travelled}");
+            told += 1;
+        }
+    }
+    assert!(told > 100, "{told}");
 }
