@@ -59,7 +59,6 @@ fn pack_whole<const D: usize>(
     watch.begin("finding the layers");
     let mut plan = Plan::new(shape, options, &Mirrors::of(shape), Side::Ghosts, 2.0)?;
     let (mut cloud, _) = seed(&plan);
-    plan.forget_sites();
     let surface = samples(shape, &plan.bounds, SAMPLES * options.spacing);
     let layers = cloud.len();
     let thinnest = midway::lay(&plan, &mut cloud, &surface)?;

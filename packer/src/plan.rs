@@ -282,13 +282,9 @@ impl<'a, const D: usize> Plan<'a, D> {
         height > 0.0 && height < self.layers as f64 * self.options.spacing
     }
 
-    /// Lets go of the whole cells once seeds stand on their sites.
-    pub fn forget_sites(&mut self) {
-        self.band = Vec::new();
-    }
-
-    /// Lets go of the cut cells once all particles are laid: of them all, those that the wall layer is measured by are kept.
+    /// Lets go of the cells once all particles are laid: of them all, those that the wall layer is measured by are kept.
     pub fn keep_wall_cells(&mut self) {
+        self.band = Vec::new();
         self.cut_band = self.wall_cells().copied().collect();
     }
 

@@ -9,6 +9,9 @@ use aero_packer::{Ghosts, PackOptions, Packing, pack};
 /// Largest distance from the wall layer's middle level to the nearest ghost, in spacings.
 const HOLE: f64 = 1.25;
 
+/// Most ghosts, of as many as have the volume if each is full: tips need a few small ones.
+const MORE: f64 = 1.03;
+
 fn packed<const D: usize>(shape: &dyn Shape<D>, spacing: f64) -> Packing<D> {
     let options = PackOptions {
         fluid_layers: 3,
@@ -28,6 +31,9 @@ fn check<const D: usize>(name: &str, packing: &Packing<D>, aim: Aim) {
     assert!(report.wall_offset_max <= 1e-6, "{name}: {report:?}");
     assert!(report.min_gap >= aim.gap, "{name}: {report:?}");
     assert!(report.layer_hole_max <= HOLE, "{name}: {report:?}");
+    let volumes = &packing.ghosts.volume;
+    let full = volumes.iter().sum::<f64>() / report.spacing.powi(D as i32);
+    assert!(volumes.len() as f64 <= MORE * full, "{name}: {report:?}");
 }
 
 /// The images of all particles about a plane through the origin are particles, bit by bit, with
