@@ -13,7 +13,7 @@ use wide::f64x4;
 use super::triangle::{TOGETHER, distances_squared};
 use crate::Vector;
 
-/// Children of a node at most: the lanes of the widest vectors.
+/// Children of a node at most, one to a lane.
 const WIDTH: usize = 4;
 /// Triangles per leaf at most.
 const LEAF: usize = TOGETHER;
