@@ -27,6 +27,12 @@ const FINENESS: f64 = 5.0;
 /// A centre this near to a mirror plane, in edges of its cell, is on it.
 const ON_PLANE: f64 = 1e-6;
 
+/// Places per spacing at which cells are looked up on a way through them.
+const ON_THE_WAY: usize = 2;
+
+/// Depth of the first of them, in spacings.
+const JUST_INSIDE: f64 = 0.1;
+
 /// A piece of a thin part: its centre and volume.
 pub(crate) type Bit<const D: usize> = (Vector<D>, f64);
 
@@ -208,6 +214,18 @@ impl<'a, const D: usize> Plan<'a, D> {
             let seen = (place, seen.distance, &seen.normal);
             has_room(self.shape, seen, layer, self.options.spacing)
         }
+    }
+
+    /// True where there may be parts that are left to rows straight below a place of the surface: in space, where a cell on the way down
+    /// through the layers has some.
+    pub fn may_have_rows_below(&self, point: &Vector<D>, normal: &Vector<D>) -> bool {
+        D == 2
+            || (0..=ON_THE_WAY * self.layers).any(|n| {
+                let depth = (n as f64 / ON_THE_WAY as f64).max(JUST_INSIDE);
+                let below = point - depth * self.options.spacing * normal;
+                let cell = self.grid.index(&self.mirrors.folded(below));
+                self.of_rows.contains_key(&cell)
+            })
     }
 
     /// `place` where that is on the particles' side of the surface, else `home`.

@@ -12,6 +12,9 @@ const ON_SURFACE: f64 = 0.05;
 /// Most halvings of one facet.
 const HALVINGS: usize = 40;
 
+/// Samples that are brought onto the surface together: enough for all threads, and few beside all of a fine body's.
+const BATCH: usize = 1 << 14;
+
 /// A place on the surface.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sample<const D: usize> {
@@ -30,72 +33,91 @@ pub(crate) fn samples<const D: usize>(
     region: &Bounds<D>,
     step: f64,
 ) -> Vec<Sample<D>> {
-    let share = step.powi(D as i32 - 1);
     let mut sequence = Sequence {
-        share,
+        shape,
+        region,
+        step,
         passed: 0.0,
         number: 0,
+        guesses: Vec::new(),
         found: Vec::new(),
     };
     shape.for_each_facet(2.0 * step, region, &mut |facet| {
-        sequence.sample(facet, region, LONG * step, HALVINGS);
+        sequence.sample(facet, HALVINGS);
     });
-    let tolerance = ON_SURFACE * step;
-    sequence
-        .found
-        .into_par_iter()
-        .filter_map(|sample| {
-            // Inside of an arc the chord is a little off the surface.
-            let seen = shape.closest(&sample.point);
-            (seen.distance.abs() <= tolerance && seen.distance.is_finite()).then_some(Sample {
-                point: seen.point,
-                ..sample
-            })
-        })
-        .filter(|sample| region.contains(&sample.point))
-        .collect()
+    sequence.find();
+    sequence.found
 }
 
 /// Samples so far. A facet gets as many as fit its area; what is left over is passed on, so that slivers and dust get their
 /// share together.
-struct Sequence<const D: usize> {
-    share: f64,
+struct Sequence<'a, const D: usize> {
+    shape: &'a dyn Shape<D>,
+    region: &'a Bounds<D>,
+    step: f64,
     passed: f64,
     number: u32,
+    /// On the facets, not looked up yet.
+    guesses: Vec<Sample<D>>,
+    /// On the surface.
     found: Vec<Sample<D>>,
 }
 
-impl<const D: usize> Sequence<D> {
-    fn sample(&mut self, facet: [Vector<D>; D], region: &Bounds<D>, long: f64, halvings: usize) {
+impl<const D: usize> Sequence<'_, D> {
+    fn sample(&mut self, facet: [Vector<D>; D], halvings: usize) {
         let low = facet[1..].iter().fold(facet[0], |low, p| low.inf(p));
         let high = facet[1..].iter().fold(facet[0], |high, p| high.sup(p));
+        let region = self.region;
         if Bounds::new(low, high).intersection(region).is_empty() {
             return;
         }
         let (edge, length) = longest(&facet);
-        if halvings > 0 && length > long && !(region.contains(&low) && region.contains(&high)) {
+        let is_long = length > LONG * self.step;
+        if halvings > 0 && is_long && !(region.contains(&low) && region.contains(&high)) {
             let (a, b) = (edge, (edge + 1) % D);
             let middle = 0.5 * (facet[a] + facet[b]);
             let [mut first, mut second] = [facet, facet];
             first[b] = middle;
             second[a] = middle;
-            self.sample(first, region, long, halvings - 1);
-            self.sample(second, region, long, halvings - 1);
+            self.sample(first, halvings - 1);
+            self.sample(second, halvings - 1);
             return;
         }
         let Some((area, normal)) = oriented(&facet) else {
             return;
         };
+        let share = self.step.powi(D as i32 - 1);
         self.passed += area;
-        while self.passed >= 0.5 * self.share {
-            self.passed -= self.share;
+        while self.passed >= 0.5 * share {
+            self.passed -= share;
             self.number = self.number.wrapping_add(1);
-            self.found.push(Sample {
+            self.guesses.push(Sample {
                 point: place(&facet, self.number),
                 normal,
-                area: self.share,
+                area: share,
             });
+            if self.guesses.len() >= BATCH {
+                self.find();
+            }
         }
+    }
+
+    /// Brings the guesses onto the surface.
+    fn find(&mut self) {
+        let guesses = self.guesses.par_iter();
+        let found: Vec<Sample<D>> = guesses
+            .filter_map(|sample| {
+                // Inside of an arc the chord is a little off the surface.
+                let seen = self.shape.closest(&sample.point);
+                let is_on_it = seen.distance.abs() <= ON_SURFACE * self.step;
+                (is_on_it && self.region.contains(&seen.point)).then_some(Sample {
+                    point: seen.point,
+                    ..*sample
+                })
+            })
+            .collect();
+        self.found.extend(found);
+        self.guesses.clear();
     }
 }
 

@@ -38,6 +38,8 @@ pub enum Keep {
     Loads,
     /// Frames of the scene's `[output]` in the second half of the run.
     Frames,
+    /// What panels show at the same times; at the end alone of a run that settles.
+    Panels,
 }
 
 /// The way to the end of a run, as far as it was kept.
@@ -51,6 +53,8 @@ pub struct History {
     pub motion: Vec<BodyMotion>,
     /// Frames, the last one included.
     pub frames: Vec<Frame>,
+    /// What panels show, the last frame's included.
+    pub panels: Vec<PanelFrame>,
 }
 
 /// Runs a case of any dimension to its end and writes nothing.
@@ -78,13 +82,18 @@ fn finish<const D: usize>(
     let (simulation, summary) = simulate(case, &mut keeper, stopwatch)?;
     let frame = simulation.frame();
     let gas = frame.chosen(|kind| kind == Kind::Fluid as u8);
+    let panels = simulation.panels();
+    let mut history = keeper.history;
+    if keep == Keep::Panels && history.panels.is_empty() {
+        history.panels.push(panels.clone());
+    }
     Ok(Outcome {
         gas,
         frame,
         surface: simulation.surface(),
-        panels: simulation.panels(),
+        panels,
         summary,
-        history: keeper.history,
+        history,
     })
 }
 
@@ -97,8 +106,12 @@ struct Keeper {
 
 impl<const D: usize> Recorder<D> for Keeper {
     fn frame(&mut self, simulation: &Flow<D>) -> Result<(), OutputError> {
-        if self.keep == Keep::Frames && simulation.time() >= self.frames_from {
-            self.history.frames.push(simulation.frame());
+        if simulation.time() >= self.frames_from {
+            match self.keep {
+                Keep::Frames => self.history.frames.push(simulation.frame()),
+                Keep::Panels => self.history.panels.push(simulation.panels()),
+                Keep::End | Keep::Loads => {}
+            }
         }
         Ok(())
     }

@@ -82,8 +82,8 @@ pub(super) fn joined<T>(mut lists: Vec<Vec<T>>) -> Vec<T> {
         return lists.pop().unwrap_or_default();
     }
     let mut all = Vec::with_capacity(lists.iter().map(Vec::len).sum());
-    for list in &mut lists {
-        all.append(list);
+    for list in lists {
+        all.extend(list);
     }
     all
 }

@@ -92,6 +92,9 @@ pub(super) fn sites<const D: usize>(
 fn site<const D: usize>(plan: &Plan<'_, D>, sample: &Sample<D>) -> Option<Site<D>> {
     let spacing = plan.options.spacing;
     let seen = (&sample.point, &sample.normal);
+    if !plan.may_have_rows_below(&sample.point, &sample.normal) {
+        return None;
+    }
     let full = layers_with_room(plan.shape, seen, plan.layers, spacing);
     if full == plan.layers || !Plan::<D>::has_rows_below(full) {
         return None;
