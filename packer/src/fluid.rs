@@ -13,7 +13,7 @@ use crate::mirror::Mirrors;
 use crate::plan::Plan;
 use crate::relax::{relax, relax_thin};
 use crate::room::Side;
-use crate::schedule::{THIN_STEPS, fluid_steps};
+use crate::schedule::{fluid_steps, thin_steps};
 use crate::seeds::seed;
 use crate::sources::Sources;
 use crate::thin::fill_thin;
@@ -119,7 +119,7 @@ pub(crate) fn pack_fluid<'a, const D: usize>(
             cloud.lock[n] = Lock::Free;
         }
     }
-    relax_thin(&plan, &mut cloud, &fixed, None, THIN_STEPS);
+    relax_thin(&plan, &mut cloud, &fixed, None, thin_steps::<D>());
     for run in fluid_steps::<D>() {
         relax(&plan, &mut cloud, &fixed, None, run);
     }

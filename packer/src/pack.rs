@@ -18,7 +18,7 @@ use crate::plan::Plan;
 use crate::quality::Quality;
 use crate::relax::{relax, relax_thin};
 use crate::room::Side;
-use crate::schedule::{THIN_STEPS, ghost_steps};
+use crate::schedule::{ghost_steps, thin_steps};
 use crate::seeds::seed;
 use crate::sources::Sources;
 use crate::surface::samples;
@@ -135,7 +135,7 @@ fn settle<const D: usize>(plan: &Plan<'_, D>, cloud: &mut Cloud<D>, target: &Sou
     }
     freeze_on_lattice(plan, cloud);
     share_volume(plan, cloud);
-    relax_thin(plan, cloud, &[], Some(target), THIN_STEPS);
+    relax_thin(plan, cloud, &[], Some(target), thin_steps::<D>());
     for run in ghost_steps::<D>() {
         relax(plan, cloud, &[], Some(target), run);
     }

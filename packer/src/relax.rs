@@ -40,6 +40,9 @@ const MOST_NEWTON_STEPS: usize = 30;
 /// Steps between new evaluations of the wanted gradient, which is smooth, in the plane and in space.
 const STEPS_BETWEEN_TARGETS: [usize; 2] = [1, 5];
 
+/// Part of the steps, the last ones, without momentum: what still swings comes to rest.
+const RESTING: f64 = 0.3;
+
 /// Place and normal of a particle after a step, and its place again where that is known to be on its level, or inside.
 type Moved<const D: usize> = (Vector<D>, Vector<D>, Option<Vector<D>>);
 
@@ -54,6 +57,19 @@ pub(crate) struct Relaxation {
     pub smoothing: f64,
     /// Displacement per gradient of the number of particles per cell, in squared spacings.
     pub strength: f64,
+    /// Part of the last displacement that goes on into the next [Polyak 1964, USSR Comput. Math. Math. Phys. 4, 1: the heavy ball]: long
+    /// waves are evened out in few steps.
+    pub momentum: f64,
+}
+
+impl Relaxation {
+    fn momentum_at(&self, step: usize) -> f64 {
+        if (step as f64) < (1.0 - RESTING) * self.steps as f64 {
+            self.momentum
+        } else {
+            0.0
+        }
+    }
 }
 
 /// Relaxes `cloud` until its summed density follows that of `target`; `fixed` particles push but
@@ -74,6 +90,7 @@ pub(crate) fn relax<const D: usize>(
     let mut normals = normals_of_locked(shape, cloud);
     // Where each was last on its level, or inside: a level may end, and what drifts past its end returns.
     let mut homes = cloud.position.clone();
+    let mut swings = vec![Vector::zeros(); cloud.len()];
     for step in 0..run.steps {
         plan.options.watch.show(run.stage, step, run.steps);
         let everything = cloud.particles().chain(fixed.iter().copied());
@@ -86,6 +103,7 @@ pub(crate) fn relax<const D: usize>(
         let slopes = sources.gradients(&cloud.position, smoothing);
         let crowding = sources.crowding(&cloud.position, CROWDED * spacing);
         let settle = Settle::at(step, run.steps);
+        let momentum = run.momentum_at(step);
         let moved: Vec<Moved<D>> = (0..cloud.len())
             .into_par_iter()
             .map(|n| {
@@ -96,6 +114,7 @@ pub(crate) fn relax<const D: usize>(
                 let slope = slopes[n] - wanted[n];
                 let mut push = -run.strength * spacing * spacing * slope;
                 push += REPULSION * spacing / plan.particle_volume() * crowding[n];
+                push += momentum * swings[n];
                 push -= normals[n] * normals[n].dot(&push);
                 let moved = displaced(mirrors, &point, &push, spacing);
                 match cloud.lock[n] {
@@ -135,6 +154,7 @@ pub(crate) fn relax<const D: usize>(
             })
             .collect();
         for (n, (place, normal, home)) in moved.into_iter().enumerate() {
+            swings[n] = place - cloud.position[n];
             (cloud.position[n], normals[n]) = (place, normal);
             homes[n] = home.unwrap_or(homes[n]);
         }
@@ -262,13 +282,16 @@ pub(crate) fn spread_on_sheet<const D: usize>(
     let spacing = plan.options.spacing;
     let smoothing = run.smoothing * spacing;
     let mut homes: Vec<Vector<D>> = seeds.iter().map(|seed| seed.place).collect();
+    let mut swings = vec![Vector::zeros(); seeds.len()];
     for step in 0..run.steps {
         // Relaxation in space follows, so a little drift off the sheet does no harm.
         let places: Vec<Vector<D>> = seeds.iter().map(|seed| seed.place).collect();
         let sheet = OnSheet::new(&plan.mirrors, &places, SUPPORT * smoothing);
         let settle = Settle::at(step, run.steps).min(Settle::Nearly);
+        let momentum = run.momentum_at(step);
         let all = seeds.par_iter_mut().zip(homes.par_iter_mut());
-        all.enumerate().for_each(|(n, (seed, home))| {
+        let all = all.zip(swings.par_iter_mut());
+        all.enumerate().for_each(|(n, ((seed, home), swing))| {
             // Where the region cuts the body off, seeds beyond it hold those inside.
             if seed.fixed || plan.is_far_beyond_region(&seed.place) {
                 return;
@@ -276,10 +299,12 @@ pub(crate) fn spread_on_sheet<const D: usize>(
             let slope = sheet.sum(&seed.place, smoothing).1;
             let mut push = -run.strength * spacing.powi(4) * slope;
             push += REPULSION * spacing * sheet.crowding(n, &seed.place, CROWDED * spacing);
+            push += momentum * *swing;
             push -= seed.normal * seed.normal.dot(&push);
             let moved = displaced(&plan.mirrors, &seed.place, &push, spacing);
             let (place, normal, on_level) =
                 settle.onto(plan, &moved, (&*home, &seed.normal), level);
+            *swing = place - seed.place;
             (seed.place, seed.normal) = (place, normal);
             *home = on_level.unwrap_or(*home);
         });

@@ -21,6 +21,7 @@ const SPREADING: Relaxation = Relaxation {
     steps: 24,
     smoothing: 1.0,
     strength: 0.8,
+    momentum: 0.6,
 };
 
 /// Width of the blocks whose counts are set right one by one, in spacings.

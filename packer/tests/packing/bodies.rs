@@ -56,18 +56,18 @@ pub fn planes() -> Result<Vec<Plane>, Box<dyn Error>> {
         [0.0, 40.0],
     ];
     let tips = Aim {
-        max: 3.0,
+        max: 1.0,
         gap: 0.5,
-        ..aim(0.6)
+        ..aim(0.3)
     };
     Ok(vec![
-        plane("circle, R = 10", circle(10.0)?, aim(0.3)),
-        plane("circle, R = 20", circle(20.0)?, aim(0.3)),
+        plane("circle, R = 10", circle(10.0)?, aim(0.15)),
+        plane("circle, R = 20", circle(20.0)?, aim(0.12)),
         plane("biconvex, c = 80", biconvex(80.0, 0.1)?, tips),
-        plane("square, 20", rectangle(20.0, 20.0, 0.0)?, aim(0.5)),
-        plane("square, 20.37", rectangle(20.37, 20.37, 0.0)?, aim(0.5)),
-        plane("re-entrant L, 40", polygon(&points(&re_entrant))?, aim(1.2)),
-        plane("plate, 40 by 2", rectangle(40.0, 2.0, 0.0)?, aim(0.5)),
+        plane("square, 20", rectangle(20.0, 20.0, 0.0)?, aim(0.09)),
+        plane("square, 20.37", rectangle(20.37, 20.37, 0.0)?, aim(0.25)),
+        plane("re-entrant L, 40", polygon(&points(&re_entrant))?, aim(0.2)),
+        plane("plate, 40 by 2", rectangle(40.0, 2.0, 0.0)?, aim(0.18)),
     ])
 }
 
@@ -96,15 +96,15 @@ pub fn solids() -> Result<Vec<Solid>, Box<dyn Error>> {
             "sphere, R = 20",
             Box::new(sphere(20.0)?) as Box<dyn Shape<3>>,
             1.0,
-            aim(0.5),
+            aim(0.05),
         ),
         solid(
             "capsule, l1 = 20",
             Box::new(exact),
             capsule_spacing(),
-            aim(0.7),
+            aim(0.3),
         ),
-        solid("capsule, STL", Box::new(mesh), capsule_spacing(), aim(1.0)),
+        solid("capsule, STL", Box::new(mesh), capsule_spacing(), aim(0.22)),
     ])
 }
 
