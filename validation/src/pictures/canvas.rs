@@ -76,8 +76,8 @@ pub(super) fn save(drawing: &impl Drawing, path: &Path) -> Result<(), PictureErr
                 let area = BitMapBackend::with_buffer(&mut pixels, fine).into_drawing_area();
                 draw_on(&area, drawing, format).map_err(failed)?;
             }
-            let reduced = reduce(&pixels, width as usize, height as usize);
-            write_png(path, [width, height], &reduced).map_err(|e| failed(e.to_string()))
+            reduce(&mut pixels, width as usize, height as usize);
+            write_png(path, [width, height], &pixels).map_err(|e| failed(e.to_string()))
         }
     }
 }
@@ -107,10 +107,9 @@ fn draw_on<DB: DrawingBackend>(
     area.present().map_err(|e| e.to_string())
 }
 
-/// Mean of every block of fine pixels.
-fn reduce(fine: &[u8], width: usize, height: usize) -> Vec<u8> {
+/// Puts the mean of every block of fine pixels in their place: it is never behind what is still to be read.
+fn reduce(fine: &mut Vec<u8>, width: usize, height: usize) {
     let n = FINE as usize;
-    let mut reduced = vec![0; 3 * width * height];
     for y in 0..height {
         for x in 0..width {
             for c in 0..3 {
@@ -121,11 +120,11 @@ fn reduce(fine: &[u8], width: usize, height: usize) -> Vec<u8> {
                         sum += usize::from(fine[3 * pixel + c]);
                     }
                 }
-                reduced[3 * (y * width + x) + c] = ((sum + n * n / 2) / (n * n)) as u8;
+                fine[3 * (y * width + x) + c] = ((sum + n * n / 2) / (n * n)) as u8;
             }
         }
     }
-    reduced
+    fine.truncate(3 * width * height);
 }
 
 impl<DB: DrawingBackend> Pen<'_, DB> {
@@ -277,9 +276,28 @@ mod tests {
             let area = BitMapBackend::with_buffer(&mut pixels, fine_size).into_drawing_area();
             draw_on(&area, &Page("βρ₁ = 29.8°"), Format::Png).unwrap();
         }
-        let reduced = reduce(&pixels, 200, 60);
-        let dark = reduced.chunks(3).filter(|p| p[0] < 100).count();
+        reduce(&mut pixels, 200, 60);
+        let dark = pixels.chunks(3).filter(|p| p[0] < 100).count();
         assert!((200..3000).contains(&dark), "{dark}");
+    }
+
+    #[test]
+    fn pixels_are_means_of_their_blocks() {
+        let (width, height, n) = (7, 5, FINE as usize);
+        let fine: Vec<u8> = (0..3 * n * n * width * height)
+            .map(|k| (k * k % 251) as u8)
+            .collect();
+        let mut reduced = fine.clone();
+        reduce(&mut reduced, width, height);
+        assert_eq!(reduced.len(), 3 * width * height);
+        for (at, found) in reduced.iter().enumerate() {
+            let (pixel, colour) = (at / 3, at % 3);
+            let (x, y) = (n * (pixel % width), n * (pixel / width));
+            let places = (0..n * n).map(|k| (y + k / n) * n * width + x + k % n);
+            let mean =
+                places.map(|k| f64::from(fine[3 * k + colour])).sum::<f64>() / (n * n) as f64;
+            assert!((f64::from(*found) - mean).abs() <= 0.5, "{at}");
+        }
     }
 
     #[test]
