@@ -247,3 +247,18 @@ fn a_body_that_falls_onto_a_wall_stops_the_run() {
     }
     assert!(place.path("results/run.pvd").exists());
 }
+
+#[test]
+fn numbers_of_summaries_are_read_to_the_last_bit() {
+    for text in [
+        "1.9617375020590513e-18",
+        "5.0e-324",
+        "1.7976931348623157e308",
+    ] {
+        let read: f64 = serde_json::from_str(text).expect("a number");
+        assert_eq!(
+            read.to_bits(),
+            text.parse::<f64>().expect("a number").to_bits()
+        );
+    }
+}
