@@ -251,7 +251,7 @@ fn a_body_that_falls_onto_a_wall_stops_the_run() {
 #[test]
 fn numbers_of_summaries_are_read_to_the_last_bit() {
     for text in [
-        "1.9617375020590513e-18",
+        "1.961737502059051e-18",
         "5.0e-324",
         "1.7976931348623157e308",
     ] {
