@@ -5,7 +5,8 @@ use aero_geometry::parallel::prelude::*;
 
 use crate::cloud::Cloud;
 use crate::nearest::Nearest;
-use crate::plan::{Bit, Plan};
+use crate::plan::Plan;
+use crate::plan::to_rows::Bit;
 
 /// How far, in spacings, a piece of a thin part looks for a particle of its own.
 const OWN: f64 = 1.5;

@@ -6,7 +6,8 @@ use aero_geometry::parallel::prelude::*;
 use super::ball::{chord, climbed};
 use crate::level::project;
 use crate::nearest::Nearest;
-use crate::plan::{Bit, Plan};
+use crate::plan::Plan;
+use crate::plan::to_rows::Bit;
 use crate::room_inside::layers_with_room;
 use crate::surface::Sample;
 
