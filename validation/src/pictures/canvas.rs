@@ -1,11 +1,12 @@
 //! Paper and pen: sizes in points (one point is one pixel of the finished picture), drawn finer
 //! inside and reduced, so that edges are smooth in a PNG and places exact in an SVG.
 
+use super::band::Band;
 use super::colour::{Colour, WHITE, rgb};
 use super::dashes::dashes;
 use super::font::{FINE, Font, load_font};
 use super::{Format, PictureError, format_of};
-use plotters::backend::{BitMapBackend, DrawingBackend, SVGBackend};
+use plotters::backend::{DrawingBackend, SVGBackend};
 use plotters::coord::Shift;
 use plotters::drawing::{DrawingArea, IntoDrawingArea};
 use plotters::element::{BitMapElement, Circle, PathElement, Rectangle, Text};
@@ -71,15 +72,34 @@ pub(super) fn save(drawing: &impl Drawing, path: &Path) -> Result<(), PictureErr
                 .map_err(|e| failed(e.to_string()))
         }
         Format::Png => {
-            let mut pixels = vec![255; (3 * fine.0 * fine.1) as usize];
-            {
-                let area = BitMapBackend::with_buffer(&mut pixels, fine).into_drawing_area();
-                draw_on(&area, drawing, format).map_err(failed)?;
-            }
-            reduce(&mut pixels, width as usize, height as usize);
+            let pixels = paint(drawing, [width, height], BAND).map_err(failed)?;
             write_png(path, [width, height], &pixels).map_err(|e| failed(e.to_string()))
         }
     }
+}
+
+/// Fine pixels that are drawn at once, in bytes.
+const BAND: usize = 4 << 20;
+
+/// Pixels of a picture of so many columns and rows, drawn as many rows at a time as that many bytes hold.
+fn paint(
+    drawing: &impl Drawing,
+    [width, height]: [u32; 2],
+    bytes: usize,
+) -> Result<Vec<u8>, String> {
+    let size = (FINE * width, FINE * height);
+    let row = 3 * size.0 as usize * FINE as usize;
+    let rows = (bytes / row).clamp(1, height as usize);
+    let mut fine = vec![0; rows * row];
+    let mut pixels = Vec::with_capacity(3 * width as usize * height as usize);
+    for top in (0..height).step_by(rows) {
+        let bottom = height.min(top + rows as u32);
+        let area = Band::new(size, FINE * top..FINE * bottom, &mut fine).into_drawing_area();
+        draw_on(&area, drawing, Format::Png)?;
+        drop(area);
+        reduce(&fine, [width, bottom - top], &mut pixels);
+    }
+    Ok(pixels)
 }
 
 /// A picture of so many columns and rows, three bytes to the pixel.
@@ -107,10 +127,10 @@ fn draw_on<DB: DrawingBackend>(
     area.present().map_err(|e| e.to_string())
 }
 
-/// Puts the mean of every block of fine pixels in their place: it is never behind what is still to be read.
-fn reduce(fine: &mut Vec<u8>, width: usize, height: usize) {
-    let n = FINE as usize;
-    for y in 0..height {
+/// Adds the means of blocks of fine pixels, of so many columns and rows.
+fn reduce(fine: &[u8], [width, height]: [u32; 2], pixels: &mut Vec<u8>) {
+    let (n, width) = (FINE as usize, width as usize);
+    for y in 0..height as usize {
         for x in 0..width {
             for c in 0..3 {
                 let mut sum = 0;
@@ -120,11 +140,10 @@ fn reduce(fine: &mut Vec<u8>, width: usize, height: usize) {
                         sum += usize::from(fine[3 * pixel + c]);
                     }
                 }
-                fine[3 * (y * width + x) + c] = ((sum + n * n / 2) / (n * n)) as u8;
+                pixels.push(((sum + n * n / 2) / (n * n)) as u8);
             }
         }
     }
-    fine.truncate(3 * width * height);
 }
 
 impl<DB: DrawingBackend> Pen<'_, DB> {
@@ -176,29 +195,24 @@ impl<DB: DrawingBackend> Pen<'_, DB> {
         self.area.draw(&shape).map_err(|e| e.to_string())
     }
 
-    /// Pixels, a point wide each, row by row from the top, from a corner on.
+    /// Pixels, a point wide each, in rows of so many from the top, from a corner on.
     pub(super) fn pixels(
         &self,
         corner: [f64; 2],
-        [columns, rows]: [usize; 2],
+        columns: usize,
         colours: &[Colour],
     ) -> Result<(), String> {
         let n = FINE as usize;
-        let mut buffer = Vec::with_capacity(3 * n * n * colours.len());
-        for row in colours.chunks(columns.max(1)) {
-            let line: Vec<u8> = row
-                .iter()
-                .flat_map(|c| std::iter::repeat_n(*c, n))
-                .flatten()
-                .collect();
-            for _ in 0..n {
-                buffer.extend(&line);
-            }
+        let [x, y] = corner;
+        for (k, row) in colours.chunks(columns.max(1)).enumerate() {
+            let line = row.iter().flat_map(|c| std::iter::repeat_n(*c, n));
+            let line: Vec<u8> = line.flatten().collect();
+            let (place, size) = ([x, y + k as f64], ((n * columns) as u32, FINE));
+            let bitmap = BitMapElement::with_owned_buffer(fine(&place), size, line.repeat(n));
+            let bitmap = bitmap.ok_or("the pixels do not fill the picture")?;
+            self.area.draw(&bitmap).map_err(|e| e.to_string())?;
         }
-        let size = ((n * columns) as u32, (n * rows) as u32);
-        let bitmap = BitMapElement::with_owned_buffer(fine(&corner), size, buffer);
-        let bitmap = bitmap.ok_or("the pixels do not fill the picture")?;
-        self.area.draw(&bitmap).map_err(|e| e.to_string())
+        Ok(())
     }
 
     /// A filled disc.
@@ -270,13 +284,7 @@ mod tests {
     #[test]
     fn text_leaves_ink_without_any_font_of_the_system() {
         load_font().unwrap();
-        let fine_size = (3 * 200, 3 * 60);
-        let mut pixels = vec![255; (3 * fine_size.0 * fine_size.1) as usize];
-        {
-            let area = BitMapBackend::with_buffer(&mut pixels, fine_size).into_drawing_area();
-            draw_on(&area, &Page("βρ₁ = 29.8°"), Format::Png).unwrap();
-        }
-        reduce(&mut pixels, 200, 60);
+        let pixels = paint(&Page("βρ₁ = 29.8°"), [200, 60], BAND).unwrap();
         let dark = pixels.chunks(3).filter(|p| p[0] < 100).count();
         assert!((200..3000).contains(&dark), "{dark}");
     }
@@ -287,8 +295,8 @@ mod tests {
         let fine: Vec<u8> = (0..3 * n * n * width * height)
             .map(|k| (k * k % 251) as u8)
             .collect();
-        let mut reduced = fine.clone();
-        reduce(&mut reduced, width, height);
+        let mut reduced = Vec::new();
+        reduce(&fine, [width as u32, height as u32], &mut reduced);
         assert_eq!(reduced.len(), 3 * width * height);
         for (at, found) in reduced.iter().enumerate() {
             let (pixel, colour) = (at / 3, at % 3);
@@ -297,6 +305,49 @@ mod tests {
             let mean =
                 places.map(|k| f64::from(fine[3 * k + colour])).sum::<f64>() / (n * n) as f64;
             assert!((f64::from(*found) - mean).abs() <= 0.5, "{at}");
+        }
+    }
+
+    struct Everything;
+
+    impl Drawing for Everything {
+        fn size(&self) -> [f64; 2] {
+            [90.0, 70.0]
+        }
+
+        fn draw<DB: DrawingBackend>(&self, pen: &Pen<'_, DB>) -> Result<(), String> {
+            let colours: Vec<Colour> = (0..30 * 20).map(|k| [k as u8, 90, 7]).collect();
+            pen.pixels([4.0, -3.0], 30, &colours)?;
+            pen.pixels([50.0, 60.0], 30, &colours)?;
+            pen.fill_box([20.0, 10.0], [34.0, 61.0], [20, 60, 110])?;
+            for k in 0..40 {
+                let place = [f64::from(37 * k % 97), f64::from(29 * k % 79) - 4.0];
+                pen.disc(place, 0.3 * f64::from(k), [200, 5 * k as u8, 40])?;
+            }
+            for (width, dashed) in [(0.3, false), (0.3, true), (3.0, false), (2.0, true)] {
+                let stroke = Stroke {
+                    colour: [0, 80, 0],
+                    width,
+                    dashed,
+                };
+                pen.line(&[[-9.0, 66.0], [40.0, 4.0], [97.0, 35.0 + width]], stroke)?;
+                pen.line(&[[8.0, -5.0], [8.0 + width, 90.0]], stroke)?;
+            }
+            pen.text("upwards", [80.0, 30.0], Font::plain(18.0), Anchor::Upwards)?;
+            pen.text("Mach", [40.0, 40.0], Font::plain(24.0), Anchor::Centre)
+        }
+    }
+
+    #[test]
+    fn a_picture_drawn_a_few_rows_at_a_time_is_the_same() {
+        load_font().unwrap();
+        let row = 3 * 90 * (FINE * FINE) as usize;
+        let whole = paint(&Everything, [90, 70], 70 * row).unwrap();
+        assert_eq!(whole.len(), 3 * 90 * 70);
+        for rows in [0, 1, 7, 69] {
+            let found = paint(&Everything, [90, 70], rows * row).unwrap();
+            let differ = whole.iter().zip(&found).filter(|(a, b)| a != b).count();
+            assert_eq!((found.len(), differ), (whole.len(), 0), "{rows} rows");
         }
     }
 

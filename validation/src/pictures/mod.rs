@@ -5,6 +5,7 @@
 //! on every machine and needs nothing installed.
 
 mod axes;
+mod band;
 mod bar;
 mod canvas;
 mod colour;

@@ -86,7 +86,7 @@ impl Drawing for Page<'_, '_> {
 
     fn draw<DB: DrawingBackend>(&self, pen: &Pen<'_, DB>) -> Result<(), String> {
         let corner = [self.frame.left, self.frame.top];
-        pen.pixels(corner, self.picture.size, self.picture.pixels)?;
+        pen.pixels(corner, self.picture.size[0], self.picture.pixels)?;
         let title = [self.frame.left, 28.0];
         pen.text(self.picture.title, title, HEADING, Anchor::Left)?;
         self.frame.draw_axes(pen)?;
