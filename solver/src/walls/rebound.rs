@@ -34,8 +34,8 @@ struct Hit<const D: usize> {
 /// Walls that send a particle back, each with what that changes of its velocity.
 type Strikes<const D: usize> = [Option<(usize, Vector<D>)>; TRIES];
 
-/// What becomes of a particle that walls send back; none of the others.
-type Change<const D: usize> = Option<(Particle<D>, Strikes<D>)>;
+/// Number of a particle that walls send back, and what becomes of it.
+type Change<const D: usize> = (usize, Particle<D>, Strikes<D>);
 
 /// Brings the gas that is in walls at `time`, the end of a step, back, and books the impulse. The columns still hold the step.
 pub fn rebound<const D: usize>(
@@ -113,7 +113,8 @@ pub fn rebound<const D: usize>(
         .par_iter()
         .zip(saved)
         .zip(&*rates)
-        .map(|((particle, before), rates)| {
+        .enumerate()
+        .filter_map(|(n, ((particle, before), rates))| {
             // Only what walls press can be in one.
             if rates.wall_acceleration.norm_squared() == 0.0 {
                 return None;
@@ -134,7 +135,7 @@ pub fn rebound<const D: usize>(
                 let inward = back.by_pressure.acceleration.dot(&hit.normal).min(0.0);
                 back.by_pressure.acceleration -= hit.normal * (2.0 * inward);
             }
-            (back.position != particle.position).then_some((back, strikes))
+            (back.position != particle.position).then_some((n, back, strikes))
         })
         .collect();
     send_back(problem, time, (state, changes), walls, books);
@@ -150,10 +151,8 @@ fn send_back<const D: usize>(
 ) {
     let rings = Rings::new(problem);
     let mut received = Totals::default();
-    for (particle, back) in state.iter_mut().zip(changes) {
-        let Some((back, strikes)) = back else {
-            continue;
-        };
+    for (n, back, strikes) in changes {
+        let particle = &mut state[n];
         for (wall, change) in strikes.into_iter().flatten() {
             let impulse = change * (-back.mass * rings.circumference(&back.position));
             let extent = problem.bodies.get(wall).map(|body| body.shape.bounds());
