@@ -3,13 +3,11 @@
 //! A line of text that names the format, the length and the FNV-1a sum of the content, then the
 //! content, every number with all its bits.
 
-use std::io::{self, Write as _};
+use std::io;
 use std::path::{Path, PathBuf};
 
-use serde::Serialize;
 use serde::de::DeserializeOwned;
 
-use super::atomic;
 use super::error::OutputError;
 
 /// Name of a checkpoint in the folder of its run.
@@ -19,7 +17,7 @@ pub const CHECKPOINT: &str = "checkpoint";
 const LAST: &str = "last-checkpoint";
 
 /// Changes whenever the content does.
-const FORMAT: &str = concat!("aero checkpoint 11, version ", env!("CARGO_PKG_VERSION"));
+const FORMAT: &str = concat!("aero checkpoint 12, version ", env!("CARGO_PKG_VERSION"));
 
 /// Why a checkpoint is of no use.
 #[derive(Debug, thiserror::Error)]
@@ -54,22 +52,9 @@ pub fn can_be_prolonged(folder: &Path) -> bool {
     latest(folder).ends_with(LAST)
 }
 
-/// The bytes of a checkpoint for `folder`, which then needs its `content` no more.
-pub fn checkpoint_bytes(folder: &Path, content: &impl Serialize) -> Result<Vec<u8>, OutputError> {
-    postcard::to_stdvec(content)
-        .map_err(|error| OutputError::new(&folder.join(CHECKPOINT), io::Error::other(error)))
-}
-
-/// Writes the checkpoint in `folder`, in the place of the one before.
-pub fn write_checkpoint(folder: &Path, bytes: &[u8]) -> Result<(), OutputError> {
-    let path = folder.join(CHECKPOINT);
-    atomic::write(&path, |writer| {
-        writeln!(writer, "{FORMAT}, {} bytes, {:x}", bytes.len(), sum(bytes))?;
-        writer.write_all(bytes)?;
-        writer.flush()?;
-        // A machine that loses power must not keep the name and lose the content.
-        writer.get_ref().sync_data()
-    })
+/// The line before content of which this is the sum: of the same length whatever it says, so that it can be written last.
+pub(super) fn header(Sum { length, fnv }: &Sum) -> String {
+    format!("{FORMAT}, {length:20} bytes, {fnv:016x}\n")
 }
 
 /// Reads the checkpoint in `folder`, of a run under way or else of one that has ended; none where there is neither.
@@ -82,13 +67,14 @@ pub fn read_checkpoint<T: DeserializeOwned>(folder: &Path) -> Result<Option<T>, 
     };
     let damaged = || fail("it is damaged".into());
     let end = bytes.iter().position(|&byte| byte == b'\n');
-    let (header, content) = bytes.split_at(end.ok_or_else(damaged)? + 1);
-    let expected = format!("{FORMAT}, {} bytes, {:x}\n", content.len(), sum(content));
-    if header != expected.as_bytes() {
-        return Err(if header.starts_with(FORMAT.as_bytes()) {
+    let (line, content) = bytes.split_at(end.ok_or_else(damaged)? + 1);
+    let mut sum = Sum::default();
+    sum.add(content);
+    if line != header(&sum).as_bytes() {
+        return Err(if line.starts_with(FORMAT.as_bytes()) {
             damaged()
         } else {
-            fail(foreign(header))
+            fail(foreign(line))
         });
     }
     match postcard::take_from_bytes(content) {
@@ -143,20 +129,38 @@ fn unless_missing(path: &Path, result: io::Result<()>) -> Result<(), OutputError
     }
 }
 
-/// 64-bit FNV-1a (Fowler, Noll & Vo): finds accidents, not forgers.
-fn sum(bytes: &[u8]) -> u64 {
-    bytes.iter().fold(0xcbf2_9ce4_8422_2325, |sum, &byte| {
-        (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
-    })
+/// Length of what was added, and its 64-bit FNV-1a sum (Fowler, Noll & Vo): finds accidents, not forgers.
+pub(super) struct Sum {
+    length: u64,
+    fnv: u64,
+}
+
+impl Default for Sum {
+    fn default() -> Self {
+        Self {
+            length: 0,
+            fnv: 0xcbf2_9ce4_8422_2325,
+        }
+    }
+}
+
+impl Sum {
+    pub(super) fn add(&mut self, bytes: &[u8]) {
+        self.length += bytes.len() as u64;
+        self.fnv = bytes.iter().fold(self.fnv, |sum, &byte| {
+            (sum ^ u64::from(byte)).wrapping_mul(0x0100_0000_01b3)
+        });
+    }
 }
 
 #[cfg(test)]
 mod tests {
+    use super::super::draft::Drafts;
     use super::*;
 
     fn write(folder: &Path, content: &[f64]) {
-        let bytes = checkpoint_bytes(folder, &content).unwrap();
-        write_checkpoint(folder, &bytes).unwrap();
+        let draft = Drafts::new(folder).draft(&content).unwrap();
+        draft.finish().unwrap();
     }
 
     #[test]

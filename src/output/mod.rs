@@ -7,6 +7,7 @@ mod body_motion;
 mod cells;
 mod check_picture;
 mod checkpoint;
+mod draft;
 mod error;
 mod field;
 mod ghosts;
@@ -32,9 +33,10 @@ pub use body_motion::BodyMotion;
 pub use cells::write_cells;
 pub use check_picture::draw_scene;
 pub use checkpoint::{
-    CHECKPOINT, CheckpointError, can_be_prolonged, checkpoint_bytes, close_checkpoint,
-    read_checkpoint, remove_checkpoints, reopen_checkpoint, write_checkpoint,
+    CHECKPOINT, CheckpointError, can_be_prolonged, close_checkpoint, read_checkpoint,
+    remove_checkpoints, reopen_checkpoint,
 };
+pub use draft::Drafts;
 pub use error::{OutputError, make_folder};
 pub use field::write_field;
 pub use history::{History, HistoryRow};

@@ -16,7 +16,8 @@ use super::progress::Progress;
 use super::views::Views;
 use crate::case::{Case, RunPlan};
 use crate::output::{
-    self, Background, BodyMotion, Collection, History, HistoryRow, Mirrors, OutputError, Reference,
+    self, Background, BodyMotion, Collection, Drafts, History, HistoryRow, Mirrors, OutputError,
+    Reference,
 };
 use aero_solver::frame::Kind;
 use aero_solver::{Flow, wall_sides};
@@ -58,6 +59,7 @@ pub(super) struct FileRecorder<'a, const D: usize> {
     probes: Probes<D>,
     reference: Reference,
     background: Background,
+    drafts: Drafts,
     region: Option<Bounds<D>>,
     is_compressed: bool,
     has_ghosts: bool,
@@ -160,6 +162,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
             views: Views::new(folder, &case.plan, reference(case)),
             reference: reference(case),
             background: Background::default(),
+            drafts: Drafts::new(folder),
             region: case.plan.output.region,
             is_compressed: case.plan.output.is_compressed,
             has_ghosts: case.plan.output.extras.ghosts,
@@ -187,11 +190,6 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         }
         let number = self.written.times.len();
         let time = shown_time(simulation);
-        let region = self.region.as_ref();
-        let frame = region.map_or_else(|| simulation.frame(), |r| simulation.frame_within(r));
-        let path = self.folder.join(frame_name(number));
-        self.particles.note(time, &frame_name(number));
-        let particles = self.particles.clone();
         let surface = self.surfaces.as_mut().map(|surfaces| {
             surfaces.note(time, &surface_name(number));
             let path = self.folder.join(surface_name(number));
@@ -202,6 +200,12 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
             let path = self.folder.join(cells_name(number));
             Some((path, simulation.cells()?, collection.clone()))
         });
+        // As large as all particles: made once the panels, which take room to find, are there.
+        let region = self.region.as_ref();
+        let frame = region.map_or_else(|| simulation.frame(), |r| simulation.frame_within(r));
+        let path = self.folder.join(frame_name(number));
+        self.particles.note(time, &frame_name(number));
+        let particles = self.particles.clone();
         let reference = self.reference.clone();
         self.written.times.push(time);
         let is_compressed = self.is_compressed;
@@ -285,10 +289,8 @@ impl<const D: usize> Recorder<D> for FileRecorder<'_, D> {
         self.written.history = self.history.bytes();
         self.written.probes = self.probes.bytes();
         let content = (&self.scene, &self.written, run);
-        let bytes = output::checkpoint_bytes(&self.folder, &content)?;
-        let folder = self.folder.clone();
-        self.background
-            .hand(move || output::write_checkpoint(&folder, &bytes))?;
+        let draft = self.drafts.draft(&content)?;
+        self.background.hand(move || draft.finish())?;
         self.last_checkpoint = Instant::now();
         Ok(())
     }

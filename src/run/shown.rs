@@ -20,23 +20,23 @@ const LEAST: f64 = 0.05;
 /// gas at rest, in whose corners panels of particles pull a little.
 const AT_REST: [f64; 2] = [1e-9, 0.01];
 
-/// What there is to say of the loads of `flow` as it stands.
+/// What there is to say of the loads of `flow` as it stands, which its `panels` show.
 pub(super) fn warnings<const D: usize>(
     flow: &Flow<D>,
+    panels: &PanelFrame,
     coefficients: &Coefficients,
 ) -> Vec<Warning> {
     let problem = flow.problem();
     if problem.bodies.is_empty() {
         return Vec::new();
     }
-    let panels = flow.panels();
     let loads = flow.loads();
     let stream = problem.free_stream.velocity.try_normalize(0.0);
     let along = stream.map(|way| std::array::from_fn(|k| way.get(k).copied().unwrap_or(0.0)));
-    let each = flow.shown_forces(&panels).into_iter().enumerate();
+    let each = flow.shown_forces(panels).into_iter().enumerate();
     let told = each.filter_map(|(number, shown)| {
         let load = coefficients.gauge(number, &loads[number]).force;
-        let (pressed, at_rest) = pressed(&panels, number, problem.free_stream.pressure);
+        let (pressed, at_rest) = pressed(panels, number, problem.free_stream.pressure);
         let part = lacking(&load, &shown, along, pressed);
         let moves = AT_REST[usize::from(problem.method.fixed().is_none())];
         (pressed > moves * at_rest && part.abs() > WORTH).then(|| {

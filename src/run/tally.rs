@@ -172,14 +172,12 @@ impl Tally {
         stop_reason: &str,
     ) -> Summary {
         let problem = simulation.problem();
-        let frame = simulation.frame();
         // What the summary itself costs is no part of the speed.
         let spent = self.spent();
         let statistics = simulation.statistics();
         let stepping = spent.stepping.max(f64::MIN_POSITIVE);
-        let names = problem.bodies.iter().map(|body| body.name.as_str());
-        let ways = names.zip(self.sums.reach.iter().copied());
         let loads = simulation.loads();
+        let warnings = self.told(simulation, &loads);
         let bodies = problem.bodies.iter().enumerate().map(|(number, body)| {
             let load = loads.get(number).copied().unwrap_or_default();
             let summary = BodySummary {
@@ -235,23 +233,33 @@ impl Tally {
             mirror_fallbacks: statistics.mirror_fallbacks,
             min_density: statistics.min_density,
             min_energy: statistics.min_energy,
-            warnings: self
-                .warnings
-                .clone()
-                .unwrap_or_else(|| warnings(&problem.bodies))
-                .into_iter()
-                .chain(leaks::warnings(simulation))
-                .chain(refined::warnings(simulation))
-                .chain(far_field::warnings(problem, &loads))
-                .chain(inlets::warnings(problem, &frame))
-                .chain(outlets::warnings(problem, &frame))
-                .chain(thrown_back::warnings(problem, &frame, &simulation.panels()))
-                .chain(warmth::warnings(problem, &frame))
-                .chain(stagnation::warnings(problem, &frame))
-                .chain(shown::warnings(simulation, &self.coefficients))
-                .chain(reach::warnings(ways, problem.resolution.lattice()))
-                .collect(),
+            warnings,
         }
+    }
+
+    /// All that there is to say of the scene, and of its flow as it stands.
+    fn told<const D: usize>(&self, simulation: &Flow<D>, loads: &[Load]) -> Vec<Warning> {
+        let problem = simulation.problem();
+        let names = problem.bodies.iter().map(|body| body.name.as_str());
+        let ways = names.zip(self.sums.reach.iter().copied());
+        // They take room to find, which is free again when the frame is made.
+        let panels = simulation.panels();
+        let frame = simulation.frame();
+        self.warnings
+            .clone()
+            .unwrap_or_else(|| warnings(&problem.bodies))
+            .into_iter()
+            .chain(leaks::warnings(simulation))
+            .chain(refined::warnings(simulation))
+            .chain(far_field::warnings(problem, loads))
+            .chain(inlets::warnings(problem, &frame))
+            .chain(outlets::warnings(problem, &frame))
+            .chain(thrown_back::warnings(problem, &frame, &panels))
+            .chain(warmth::warnings(problem, &frame))
+            .chain(stagnation::warnings(problem, &frame))
+            .chain(shown::warnings(simulation, &panels, &self.coefficients))
+            .chain(reach::warnings(ways, problem.resolution.lattice()))
+            .collect()
     }
 
     fn body<const D: usize>(&self, number: usize, body: &Body<D>, load: &Load) -> BodySummary {

@@ -213,7 +213,12 @@ impl<const D: usize> FixedSimulation<D> {
             Some(state) => Ok(Primitive::of(&state)),
             None => Err(refusal::vacuum(point.as_slice())),
         };
-        cells.points.iter().map(state).collect()
+        // A collection that may fail grows bit by bit, and keeps more room than it needs.
+        let mut states = Vec::with_capacity(cells.points.len());
+        for point in &cells.points {
+            states.push(state(point)?);
+        }
+        Ok(states)
     }
 
     /// The same with a state in each cell.

@@ -106,7 +106,9 @@ impl<'a, const D: usize> Nearby<'a, D> {
     pub fn pieces(&self, panel: &Panel<D>) -> Vec<Piece<D>> {
         let mut reach = self.look.max(self.longest);
         for _ in 0..FARTHER {
-            if let Some(found) = self.pieces_within(panel, reach) {
+            if let Some(mut found) = self.pieces_within(panel, reach) {
+                // All panels' are kept at once.
+                found.shrink_to_fit();
                 return found;
             }
             reach *= 2.0;

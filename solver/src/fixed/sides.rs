@@ -21,8 +21,7 @@ pub struct Side<const D: usize> {
     pub i: u32,
     /// The cell's image beyond it.
     pub image: Image<D>,
-    /// From the cell's point to the middle of the face, along the side: of a cell at a wall that is not square to the side, the face lies
-    /// further up or down than the cell.
+    /// From the cell's point to the middle of the face, along the side: at a wall that is not square to it, they lie apart.
     pub aside: [f64; D],
     /// What is there.
     pub beyond: Beyond<D>,
@@ -84,10 +83,8 @@ impl<const D: usize> Side<D> {
             Beyond::OneWay => {
                 let speed = dot(&drawn.velocity, &normal);
                 if speed < 0.0 {
-                    return pushed(
-                        gas.wall_pressure(drawn.density, drawn.pressure, speed),
-                        &normal,
-                    );
+                    let pressure = gas.wall_pressure(drawn.density, drawn.pressure, speed);
+                    return pushed(pressure, &normal);
                 }
                 drawn
             }
