@@ -156,7 +156,7 @@ mod tests {
         for (n, draft) in made.into_iter().enumerate() {
             draft.finish().unwrap();
             let content: Vec<usize> = read_checkpoint(folder).unwrap().unwrap();
-            assert_eq!(content, [n; 70_000]);
+            assert_eq!(content, vec![n; 70_000]);
         }
         drop(drafts.draft(&1).unwrap());
         assert_eq!(files(folder), [CHECKPOINT]);
