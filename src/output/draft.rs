@@ -26,9 +26,12 @@ pub struct Drafts {
 impl Drafts {
     /// For the checkpoints in `folder`. Drafts of a run that was killed there are gone afterwards.
     pub fn new(folder: &Path) -> Self {
-        for number in 0..MOST {
-            // There may be none; what cannot be removed is written over.
-            let _ = fs::remove_file(path(folder, number));
+        for part in (0..MOST).map(|number| path(folder, number)) {
+            // What is no file is not a draft.
+            if fs::symlink_metadata(&part).is_ok_and(|known| known.is_file()) {
+                // What cannot be removed is written over.
+                let _ = fs::remove_file(part);
+            }
         }
         Self {
             folder: folder.to_owned(),

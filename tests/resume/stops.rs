@@ -159,7 +159,7 @@ fn a_damaged_checkpoint_is_refused() {
 fn a_full_disk_is_reported_and_the_last_checkpoint_kept() {
     let place = killed();
     // The device that is always full.
-    let part = place.path("results/checkpoint.part");
+    let part = place.path("results/checkpoint-0.part");
     let _ = std::fs::remove_file(&part);
     std::os::unix::fs::symlink("/dev/full", &part).unwrap();
     let answer = place.run(STREAM, &["--resume"]);

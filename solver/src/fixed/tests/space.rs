@@ -82,6 +82,25 @@ fn area_and_volume_around_a_sphere_converge_by_the_second_order() {
     }
 }
 
+#[test]
+fn walls_around_a_sphere_bend_as_it_does_and_those_of_a_block_do_not() {
+    let radius = 0.7;
+    let sphere: Arc<dyn Shape<3>> = Arc::new(bodies::sphere(radius).unwrap());
+    let made = Scene::new(boxed(), vec![sphere], radius / 8.0).made();
+    for wall in &made.cells.walls {
+        let normal = wall.area.normalize();
+        let across = wall.curvature * normal;
+        let mean = 0.5 * wall.curvature.trace();
+        assert!((mean * radius - 1.0).abs() < 0.02, "{mean}");
+        assert!(across.norm() * radius < 0.05, "{across}");
+    }
+    let made = Scene::new(boxed(), vec![turned([0.7, 0.4, 0.5])], 1.0 / 12.0).made();
+    assert!(!made.cells.walls.is_empty());
+    for wall in &made.cells.walls {
+        assert!(wall.curvature.norm() < 1e-12, "{}", wall.curvature);
+    }
+}
+
 /// Area within half a spacing times the length of the edges, volume within the square of that, at two spacings, and falling.
 fn check_edges(
     name: &str,
