@@ -94,9 +94,13 @@ fn walls_around_a_sphere_bend_as_it_does_and_those_of_a_block_do_not() {
         assert!((mean * radius - 1.0).abs() < 0.02, "{mean}");
         assert!(across.norm() * radius < 0.05, "{across}");
     }
-    let made = Scene::new(boxed(), vec![turned([0.7, 0.4, 0.5])], 1.0 / 12.0).made();
-    assert!(!made.cells.walls.is_empty());
-    for wall in &made.cells.walls {
+    let dx = 1.0 / 12.0;
+    let made = Scene::new(boxed(), vec![turned([0.7, 0.4, 0.5])], dx).made();
+    // Slivers of cells that an edge cuts may go round it.
+    let walls = made.cells.walls.iter();
+    let whole: Vec<_> = walls.filter(|w| w.area.norm() > 0.01 * dx * dx).collect();
+    assert!(whole.len() > 300, "{}", whole.len());
+    for wall in whole {
         assert!(wall.curvature.norm() < 1e-12, "{}", wall.curvature);
     }
 }
