@@ -37,9 +37,9 @@ pub(crate) use weld::bounds;
 
 use edges::NONE;
 use exposed::Exposed;
-use smooth::{Smooth, normal};
+use smooth::Smooth;
 use tree::Tree;
-use triangle::{Feature, OnTriangle, closest_on};
+use triangle::{Feature, OnTriangle, closest_on, normal};
 use winding::winding_number;
 
 use crate::stl::Facet;

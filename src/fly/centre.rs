@@ -4,8 +4,6 @@ use std::str::FromStr;
 
 use aero_geometry::{Bounds, Shape, Vector};
 
-use super::flight::Extent;
-
 /// A point that moments are about.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Centre {
@@ -32,13 +30,10 @@ impl FromStr for Centre {
     }
 }
 
-/// Where the middle of the volume lies across the body, as far as its planes of symmetry leave that open.
-pub(super) fn axis(shape: &dyn Shape<3>, bounds: &Bounds<3>, extent: &Extent) -> [f64; 2] {
+/// Where the middle of the volume lies across the body, as far as planes of symmetry, `mirrors` across these axes, leave that open.
+pub(super) fn axis(shape: &dyn Shape<3>, bounds: &Bounds<3>, mirrors: &[usize]) -> [f64; 2] {
     /// Less, in parts of the length, is round-off of files.
     const LEAST: f64 = 1e-4;
-    let Extent::Space(mirrors) = extent else {
-        return [0.0; 2];
-    };
     let (mut volume, mut sum) = (0.0, Vector::<3>::zeros());
     for [a, b, c] in shape.facets(f64::INFINITY, bounds) {
         // Of the tetrahedron over the triangle, from the origin, six times.
@@ -76,7 +71,7 @@ mod tests {
             aero_geometry::Placement::default().moved(Vector::<3>::new(0.0, -0.035, 0.0)),
         );
         let bounds = shifted.bounds();
-        let [up, left] = axis(&shifted, &bounds, &Extent::Space(vec![2]));
+        let [up, left] = axis(&shifted, &bounds, &[2]);
         assert!((up + 0.035).abs() < 2e-3 && left == 0.0, "{up} {left}");
         let read = |text: &str| text.parse::<Centre>();
         assert_eq!(read("1.5").unwrap().across, None);

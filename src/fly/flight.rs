@@ -122,7 +122,10 @@ impl Flight {
             region,
             front,
             area,
-            axis: axis(shape.as_ref(), &bounds, &extent),
+            axis: match &extent {
+                Extent::Meridian(_) => [0.0; 2],
+                Extent::Space(mirrors) => axis(shape.as_ref(), &bounds, mirrors),
+            },
             extent,
             nearly,
             bounds,

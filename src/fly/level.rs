@@ -9,7 +9,6 @@ use serde::Serialize;
 use super::error::FlyError;
 use super::flight::Flight;
 use super::lee::Lee;
-use super::polar_point::centre;
 use super::read::{self, Cells};
 use crate::output::Summary;
 
@@ -299,4 +298,17 @@ fn half_range(values: &[f64]) -> f64 {
     } else {
         0.0
     }
+}
+
+/// Where the force across the body would have to stand, behind the nose, in lengths: `x / L = (x_m - c_m L_ref / c_n) / L`.
+pub(super) fn centre(flight: &Flight, c: &Coefficients) -> Option<f64> {
+    /// Less is noise.
+    const LEAST: f64 = 1e-3;
+    if flight.dimension() == 2 {
+        return None;
+    }
+    let angle = flight.wishes.incidence.to_radians();
+    let across = c.cl * angle.cos() + c.cd * angle.sin();
+    let place = (flight.centre() - c.cm * flight.reference_length() / across) / flight.length();
+    (across.abs() > LEAST * c.cd.abs()).then_some(place)
 }

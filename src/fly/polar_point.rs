@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use super::extrapolate::{Extrapolated, LEAST, beyond, extrapolate};
 use super::flight::{Flight, GAMMA};
-use super::level::{Coefficients, Level};
+use super::level::{Coefficients, Level, centre};
 
 /// Part of the surface behind which a body may be thinner than two cells: edges of wings always are.
 pub(super) const EDGES: f64 = 0.1;
@@ -233,19 +233,6 @@ fn doubting(part: f64, runs: &[(f64, f64)]) -> Extrapolated {
         band: mix(trend.band, none.band),
         order: trend.order.filter(|_| part < 1.0),
     }
-}
-
-/// Where the force across the body would have to stand, behind the nose, in lengths: `x / L = (x_m - c_m L_ref / c_n) / L`.
-pub(super) fn centre(flight: &Flight, c: &Coefficients) -> Option<f64> {
-    /// Less is noise.
-    const LEAST: f64 = 1e-3;
-    if flight.dimension() == 2 {
-        return None;
-    }
-    let angle = flight.wishes.incidence.to_radians();
-    let across = c.cl * angle.cos() + c.cd * angle.sin();
-    let place = (flight.centre() - c.cm * flight.reference_length() / across) / flight.length();
-    (across.abs() > LEAST * c.cd.abs()).then_some(place)
 }
 
 #[cfg(test)]

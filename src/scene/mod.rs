@@ -72,6 +72,7 @@ mod second;
 pub mod shapes;
 pub mod side;
 mod side_tables;
+pub mod side_words;
 pub mod spin;
 mod state;
 mod stream;

@@ -7,9 +7,9 @@ use serde::de::{Deserializer, Error, MapAccess, SeqAccess, Visitor, value::MapAc
 
 use aero_solver::problem::Side;
 
-use super::formula::TimedFormula;
 use super::number::Finite;
 use super::side_tables::{SideTable, WallEntry};
+use super::side_words::{GivenEntry, PatchEntry, TABLES, named, words};
 
 /// What bounds the domain on one side: a word, a table of one word, or a list of a wall and the parts of it that are something else.
 #[derive(Clone, Debug, PartialEq)]
@@ -35,31 +35,6 @@ pub struct PartEntry {
     pub given: Option<GivenEntry>,
 }
 
-/// `patch`: a box on the side.
-#[derive(Clone, Debug, Deserialize, PartialEq)]
-#[serde(deny_unknown_fields)]
-pub struct PatchEntry {
-    /// Lowest corner.
-    pub min: Vec<Finite>,
-    /// Highest corner, the same along the axis across the side.
-    pub max: Vec<Finite>,
-}
-
-/// The state of the gas beyond a side: formulas of position and time; what is left out is the free stream's.
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct GivenEntry {
-    /// Density.
-    pub density: Option<TimedFormula>,
-    /// Pressure.
-    pub pressure: Option<TimedFormula>,
-    /// Velocity, one formula per axis.
-    pub velocity: Option<Vec<TimedFormula>>,
-}
-
-/// The tables that a side may be.
-pub(super) const TABLES: &str = "`{ wall = { .. } }`, `{ inlet = { reflecting = false } }`, `{ outlet = { pressure = .. } }`, \
-    `{ reservoir = { relaxation = .. } }`, `{ free-stream = { .. } }`";
-
 impl From<Side> for SideEntry {
     fn from(side: Side) -> Self {
         Self {
@@ -68,22 +43,6 @@ impl From<Side> for SideEntry {
             given: None,
             parts: Vec::new(),
         }
-    }
-}
-
-impl GivenEntry {
-    /// None where nothing is given.
-    pub(super) fn of(
-        density: Option<TimedFormula>,
-        pressure: Option<TimedFormula>,
-        velocity: Option<Vec<TimedFormula>>,
-    ) -> Option<Self> {
-        let given = Self {
-            density,
-            pressure,
-            velocity,
-        };
-        (given != Self::default()).then_some(given)
     }
 }
 
@@ -151,18 +110,4 @@ impl<'de> Visitor<'de> for SideVisitor {
         }
         Ok(entry)
     }
-}
-
-/// The side that a word names.
-pub(super) fn named<E: Error>(word: &str) -> Result<Side, E> {
-    Side::named(word).ok_or_else(|| {
-        E::custom(format!(
-            "unknown variant `{word}`, expected one of {}",
-            words()
-        ))
-    })
-}
-
-fn words() -> String {
-    Side::WORDS.map(|(word, _)| format!("`{word}`")).join(", ")
 }

@@ -7,7 +7,7 @@ use aero_solver::problem::Side;
 
 use super::formula::TimedFormula;
 use super::number::{Finite, Positive};
-use super::side::{GivenEntry, PatchEntry, TABLES, named};
+use super::side_words::{GivenEntry, PatchEntry, TABLES, named};
 use super::wall::{WallVelocity, WallWord, kind};
 
 /// How fast an outlet goes back to its pressure where a scene does not say: Poinsot & Lele (1992) find 0.25 to hold it while

@@ -6,7 +6,7 @@ use rayon::prelude::*;
 use super::Mesh;
 use super::edges::parts;
 use super::exposed::{Exposed, Surface};
-use super::smooth::normal;
+use super::triangle::normal;
 use super::winding::{OFF_SKIN, crossings};
 use crate::Vector;
 use crate::error::{GeometryError, WRAP};

@@ -1,7 +1,7 @@
 //! Which edges of a mesh part smooth surfaces, and which stand for a part of a curve.
 
 use super::edges::NONE;
-use super::smooth::normal;
+use super::triangle::normal;
 use crate::Vector;
 
 /// An edge that bends more than this (radians; 30 degrees) is a crease.

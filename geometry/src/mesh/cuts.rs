@@ -1,7 +1,7 @@
 //! A triangle cut up along the lines in which others cross it or lie on it, into convex pieces that
 //! none of them enters.
 
-use super::smooth::normal;
+use super::triangle::normal;
 use crate::Vector;
 
 /// Pieces of one triangle at most: one that is crossed everywhere is not cut further.

@@ -4,9 +4,8 @@
 use rayon::prelude::*;
 
 use super::cuts::{self, Corners, Cut, Meeting, Polygon, is_cut};
-use super::smooth::normal;
 use super::tree::Tree;
-use super::triangle::{Feature, OnTriangle, closest_on};
+use super::triangle::{Feature, OnTriangle, closest_on, normal};
 use crate::Vector;
 
 /// A piece and the triangle that it is part of.

@@ -7,8 +7,8 @@
 
 use std::collections::BTreeMap;
 
-use super::smooth::normal;
 use super::tree::Tree;
+use super::triangle::normal;
 use super::weld::{Indexed, bounds};
 use super::winding::{OFF_SKIN, crossings};
 use crate::Vector;

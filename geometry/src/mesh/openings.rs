@@ -7,7 +7,7 @@ use super::caps::span;
 use super::edges::HalfEdge;
 use super::nest::{Fate, Nest};
 use super::rims::{Hole, rims, tell};
-use super::smooth::normal;
+use super::triangle::normal;
 use super::weld::{Indexed, bounds};
 use super::winding::OFF_SKIN;
 use crate::error::{FILL, GeometryError, THICKEN, WRAP};

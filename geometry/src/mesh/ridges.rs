@@ -2,7 +2,7 @@
 
 use super::Mesh;
 use super::edges::NONE;
-use super::smooth::normal;
+use super::triangle::normal;
 use crate::{Bounds, Ridge};
 
 impl Mesh {

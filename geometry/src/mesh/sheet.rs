@@ -5,9 +5,9 @@ use std::collections::HashSet;
 
 use super::edges::{half_edges, in_pairs};
 use super::slivers::is_sliver;
-use super::smooth::{Smooth, normal};
+use super::smooth::Smooth;
 use super::tree::Tree;
-use super::triangle::closest_on;
+use super::triangle::{closest_on, normal};
 use super::weld::{BackToBack, Indexed, bounds, drop_duplicates, weld};
 use super::{build, orient, symmetry};
 use crate::error::{GeometryError, positive};

@@ -2,7 +2,7 @@
 
 use super::creases::{Creases, FLAT};
 use super::edges::{NONE, parts};
-use super::triangle::{Feature, OnTriangle};
+use super::triangle::{Feature, OnTriangle, normal};
 use crate::Vector;
 
 /// The tip of a cone and a smooth vertex are told apart by how far the normals at the far ends of their triangles lean
@@ -21,15 +21,6 @@ pub(super) struct Smooth {
     /// For each corner of each triangle the number of its normal.
     corners: Vec<[u32; 3]>,
     normals: Vec<Vector<3>>,
-}
-
-/// Unit normal of a triangle; zero where it has no area.
-#[inline]
-pub(super) fn normal([a, b, c]: &[Vector<3>; 3]) -> Vector<3> {
-    (b - a)
-        .cross(&(c - a))
-        .try_normalize(0.0)
-        .unwrap_or_default()
 }
 
 /// The angle of a triangle at corner `k`.

@@ -1,8 +1,17 @@
-//! The closest point of a triangle.
+//! The normal and the closest point of a triangle.
 
 use wide::f64x4;
 
 use crate::Vector;
+
+/// Unit normal of a triangle; zero where it has no area.
+#[inline]
+pub(super) fn normal([a, b, c]: &[Vector<3>; 3]) -> Vector<3> {
+    (b - a)
+        .cross(&(c - a))
+        .try_normalize(0.0)
+        .unwrap_or_default()
+}
 
 /// The part of a triangle that a point lies on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]

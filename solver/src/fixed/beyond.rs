@@ -1,6 +1,5 @@
 //! What is beyond the sides of the domain.
 
-use super::far_field::is_free;
 use super::riding::Riding;
 use super::state::Primitive;
 use crate::method::Time;
@@ -93,4 +92,13 @@ impl<const D: usize> Beyond<D> {
 fn has_room<const D: usize>(problem: &Problem<D>) -> bool {
     let (sides, along) = (&problem.domain.sides, problem.free_stream.velocity.iamax());
     (0..D).any(|axis| axis != along && sides[axis].iter().any(is_free))
+}
+
+/// True of a side that gas goes through as the stream does.
+pub(super) fn is_free(side: &SideKind) -> bool {
+    use SideKind::{FreeStream, HeldOutlet, Inlet, Outlet, SoftInlet};
+    matches!(
+        side,
+        Inlet | SoftInlet | FreeStream | Outlet | HeldOutlet { .. }
+    )
 }

@@ -14,7 +14,7 @@ use aero_geometry::{Bounds, Vector};
 use nalgebra::Complex;
 
 use super::FixedSimulation;
-use super::beyond::Beyond;
+use super::beyond::{Beyond, is_free};
 use super::cells::{Cells, SideFace};
 use super::given::standing;
 use super::net::Net;
@@ -81,15 +81,6 @@ impl<const D: usize> Problem<D> {
             && speed > 0.0
             && speed < self.gas.sound_speed_at(stream.density, stream.pressure)
     }
-}
-
-/// True of a side that gas goes through as the stream does.
-pub(super) fn is_free(side: &Side) -> bool {
-    use Side::{FreeStream, HeldOutlet, Inlet, Outlet, SoftInlet};
-    matches!(
-        side,
-        Inlet | SoftInlet | FreeStream | Outlet | HeldOutlet { .. }
-    )
 }
 
 impl<const D: usize> FarField<D> {
