@@ -122,11 +122,13 @@ pub(super) fn check_waves<const D: usize>(domain: &Domain<D>, why: &str) -> Resu
     let openings = domain.openings.iter();
     let openings = openings.map(|opening| (opening.axis, opening.end, opening.side));
     for (axis, end, side) in sides.chain(openings) {
+        if !side.follows_waves() {
+            continue;
+        }
         let mend = match side {
-            Side::SoftInlet => "inlet",
             Side::Reservoir { .. } => "inlet` or `free-stream",
-            Side::HeldOutlet { .. } => "outlet",
-            _ => continue,
+            side if side.lets_in() => "inlet",
+            _ => "outlet",
         };
         let place = side_key(axis, end);
         return Err(SceneError::value(

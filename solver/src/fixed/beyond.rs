@@ -96,9 +96,5 @@ fn has_room<const D: usize>(problem: &Problem<D>) -> bool {
 
 /// True of a side that gas goes through as the stream does.
 pub(super) fn is_free(side: &SideKind) -> bool {
-    use SideKind::{FreeStream, HeldOutlet, Inlet, Outlet, SoftInlet};
-    matches!(
-        side,
-        Inlet | SoftInlet | FreeStream | Outlet | HeldOutlet { .. }
-    )
+    side.is_open() && !side.is_reservoir()
 }

@@ -120,7 +120,28 @@ impl Side {
 
     /// True of one that holds a pressure, or a total one, and throws back what sound does to it in part.
     pub fn holds_pressure(self) -> bool {
-        matches!(self, Self::Reservoir { .. } | Self::HeldOutlet { .. })
+        self.waves() == Waves::Held
+    }
+
+    /// True of one that follows the waves of one ideal gas.
+    pub fn follows_waves(self) -> bool {
+        self.waves() != Waves::None
+    }
+
+    /// What of waves it follows; as of [`Self::crossing`], nothing of a new side goes by default.
+    const fn waves(self) -> Waves {
+        match self {
+            Self::Reservoir { .. } | Self::HeldOutlet { .. } => Waves::Held,
+            Self::SoftInlet => Waves::Followed,
+            Self::Inlet
+            | Self::Outlet
+            | Self::FreeStream
+            | Self::Symmetry
+            | Self::Axis
+            | Self::Periodic
+            | Self::Wall { .. }
+            | Self::Body => Waves::None,
+        }
     }
 
     /// True of one that the free stream comes in by.
@@ -145,6 +166,16 @@ enum Crossing {
     In,
     Out,
     InAndOut,
+    None,
+}
+
+/// What a side follows of the waves of one ideal gas.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Waves {
+    /// All of them, back to a pressure that it holds, or a total one.
+    Held,
+    /// Those that go out.
+    Followed,
     None,
 }
 
