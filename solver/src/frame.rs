@@ -37,14 +37,30 @@ pub struct Frame {
     pub smoothing_length: Vec<f64>,
     /// Volumes: area in the plane, length on a line, whole rings about an axis.
     pub volume: Vec<f64>,
-    /// Spacing of the points around each, of points that stay; empty of particles.
-    pub spacing: Vec<f64>,
     /// [`Kind`] as a number.
     pub kind: Vec<u8>,
     /// Number that a particle keeps for life.
     pub id: Vec<u64>,
-    /// One where it is of the second of two gases; empty where there is one.
+    /// What only some flows have.
+    pub extra: ExtraColumns,
+}
+
+/// What only some flows have of each particle: empty of others.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ExtraColumns {
+    /// Spacing of the points around each, of points that stay.
+    pub spacing: Vec<f64>,
+    /// One where it is of the second of two gases.
     pub second: Vec<u8>,
+}
+
+impl ExtraColumns {
+    fn chosen(&self, chosen: &[usize]) -> Self {
+        Self {
+            spacing: pick_any(&self.spacing, chosen),
+            second: pick_any(&self.second, chosen),
+        }
+    }
 }
 
 impl Frame {
@@ -59,7 +75,7 @@ impl Frame {
             &mut self.mach,
             &mut self.smoothing_length,
             &mut self.volume,
-            &mut self.spacing,
+            &mut self.extra.spacing,
         ] {
             column.reserve_exact(count);
         }
@@ -93,24 +109,24 @@ impl Frame {
             mach: pick(&self.mach, &chosen),
             smoothing_length: pick(&self.smoothing_length, &chosen),
             volume: pick(&self.volume, &chosen),
-            spacing: if self.spacing.is_empty() {
-                Vec::new()
-            } else {
-                pick(&self.spacing, &chosen)
-            },
             kind: pick(&self.kind, &chosen),
             id: pick(&self.id, &chosen),
-            second: if self.second.is_empty() {
-                Vec::new()
-            } else {
-                pick(&self.second, &chosen)
-            },
+            extra: self.extra.chosen(&chosen),
         }
     }
 }
 
 fn pick<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
     chosen.iter().map(|&i| values[i]).collect()
+}
+
+/// The same of a column that may be empty.
+fn pick_any<T: Copy>(values: &[T], chosen: &[usize]) -> Vec<T> {
+    if values.is_empty() {
+        Vec::new()
+    } else {
+        pick(values, chosen)
+    }
 }
 
 /// State on the bodies' surfaces, one point per wall-layer ghost.
@@ -156,13 +172,20 @@ pub struct PanelFrame {
     pub mach: Vec<f64>,
     /// Number of the body, in scene order; wall sides after.
     pub body: Vec<u32>,
-    /// Heat that goes from it into the gas, per area and time; of viscous gas alone.
-    pub heat_flux: Vec<f64>,
-    /// Temperature of the gas on it; of viscous gas alone.
-    pub temperature: Vec<f64>,
+    /// What heat does; of viscous gas alone.
+    pub heat: HeatColumns,
     /// Of what the domain holds of each body, then of each wall side, the force in the friction that is spread over panels because
     /// nobody can tell which of them bears it; empty where there is none.
     pub spread: Vec<[f64; 3]>,
+}
+
+/// What heat does on each panel.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct HeatColumns {
+    /// Heat that goes from it into the gas, per area and time.
+    pub flux: Vec<f64>,
+    /// Temperature of the gas on it.
+    pub temperature: Vec<f64>,
 }
 
 impl PanelFrame {

@@ -31,6 +31,6 @@ pub const TWO_GASES: Suite = Suite::of(&[
 /// Places of the second gas, or of the first, in the rows of particles that `is_near` finds.
 fn places(gas: &Frame, is_second: bool, is_near: impl Fn(&[f64; 3]) -> bool) -> Vec<usize> {
     (0..gas.position.len())
-        .filter(|&i| (gas.second[i] == 1) == is_second && is_near(&gas.position[i]))
+        .filter(|&i| (gas.extra.second[i] == 1) == is_second && is_near(&gas.position[i]))
         .collect()
 }

@@ -17,7 +17,7 @@ pub const CHECKPOINT: &str = "checkpoint";
 const LAST: &str = "last-checkpoint";
 
 /// Changes whenever the content does.
-const FORMAT: &str = concat!("aero checkpoint 12, version ", env!("CARGO_PKG_VERSION"));
+const FORMAT: &str = concat!("aero checkpoint 13, version ", env!("CARGO_PKG_VERSION"));
 
 /// Why a checkpoint is of no use.
 #[derive(Debug, thiserror::Error)]

@@ -45,7 +45,7 @@ impl Mirrors {
             twice(&mut frame.velocity, |u| direction(*u, axis));
             twice(&mut frame.id, |id| id + count);
             twice(&mut frame.kind, |kind| *kind);
-            twice(&mut frame.second, |second| *second);
+            twice(&mut frame.extra.second, |second| *second);
             for column in [
                 &mut frame.density,
                 &mut frame.pressure,
@@ -53,7 +53,7 @@ impl Mirrors {
                 &mut frame.mach,
                 &mut frame.smoothing_length,
                 &mut frame.volume,
-                &mut frame.spacing,
+                &mut frame.extra.spacing,
             ] {
                 twice(column, |value| *value);
             }
@@ -87,8 +87,8 @@ impl Mirrors {
                 &mut surface.pressure,
                 &mut surface.pressure_coefficient,
                 &mut surface.mach,
-                &mut surface.heat_flux,
-                &mut surface.temperature,
+                &mut surface.heat.flux,
+                &mut surface.heat.temperature,
             ] {
                 twice(column, |value| *value);
             }

@@ -57,11 +57,11 @@ pub fn write_frame(
     if !gradients.is_empty() {
         cloud = cloud.vectors("density_gradient", gradients);
     }
-    if !frame.second.is_empty() {
-        cloud = cloud.scalars("second_gas", &frame.second[..]);
+    if !frame.extra.second.is_empty() {
+        cloud = cloud.scalars("second_gas", &frame.extra.second[..]);
     }
-    if !frame.spacing.is_empty() {
-        cloud = cloud.scalars("spacing", &frame.spacing[..]);
+    if !frame.extra.spacing.is_empty() {
+        cloud = cloud.scalars("spacing", &frame.extra.spacing[..]);
     }
     let ids: Vec<i64> = frame.id.iter().map(|&id| id as i64).collect();
     cloud

@@ -106,7 +106,11 @@ fn states(frame: &Frame) -> impl Iterator<Item = State> {
     pairs.map(|(n, (&pressure, &density))| State {
         density,
         pressure,
-        second: frame.second.get(n).map_or(0.0, |&second| f64::from(second)),
+        second: frame
+            .extra
+            .second
+            .get(n)
+            .map_or(0.0, |&second| f64::from(second)),
         ..State::default()
     })
 }

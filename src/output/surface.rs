@@ -23,10 +23,10 @@ pub fn write_surface(
         .scalars("mach", &surface.mach[..])
         .scalars("area", &surface.area[..])
         .scalars("body", &surface.body[..]);
-    if !surface.heat_flux.is_empty() {
-        cloud = cloud.scalars("heat_flux", &surface.heat_flux[..]);
+    if !surface.heat.flux.is_empty() {
+        cloud = cloud.scalars("heat_flux", &surface.heat.flux[..]);
         if reference.gas_constant.is_some() {
-            cloud = cloud.scalars("temperature", &surface.temperature[..]);
+            cloud = cloud.scalars("temperature", &surface.heat.temperature[..]);
         }
     }
     cloud.write(path)

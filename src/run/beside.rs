@@ -13,7 +13,7 @@ pub(super) fn beside(
 ) -> impl Iterator<Item = (usize, f64)> {
     let outwards = [-1.0, 1.0][end];
     (0..frame.position.len()).filter_map(move |i| {
-        let own = frame.spacing.get(i).copied().unwrap_or(spacing);
+        let own = frame.extra.spacing.get(i).copied().unwrap_or(spacing);
         let distance = outwards * (plane - frame.position[i][axis]);
         let stands_there =
             frame.kind[i] == Kind::Fluid as u8 && (0.0..=NEAR * own).contains(&distance);

@@ -43,8 +43,12 @@ impl<'a, const D: usize> Gas<'a, D> {
         let rows = (0..frame.kind.len()).filter(|&n| frame.kind[n] == Kind::Fluid as u8);
         let point = |n: usize| {
             let [u, v, w] = frame.velocity[n];
-            let spacing = frame.spacing.get(n);
-            let second = frame.second.get(n).map_or(0.0, |&second| f64::from(second));
+            let spacing = frame.extra.spacing.get(n);
+            let second = frame
+                .extra
+                .second
+                .get(n)
+                .map_or(0.0, |&second| f64::from(second));
             Point {
                 position: Vector::from_fn(|k, _| frame.position[n][k]),
                 spacing: spacing.map_or(frame.smoothing_length[n] / SMOOTHING_RATIO, |s| *s),

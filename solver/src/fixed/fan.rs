@@ -57,22 +57,29 @@ pub struct Fan<const D: usize> {
     heat: f64,
     /// Prandtl and Meyer's angle in front.
     start: f64,
-    /// Velocity along the edge, in space.
-    carried: [f64; D],
-    /// Where the gas in front goes, across the edge.
-    onwards: [f64; D],
-    /// Across that, away from the wall.
-    aside: [f64; D],
+    /// Ways of the gas in front.
+    ways: Ways<D>,
     /// Elevation of its first and last ray above the gas's way.
     rays: [f64; 2],
     /// Cosines and sines of these.
-    ways: [[f64; 2]; 2],
+    turns: [[f64; 2]; 2],
     /// Logarithm of the pressure in front over that behind.
     strength: f64,
     /// Up to here from the bend, in spacings, cells are too coarse for it.
     near: f64,
     /// How much of it there is: from none of gas that is slower than sound to one.
     pub share: f64,
+}
+
+/// Where the gas in front of a fan goes.
+#[derive(Clone, Debug)]
+struct Ways<const D: usize> {
+    /// Velocity along the edge, in space.
+    carried: [f64; D],
+    /// Direction of the rest of it, across the edge.
+    onwards: [f64; D],
+    /// Across both, away from the wall.
+    aside: [f64; D],
 }
 
 impl<const D: usize> Fan<D> {
@@ -116,11 +123,13 @@ impl<const D: usize> Fan<D> {
             rear: *front,
             heat: 1.0 + 0.5 * (gamma - 1.0) * mach_square,
             start,
-            carried,
-            onwards,
-            aside,
+            ways: Ways {
+                carried,
+                onwards,
+                aside,
+            },
             rays: [0.0; 2],
-            ways: [[1.0, 0.0]; 2],
+            turns: [[1.0, 0.0]; 2],
             strength: 0.0,
             near: 0.0,
             share,
@@ -128,7 +137,7 @@ impl<const D: usize> Fan<D> {
         let last = slope_of(start + turn, slope, slowness);
         fan.rays = [(1.0 / slope).atan(), (1.0 / last).atan() - turn];
         fan.rear = fan.turned(last);
-        fan.ways = fan.rays.map(|ray| [ray.cos(), ray.sin()]);
+        fan.turns = fan.rays.map(|ray| [ray.cos(), ray.sin()]);
         fan.strength = (front.pressure / fan.rear.pressure).ln();
         let width = fan.rays[0] - fan.rays[1];
         fan.near = (fan.strength / (SEEN * width)).clamp(NEAREST, farthest::<D>() / FARTHER);
@@ -144,10 +153,15 @@ impl<const D: usize> Fan<D> {
         let density = self.front.density * cooled.powf(1.0 / (gamma - 1.0));
         let speed = (square * gamma * pressure / density).sqrt();
         let (sine, cosine) = (angle(slope, self.slowness) - self.start).sin_cos();
-        let mut velocity = self.onwards;
+        let Ways {
+            carried,
+            onwards,
+            aside,
+        } = &self.ways;
+        let mut velocity = [0.0; D];
         for k in 0..D {
-            let across = cosine * self.onwards[k] - sine * self.aside[k];
-            velocity[k] = speed * across + self.carried[k];
+            let across = cosine * onwards[k] - sine * aside[k];
+            velocity[k] = speed * across + carried[k];
         }
         Primitive {
             density,
@@ -173,7 +187,7 @@ impl<const D: usize> Fan<D> {
 
     /// True where all these places, as seen from the bend, are in front of the fan, or all behind it: the gas there is the same.
     pub fn is_even<'a>(&self, places: impl Iterator<Item = &'a [f64; D]> + Clone) -> bool {
-        let last = self.ways[1];
+        let last = self.turns[1];
         self.is_behind(places.clone())
             || places
                 .map(|place| self.seen(place))
@@ -182,7 +196,7 @@ impl<const D: usize> Fan<D> {
 
     /// True where the whole fan is behind all these places, as seen from the bend.
     pub fn is_behind<'a>(&self, places: impl Iterator<Item = &'a [f64; D]>) -> bool {
-        let first = self.ways[0];
+        let first = self.turns[0];
         places
             .map(|place| self.seen(place))
             .all(|place| place[0] < 0.0 || is_above(&place, first))
@@ -191,7 +205,7 @@ impl<const D: usize> Fan<D> {
     /// The place that lies so far down the way of the gas in front from another.
     pub fn onwards_from(&self, place: &[f64; D], far: f64) -> [f64; D] {
         let mut there = *place;
-        for (part, way) in there.iter_mut().zip(self.onwards) {
+        for (part, way) in there.iter_mut().zip(self.ways.onwards) {
             *part += far * way;
         }
         there
@@ -199,7 +213,7 @@ impl<const D: usize> Fan<D> {
 
     /// A place along and across the way of the gas in front.
     fn seen(&self, place: &[f64; D]) -> [f64; 2] {
-        [dot(place, &self.onwards), dot(place, &self.aside)]
+        [dot(place, &self.ways.onwards), dot(place, &self.ways.aside)]
     }
 
     /// The state at an elevation: within the fan that ray is a Mach line, `elevation = mu - (nu - nu_1)`, and
@@ -224,7 +238,7 @@ impl<const D: usize> Fan<D> {
         own: &Primitive<D>,
         known: &Primitive<D>,
     ) -> f64 {
-        let [across, way] = [own, known].map(|state| less(&state.velocity, &self.carried));
+        let [across, way] = [own, known].map(|state| less(&state.velocity, &self.ways.carried));
         let speed = dot(&way, &way).sqrt();
         let along = dot(&across, &way).max(0.0) / speed;
         let square = along * along / gas.sound_square(own.density, own.pressure);

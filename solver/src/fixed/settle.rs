@@ -50,18 +50,11 @@ pub struct Settled {
 /// What was seen on the way.
 #[derive(Clone, Debug, Default, Serialize, Deserialize)]
 pub struct Settling {
-    iterations: u64,
-    /// Iterations since points came or went.
-    pub(super) since: u64,
-    /// Iterations since so many came or went that the gas is far from rest again.
-    #[serde(default)]
-    pub(super) calm: u64,
+    pub(super) counts: Counts,
     /// True of a flow that began where an earlier one had settled, and has not gone far from there.
     #[serde(default, rename = "has_begun_near")]
     pub(super) is_near: bool,
-    /// How often they did.
-    pub(super) adaptions: u32,
-    /// True once the flow wants no more of them.
+    /// True once the flow wants no more points.
     pub(super) has_points: bool,
     /// The first residual; the largest of the first ones of viscous gas.
     first: f64,
@@ -83,6 +76,19 @@ pub struct Settling {
     pub(super) sweeps: Option<Sweeps>,
 }
 
+/// How far it is.
+#[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
+pub struct Counts {
+    /// Iterations.
+    iterations: u64,
+    /// Iterations since points came or went.
+    pub(super) since: u64,
+    /// Iterations since so many came or went that the gas is far from rest again.
+    pub(super) calm: u64,
+    /// How often points came or went.
+    pub(super) adaptions: u32,
+}
+
 /// What changes of a value are measured by.
 #[derive(Clone, Copy, Debug, Serialize, Deserialize)]
 struct Measure {
@@ -100,7 +106,7 @@ impl<const D: usize> FixedSimulation<D> {
     pub fn settle_step(&mut self) -> Result<Settled, Failure> {
         self.turn_far_field();
         self.remember_mass();
-        let courant = self.settling.pace.courant(self.settling.calm);
+        let courant = self.settling.pace.courant(self.settling.counts.calm);
         let residual = self.implicit_step(courant)?;
         self.keep_mass()?;
         self.tally.steps += 1;
@@ -111,10 +117,12 @@ impl<const D: usize> FixedSimulation<D> {
         let is_turned = self.outside.far_field.is_some();
         let settling = &mut self.settling;
         settling.measures = measures;
-        settling.iterations += 1;
-        settling.since += 1;
-        settling.calm += 1;
-        settling.pace.go_by(residual, settling.since);
+        let counts = &mut settling.counts;
+        counts.iterations += 1;
+        counts.since += 1;
+        counts.calm += 1;
+        settling.pace.go_by(residual, counts.since);
+        let counts = *counts;
         if settling.first == 0.0 {
             settling.first = residual;
         }
@@ -122,7 +130,7 @@ impl<const D: usize> FixedSimulation<D> {
             settling.watched.remove(0);
         }
         settling.watched.push(watched);
-        if is_viscous && settling.iterations <= WINDOW as u64 {
+        if is_viscous && counts.iterations <= WINDOW as u64 {
             // Walls stop the gas before anything else changes.
             settling.first = settling.first.max(residual);
         }
@@ -134,7 +142,7 @@ impl<const D: usize> FixedSimulation<D> {
         };
         let (change, is_still) = settling.change(look);
         let settled = Settled {
-            iterations: settling.iterations,
+            iterations: counts.iterations,
             residual: if settling.first > 0.0 {
                 residual / settling.first
             } else {
@@ -142,7 +150,7 @@ impl<const D: usize> FixedSimulation<D> {
             },
             change,
             is_settled: is_still
-                && settling.since >= WINDOW as u64
+                && counts.since >= WINDOW as u64
                 && (settling.has_points || self.ground.is_none()),
         };
         let is_near = self.settling.last_change() < NEAR;
@@ -272,8 +280,11 @@ impl Settling {
     pub(super) fn from_earlier(most: u32) -> Self {
         Self {
             is_near: true,
-            calm: RAMP_LENGTH,
-            adaptions: most,
+            counts: Counts {
+                calm: RAMP_LENGTH,
+                adaptions: most,
+                ..Counts::default()
+            },
             ..Self::default()
         }
     }

@@ -56,7 +56,7 @@ impl<const D: usize> FixedSimulation<D> {
             let size = self.net.cell(i).volume.powf(1.0 / D as f64);
             frame.smoothing_length.push(SMOOTHING_RATIO * size);
             frame.volume.push(self.around() * self.net.cell(i).volume);
-            frame.spacing.push(self.spacing_at(i));
+            frame.extra.spacing.push(self.spacing_at(i));
             frame.kind.push(Kind::Fluid as u8);
             frame.id.push(i as u64);
         }

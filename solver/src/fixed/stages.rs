@@ -30,13 +30,13 @@ impl<const D: usize> FixedSimulation<D> {
             return Ok(());
         };
         let settling = &self.settling;
-        let is_soon = settling.is_near && settling.since == SOON;
+        let is_soon = settling.is_near && settling.counts.since == SOON;
         let patience = if self.fluid.viscous.is_some() {
             PATIENCE_VISCOUS
         } else {
             PATIENCE
         };
-        let may_ask = is_near || is_soon || settling.since > patience;
+        let may_ask = is_near || is_soon || settling.counts.since > patience;
         if settling.has_points || !may_ask {
             return Ok(());
         }
@@ -44,16 +44,16 @@ impl<const D: usize> FixedSimulation<D> {
         let new = self.adapt_settling()?;
         let split: usize = self.points_per_level()[1..].iter().sum();
         let settling = &mut self.settling;
-        settling.adaptions += 1;
+        settling.counts.adaptions += 1;
         let is_enough = new as f64 <= FEW * split as f64;
-        settling.has_points = is_enough || settling.adaptions >= most + AFTER;
+        settling.has_points = is_enough || settling.counts.adaptions >= most + AFTER;
         if new > 0 {
-            settling.since = 0;
+            settling.counts.since = 0;
             // A flow that is near its end shows what a few new points change.
             if !(settling.is_near && (new as f64) < SOME * self.points.len() as f64) {
                 settling.is_near = false;
                 settling.watched.clear();
-                settling.calm = 0;
+                settling.counts.calm = 0;
             }
         }
         Ok(())

@@ -91,8 +91,8 @@ impl<const D: usize> Panels<D> {
             frame.mach.push(pressed.mach);
             frame.body.push(panel.owner);
             if let Some(heated) = heated.get(number) {
-                frame.heat_flux.push(heated.flux);
-                frame.temperature.push(heated.temperature);
+                frame.heat.flux.push(heated.flux);
+                frame.heat.temperature.push(heated.temperature);
             }
         }
         frame

@@ -55,7 +55,7 @@ impl<const D: usize> Simulation<D> {
             if is_shown(&particle.position) {
                 push(&mut frame, particle, gases.of(particle.is_second), kind);
                 if gases.are_two() {
-                    frame.second.push(u8::from(particle.is_second));
+                    frame.extra.second.push(u8::from(particle.is_second));
                 }
             }
         };

@@ -106,7 +106,7 @@ impl<'a> Around<'a> {
 
     /// Heat into the nose, and its mean aside.
     fn heat(&self) -> Option<[f64; 2]> {
-        let into: Vec<f64> = self.panels.heat_flux.iter().map(|flux| -flux).collect();
+        let into: Vec<f64> = self.panels.heat.flux.iter().map(|flux| -flux).collect();
         let nose = at_nose(&self.angles, &into, CAP.to_radians()).ok()?;
         let is_aside = |angle: f64| (angle.to_degrees() - ASIDE).abs() < AROUND;
         let pairs = self.angles.iter().zip(&into);
@@ -138,7 +138,7 @@ mod tests {
             let from = f64::from(k);
             panels.points.extend([at(from), at(from + 1.0)]);
             let square = (from + 0.5).to_radians().powi(2);
-            panels.heat_flux.push(-80.0 * (1.0 - 0.6 * square));
+            panels.heat.flux.push(-80.0 * (1.0 - 0.6 * square));
             panels.pressure.push(3.0 * (1.0 - 1.2 * square));
             panels.body.push(0);
         }

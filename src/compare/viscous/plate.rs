@@ -172,8 +172,8 @@ fn read(outcome: &Outcome, stream: &Stream, turned: f64) -> Layer {
             let along = panels.friction[n][0] * cos + panels.friction[n][1] * sin;
             along / dynamic * root(n)
         }),
-        heat: of(&|n| -panels.heat_flux[n] / carried * root(n)),
-        wall: of(&|n| panels.temperature[n] / TEMPERATURE),
+        heat: of(&|n| -panels.heat.flux[n] / carried * root(n)),
+        wall: of(&|n| panels.heat.temperature[n] / TEMPERATURE),
         recovery: f64::NAN,
     }
 }

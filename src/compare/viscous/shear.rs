@@ -76,7 +76,7 @@ fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], C
             };
             // On the wall that slides the gas pulls back.
             let stress = -of(1, &|n| panels.friction[n][0]);
-            let lost = -of(0, &|n| panels.heat_flux[n]) - of(1, &|n| panels.heat_flux[n]);
+            let lost = -of(0, &|n| panels.heat.flux[n]) - of(1, &|n| panels.heat.flux[n]);
             (
                 shear.relative(stress / unit, couette.shear(), SHEAR),
                 heat.relative(lost / (stress * speed), 1.0, SHEAR),
@@ -91,7 +91,7 @@ fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], C
         Some(outcome) => {
             let panels = &outcome.panels;
             let found = (0..panels.body.len()).find(|&n| panels.body[n] == 1);
-            let found = found.map_or(f64::NAN, |n| panels.temperature[n]);
+            let found = found.map_or(f64::NAN, |n| panels.heat.temperature[n]);
             hot.relative(found / TEMPERATURE, wall, WALL)
         }
     };

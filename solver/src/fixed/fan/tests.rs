@@ -60,7 +60,7 @@ fn rays_of_a_fan_are_mach_lines() {
         for part in [0.01, 0.3, 0.7, 0.99] {
             let elevation = first + part * (last - first);
             let place: [f64; 2] = std::array::from_fn(|k| {
-                elevation.cos() * fan.onwards[k] + elevation.sin() * fan.aside[k]
+                elevation.cos() * fan.ways.onwards[k] + elevation.sin() * fan.ways.aside[k]
             });
             assert_relative_eq!(fan.elevation(&place), elevation, epsilon = 1e-12);
             let state = fan.state(elevation);
@@ -151,7 +151,7 @@ fn gas_is_even_in_front_of_a_fan_and_behind_it_alone() {
         let fan = fan(2.0, 20.0, way, side).unwrap();
         let place = |elevation: f64| -> [f64; 2] {
             let (sine, cosine) = elevation.sin_cos();
-            std::array::from_fn(|k| 3.0 * (cosine * fan.onwards[k] + sine * fan.aside[k]))
+            std::array::from_fn(|k| 3.0 * (cosine * fan.ways.onwards[k] + sine * fan.ways.aside[k]))
         };
         let is_even = |elevations: [f64; 2]| fan.is_even(elevations.map(place).iter());
         let [first, last] = fan.rays;

@@ -101,7 +101,7 @@ fn waves_stay_where_the_points_are_fine() {
     for _ in 0..60 {
         flow.step(1e9).unwrap();
         let frame = flow.frame();
-        for (change, spacing) in flow.changes().iter().zip(&frame.spacing) {
+        for (change, spacing) in flow.changes().iter().zip(&frame.extra.spacing) {
             assert!(
                 *change < 0.06 || *spacing < 1.0 / 60.0,
                 "{change} {spacing}"
