@@ -374,3 +374,38 @@ fn what_cannot_be_flown_is_refused_with_the_mend() {
             .refuses(&["aero fly cone.stl", "aero pack cone.stl"]);
     }
 }
+
+/// A cup flies with its hollow ahead: its shock goes farther aside than that of any front that boxes are laid out for.
+#[test]
+fn a_side_that_is_too_near_is_moved_and_the_runs_begin_anew() {
+    let place = Workplace::new();
+    let cup = [
+        [0.4, 0.0],
+        [0.35, 0.5],
+        [0.0, 1.0],
+        [0.5, 1.05],
+        [1.0, 0.9],
+        [1.0, 0.0],
+    ];
+    place.write("cup.stl", turned(&cup, 96));
+    let flight = ["fly", "cup.stl", "--mach", "1.5", "--spacing", "0.1"];
+    let answer = place.aero(&[&flight[..], &["--axis=-z,+y"]].concat());
+    answer.succeeds();
+    let told = format!("{}{}", answer.out, answer.err);
+    assert!(told.contains("side `y_max` is too near"), "{told}");
+    assert!(!told.contains("throws waves back"), "{told}");
+    let found = place.json("out/cup-fly/fly.json");
+    let levels = found["levels"].as_array().expect("runs");
+    assert_eq!(levels.len(), 4, "{levels:?}");
+    // The box that is told is the one that was computed.
+    let scene = std::fs::read_to_string(place.path("out/cup-fly/scene.toml")).expect("a scene");
+    let corner = scene.lines().find(|line| line.starts_with("max"));
+    let high = corner
+        .and_then(|line| line.split(", ").nth(1))
+        .expect("two");
+    let high: f64 = high.trim_end_matches(']').parse().expect("a number");
+    let before: f64 = answer.out.split(" x ").nth(1).expect("a box")[..5]
+        .parse()
+        .expect("a number");
+    assert!(high > 1.2 * before, "{before}: {scene}");
+}

@@ -32,6 +32,8 @@ pub struct Warning {
     pub about: About,
     /// The body, where there may be others.
     pub body: Option<String>,
+    /// Axis and end of the domain's side that is too near, where that is the matter.
+    pub side: Option<(usize, usize)>,
     /// What is the matter, where, and what mends it.
     pub text: String,
 }
@@ -42,7 +44,17 @@ impl Warning {
         Self {
             about,
             body: None,
+            side: None,
             text: text.into(),
+        }
+    }
+
+    /// The same, of a side of the domain that is too near.
+    #[must_use]
+    pub fn beside(self, side: (usize, usize)) -> Self {
+        Self {
+            side: Some(side),
+            ..self
         }
     }
 

@@ -116,8 +116,7 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
             .wishes(&args.body, [args.mach, args.incidence, args.sideslip])
     };
     let (flight, look) = prepared(wishes, args.how.minutes, args.how.spacing)?;
-    let words = words(&flight);
-    for line in &words {
+    for line in words(&flight) {
         say!("{line}");
     }
     let out = folder(args.out.as_ref(), &format!("{}-fly", flight.name));
@@ -128,11 +127,12 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
         )));
     }
     on_threads(args.threads, || {
-        let trip = Trip::new(&flight, begun, args.how.minutes, args.how.spacing);
+        let mut trip = Trip::new(flight, begun, args.how.minutes, args.how.spacing);
         let (family, told) = trip.family(look)?;
         say!("{told}");
         if let Some(path) = &args.scene {
-            let text = flight
+            let text = trip
+                .flight()
                 .scene(family.finest(), None)
                 .map_err(CommandError::wrong)?;
             std::fs::write(path, text).map_err(|error| {
@@ -143,10 +143,12 @@ pub fn fly(args: &FlyArgs) -> Result<(), CommandError> {
         }
         make_folder(&out).map_err(CommandError::wrong)?;
         let (levels, failures) = trip.runs(&family, &out, &interrupt)?;
-        let mut warnings = telling::warnings(&flight);
+        let flight = trip.flight();
+        let mut warnings = telling::warnings(flight);
         warnings.extend(failures);
-        let report = Report::new(&flight, words, levels, warnings).map_err(CommandError::failed)?;
-        fly::write_report(&flight, &report, &out).map_err(CommandError::failed)?;
+        let report =
+            Report::new(flight, words(flight), levels, warnings).map_err(CommandError::failed)?;
+        fly::write_report(flight, &report, &out).map_err(CommandError::failed)?;
         say_all!("{}", report.text());
         say!(
             "{}, {} in all; report in `{}`",

@@ -9,6 +9,7 @@ use aero_packer::thinnest_part;
 use aero_solver::method::Refine;
 
 use super::attitude::Attitude;
+use super::bluntness::bluntness;
 use super::centre::axis;
 use super::domain;
 use super::error::FlyError;
@@ -109,7 +110,12 @@ impl Flight {
             Extent::Space(_) => silhouette::frontal_area(shape.as_ref(), &bounds),
         };
         let area = wishes.area.unwrap_or(front);
-        let region = domain::around(&bounds, wishes.mach, [wishes.incidence, wishes.sideslip]);
+        let region = domain::around(
+            &bounds,
+            bluntness(shape.as_ref(), &bounds),
+            wishes.mach,
+            [wishes.incidence, wishes.sideslip],
+        );
         let halvings = match (wishes.with_the_gas, &extent) {
             (true, _) => 0,
             (false, Extent::Meridian(_)) => 2,
@@ -251,6 +257,20 @@ impl Flight {
         self.region.min[0] -= THICK * spacing / f64::from(1_u32 << self.halvings());
         let least = self.bounds.max[0] + BEHIND * spacing;
         self.region.max[0] = self.region.max[0].max(least);
+    }
+
+    /// Moves these sides of the box, axis and end, away from the body: half as far again.
+    pub fn give_room(&mut self, sides: &[(usize, usize)]) {
+        for axis in 0..3 {
+            for end in 0..2 {
+                // What is left out beyond a plane of symmetry is as large as what is computed.
+                let is_image = end == 0 && self.mirrors().contains(&axis);
+                let own = if is_image { (axis, 1) } else { (axis, end) };
+                if sides.contains(&own) {
+                    domain::move_away(&mut self.region, &self.bounds, (axis, end));
+                }
+            }
+        }
     }
 
     /// A spacing at which the box is that many cells.

@@ -76,6 +76,9 @@ pub struct Level {
     /// Warnings of the run.
     #[serde(skip)]
     pub warnings: Vec<String>,
+    /// Sides of the box that were too near for it, axis and end; not those that a wake leaves by, which hardly matter ahead of it.
+    #[serde(skip)]
+    pub near_sides: Vec<(usize, usize)>,
 }
 
 impl Level {
@@ -159,6 +162,7 @@ impl Level {
             base_area: parts.base_area,
             base_arms: parts.base_arms,
             warnings: summary.warnings.iter().map(ToString::to_string).collect(),
+            near_sides: summary.warnings.iter().filter_map(|w| w.side).collect(),
         })
     }
 }

@@ -2,6 +2,7 @@
 //! Makes scenes and reads what their runs have written; runs nothing itself.
 
 mod attitude;
+mod bluntness;
 mod body_view;
 mod canvas;
 mod centre;

@@ -296,6 +296,7 @@ mod tests {
             base_area: 0.5,
             base_arms: [0.1, 0.2],
             warnings: Vec::new(),
+            near_sides: Vec::new(),
         }
     }
 

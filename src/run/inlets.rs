@@ -30,14 +30,15 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> V
         let part = shocked(problem.resolution.lattice(), frame, (axis, end, plane), stream.pressure);
         (part > PART).then(|| {
             let name = side_name(axis, end);
-            format!(
+            let text = format!(
                 "a shock stands on {:.0} % of the inlet `{name}`, which keeps it from going to its place: forces and pressures behind it are wrong; \
                  move the side away from the body",
                 100.0 * part
-            )
+            );
+            Warning::new(About::Scene, text).beside((axis, end))
         })
     });
-    lines.map(|text| Warning::new(About::Scene, text)).collect()
+    lines.collect()
 }
 
 /// Part of the gas at a side, by the area that it takes there, whose pressure is above that of the stream by more than no shock makes.

@@ -56,7 +56,7 @@ pub(super) fn warnings<const D: usize>(
         let most = places.iter().fold(0.0_f64, |most, (over, _)| most.max(*over));
         (felt(&places, panels, &own) > PART).then(|| {
             let name = side_name(axis, end);
-            format!(
+            let text = format!(
                 "the free-stream side `{name}` throws waves back onto a body: gas beside it is off the stream's pressure by up to {:.0} % of what \
                  bodies are pressed with, and forces are wrong by a part of that; move the side away{}",
                 100.0 * most,
@@ -65,10 +65,11 @@ pub(super) fn warnings<const D: usize>(
                 } else {
                     ""
                 }
-            )
+            );
+            Warning::new(About::Scene, text).beside((axis, end))
         })
     });
-    lines.map(|text| Warning::new(About::Scene, text)).collect()
+    lines.collect()
 }
 
 /// True of a side that the stream goes along more than across, and does not cross faster than sound.

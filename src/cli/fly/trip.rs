@@ -6,6 +6,7 @@ use std::time::Instant;
 use aero::fly::{self, Costs, FAMILY, Flight, Level, minutes};
 use aero::run::{Destination, Progress, RunError, Stopwatch, burst};
 use aero::scene::Scene;
+use aero_solver::problem::side_name;
 
 use super::super::CommandError;
 use super::super::interrupt::Interrupt;
@@ -22,6 +23,10 @@ const MINUTES: f64 = 10.0;
 
 /// Runs at most: what a cheap first one leaves of the budget goes to finer ones.
 const MOST_RUNS: usize = 8;
+
+/// So often sides that are too near are moved, within this part of the budget.
+const WIDENINGS: usize = 4;
+const EARLY: f64 = 0.25;
 
 /// So often a run that failed is tried on another lattice, this much finer.
 const TRIES: usize = 4;
@@ -57,8 +62,8 @@ enum Came {
 }
 
 /// A flight with its budget.
-pub struct Trip<'a> {
-    flight: &'a Flight,
+pub struct Trip {
+    flight: Flight,
     costs: Costs,
     /// Seconds.
     budget: f64,
@@ -67,21 +72,21 @@ pub struct Trip<'a> {
     begun: Instant,
 }
 
-impl<'a> Trip<'a> {
+impl Trip {
     /// Of a flight that has begun, with a budget, or a finest spacing near body and shocks, or both.
-    pub fn new(
-        flight: &'a Flight,
-        begun: Instant,
-        minutes: Option<f64>,
-        spacing: Option<f64>,
-    ) -> Self {
+    pub fn new(flight: Flight, begun: Instant, minutes: Option<f64>, spacing: Option<f64>) -> Self {
         Self {
-            flight,
             costs: Costs::new(flight.dimension(), flight.wishes.with_the_gas),
+            flight,
             budget: budget(minutes, spacing),
             wanted: spacing,
             begun,
         }
+    }
+
+    /// The flight, in the box that its runs have shown that it needs.
+    pub fn flight(&self) -> &Flight {
+        &self.flight
     }
 
     /// Seconds left for runs.
@@ -183,9 +188,29 @@ impl<'a> Trip<'a> {
         Ok((family, told))
     }
 
+    /// Moves sides that were too near for the run of `level` away, early in a flight, and a few times at most; true where it did.
+    fn make_room(&mut self, level: &Level, times: usize) -> bool {
+        let is_early = self.begun.elapsed().as_secs_f64() < EARLY * self.budget;
+        let may = is_early && times < WIDENINGS && !level.near_sides.is_empty();
+        if may {
+            self.flight.give_room(&level.near_sides);
+            let names: Vec<String> = (level.near_sides.iter())
+                .map(|&(axis, end)| format!("`{}`", side_name(axis, end)))
+                .collect();
+            note!(
+                "{} too near: a larger box, from the coarsest run on",
+                match &names[..] {
+                    [name] => format!("side {name} is"),
+                    _ => format!("sides {} are", names.join(", ")),
+                }
+            );
+        }
+        may
+    }
+
     /// Runs coarse to fine, each from the one before, as far as the budget goes; and what is to be told of those that failed.
     pub fn runs(
-        &self,
+        &mut self,
         family: &Family,
         out: &Path,
         interrupt: &Interrupt,
@@ -195,7 +220,9 @@ impl<'a> Trip<'a> {
         let mut spacing = family.first;
         let mut finest_took = 0.0;
         let most = if family.is_fixed { FAMILY } else { MOST_RUNS };
-        for number in 1..=most {
+        let (mut number, mut widenings) = (0, 0);
+        while number < most {
+            number += 1;
             let begun = Instant::now();
             let to_come = FAMILY.saturating_sub(number);
             let is_finest = levels.last().is_none_or(|last| spacing < last.spacing);
@@ -237,6 +264,14 @@ impl<'a> Trip<'a> {
             };
             let seconds = begun.elapsed().as_secs_f64();
             tell(&level, seconds);
+            if !interrupt.came() && self.make_room(&level, widenings) {
+                for level in levels.drain(..).chain([level]) {
+                    std::fs::remove_dir_all(&level.folder).map_err(CommandError::failed)?;
+                }
+                (spacing, number) = (family.first, 0);
+                widenings += 1;
+                continue;
+            }
             let place = levels.partition_point(|other| other.spacing > level.spacing);
             levels.insert(place, level);
             interrupt.hold(true);
@@ -332,7 +367,7 @@ impl<'a> Trip<'a> {
             Err(error @ RunError::Output(_)) => return Err(CommandError::failed(error)),
             Err(error) => return Err(CommandError::wrong(error)),
         };
-        let level = Level::read(self.flight, folder, spacing, &summary);
+        let level = Level::read(&self.flight, folder, spacing, &summary);
         level
             .map(|level| Came::Through(Box::new(level)))
             .map_err(CommandError::failed)

@@ -57,7 +57,7 @@ fn scene_of_body(args: &SweepArgs, points: usize) -> Result<(Scene, Flight), Com
     for line in words(&flight) {
         say!("{line}");
     }
-    let (family, _) = Trip::new(&flight, begun, each, args.how.spacing).family(look)?;
+    let (family, _) = Trip::new(flight.clone(), begun, each, args.how.spacing).family(look)?;
     say!(
         "{points} points at a spacing of {:.3e} m, finer near body and shocks; this will take about {}",
         family.finest(),
