@@ -39,15 +39,20 @@ impl StandOff {
     }
 }
 
+/// Between what holds of round fronts and of flat ones.
+fn between([round, flat]: [f64; 2], bluntness: f64) -> f64 {
+    let part = (bluntness - BLUNT[0]) / (BLUNT[1] - BLUNT[0]);
+    round + part.clamp(0.0, 1.0) * (flat - round)
+}
+
 /// Room that a detached shock wants ahead of a body as blunt as that, half as high as `thin` and as `wide`.
 fn room_ahead(bluntness: f64, mach: f64, [thin, wide]: [f64; 2]) -> f64 {
     let round = ROUND.at(mach);
     // From the sphere to the cylinder, and of wide and thin ones what their tips are ahead of each other.
     let across = thin * (round + (1.0 - thin / wide) * (ACROSS.at(mach) - round).max(0.0));
     let own = across.max(0.3 * wide * round);
-    let flat = ((bluntness - BLUNT[0]) / (BLUNT[1] - BLUNT[0])).clamp(0.0, 1.0);
     let more = (AHEAD[1] * FLAT.at(mach) / round).max(AHEAD[0]);
-    own * (AHEAD[0] + flat * (more - AHEAD[0]))
+    own * between([AHEAD[0], more], bluntness)
 }
 
 /// The box around a body that spans `body`, nose at x = 0, with a front so blunt, in a stream along x turned by so many

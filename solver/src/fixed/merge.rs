@@ -6,6 +6,9 @@ use aero_geometry::Vector;
 use super::cut_cell::CutCell;
 use super::part::PartFace;
 
+/// A piece smaller than this part of the gas in its cell is the splinter of an edge, and no pocket.
+const SPLINTER: f64 = 1e-3;
+
 /// Rounds in which pieces behind pieces find an owner.
 const ROUNDS: usize = 8;
 
@@ -23,7 +26,7 @@ pub struct Target<const D: usize> {
 pub struct Targets<const D: usize> {
     /// By cell and piece.
     pub of_parts: Vec<Vec<Option<Target<D>>>>,
-    /// Pieces without an owner.
+    /// Pieces without an owner, splinters aside.
     pub lost: usize,
 }
 
@@ -119,8 +122,15 @@ pub fn given<const D: usize>(nodes: &Nodes, cut: &[CutCell<D>]) -> Targets<D> {
     }
     Targets {
         of_parts,
-        lost: homeless.len(),
+        lost: homeless.iter().filter(|lost| is_pocket(cut, lost)).count(),
     }
+}
+
+/// True of a piece without an owner that is gas worth a word.
+fn is_pocket<const D: usize>(cut: &[CutCell<D>], &(k, piece): &(usize, usize)) -> bool {
+    let parts = &cut[k].parts;
+    let all: f64 = parts.iter().map(|part| part.volume).sum();
+    parts[piece].volume > SPLINTER * all
 }
 
 /// The owner of the piece across the largest face.
@@ -260,8 +270,11 @@ mod tests {
     #[test]
     fn a_pocket_without_a_point_is_lost_and_told() {
         let own = |number| cell(number, vec![piece(true, number, &[])]);
-        let hidden = vec![piece(true, 1, &[]), piece(false, 1, &[])];
-        let cut = [own(0), cell(1, hidden), own(2)];
-        assert_eq!(owners(&cut).lost, 1);
+        for (volume, lost) in [(0.2, 1), (2e-3, 1), (5e-4, 0)] {
+            let mut hidden = vec![piece(true, 1, &[]), piece(false, 1, &[])];
+            (hidden[0].volume, hidden[1].volume) = (1.0, volume);
+            let cut = [own(0), cell(1, hidden), own(2)];
+            assert_eq!(owners(&cut).lost, lost, "{volume}");
+        }
     }
 }
