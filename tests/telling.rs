@@ -140,3 +140,42 @@ fn the_bar_shows_drag_and_lift() {
         "{seen}"
     );
 }
+
+/// The fan has no dissipation among particles; points that stay know it.
+#[test]
+fn particles_behind_a_convex_corner_are_told_of() {
+    let scene = r#"
+dimension = 2
+spacing = 0.1
+end_time = 0.5
+[free_stream]
+mach = 2.0
+density = 1.4
+pressure = 1.0
+[domain]
+min = [-1.0, -1.0]
+max = [2.0, 1.0]
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+y_min = "body"
+y_max = "free-stream"
+[[body]]
+name = "corner"
+shape = { expansion_corner = { angle = 15.0, corner = [0.0, 0.0] } }
+"#;
+    for (angle, motion, is_told) in [
+        ("15.0", "with-the-gas", true),
+        ("5.0", "with-the-gas", false),
+        ("15.0", "fixed", false),
+    ] {
+        let place = Workplace::new();
+        let angle = format!("body.corner.shape.expansion_corner.angle={angle}");
+        let motion = format!("scheme.motion={motion}");
+        let ran = place.run(scene, &["--set", &angle, "--set", &motion]);
+        ran.succeeds();
+        let words = "behind the sharp convex bend at (0.0000, 0.0000)";
+        let told = format!("{}{}", ran.out, ran.err);
+        assert_eq!(told.contains(words), is_told, "{angle} {motion}: {told}");
+    }
+}

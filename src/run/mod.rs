@@ -1,6 +1,7 @@
 //! Drives a run from its start to its end: when frames are due, what is recorded, what is summed
 //! up. Knows neither the equations nor the formats of the files.
 
+mod bends;
 mod beside;
 mod burst;
 mod checkpoint;

@@ -6,7 +6,8 @@ use super::coefficients::Coefficients;
 use super::steady::Window;
 use super::stopwatch::Stopwatch;
 use super::{
-    far_field, inlets, leaks, outlets, reach, refined, shown, stagnation, thrown_back, warmth,
+    bends, far_field, inlets, leaks, outlets, reach, refined, shown, stagnation, thrown_back,
+    warmth,
 };
 use crate::case::{Pressure, RunPlan, warnings};
 use crate::output::{BodyMotion, BodySummary, Conservation, Particles, Summary, peak_memory};
@@ -255,6 +256,7 @@ impl Tally {
             .chain(inlets::warnings(problem, &frame))
             .chain(outlets::warnings(problem, &frame))
             .chain(thrown_back::warnings(problem, &frame, &panels))
+            .chain(bends::warnings(problem, &panels))
             .chain(warmth::warnings(problem, &frame))
             .chain(stagnation::warnings(problem, &frame))
             .chain(shown::warnings(simulation, &panels, &self.coefficients))
