@@ -28,7 +28,7 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, panels: &PanelFrame
         many => format!("{many} sharp convex bends, the first at ({x:.4}, {y:.4})"),
     };
     let text = format!(
-        "behind {where_they_are}, particles show wall pressures that are too high for four spacings and by up to a quarter too low for twenty, however small \
+        "behind {where_they_are}, particles show wall pressures that are too high for four spacings and by a quarter and more too low for twenty, however small \
          these are; take points that stay (`scheme.motion = \"fixed\"`) for pressures there"
     );
     vec![Warning::new(About::Scene, text)]
