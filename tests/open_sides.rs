@@ -52,7 +52,7 @@ fn probes(place: &Workplace) -> BTreeMap<String, Vec<f64>> {
 /// what goes out does not. Both motions once were off by a factor: of two the points, of `1 - M` the particles.
 #[test]
 fn an_outlet_goes_back_to_its_pressure_as_fast_as_its_relaxation_says() {
-    for (motion, allowed) in [("fixed", 0.02), ("with-the-gas", 0.08)] {
+    for (motion, allowed) in [("fixed", 0.02), ("with-the-gas", 0.1)] {
         let place = Workplace::new();
         let motion = format!("scheme.motion={motion}");
         place.run(ABOVE, &["--set", &motion]).succeeds();

@@ -141,7 +141,8 @@ pub enum Viscosity {
     Bare,
     /// All, over a distance softened: `mu = h_ij (u_ij . x_ij) / (x_ij^2 + 0.01 h_ij^2)` [Monaghan 1992, eq. 4.2].
     Softened,
-    /// That, without what of `u_ij . x_ij` varies linearly, as both particles' rates of strain say [Frontiere, Raskin & Owen 2017, section 2.4].
+    /// That, without what of `u_ij . x_ij` varies linearly, as both particles' rates of strain say [Frontiere, Raskin & Owen 2017, section 2.4]; and of pairs that part where
+    /// gas expands, `Pi_ij = 2 c_ij mu`, without which a fan that springs from a corner rings.
     Limited,
 }
 

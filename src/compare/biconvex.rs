@@ -93,7 +93,7 @@ fn rows(flow: &Flow<'_, Halves>) -> Result<Vec<Row>, CompareError> {
             THEORY,
             departure / scale,
             0.0,
-            [0.1, 0.03],
+            [0.06, 0.03],
         )
         .by_points(is_of_points, [0.06, 0.03]),
         Row::informs(
@@ -107,7 +107,7 @@ fn rows(flow: &Flow<'_, Halves>) -> Result<Vec<Row>, CompareError> {
             THEORY,
             body.cd_mean.unwrap_or(f64::NAN),
             theory.drag_coefficient()?,
-            [0.5, 5.0],
+            [1.3, 5.0],
         )
         .by_points(is_of_points, [2.0, 5.0]),
     ];
@@ -142,31 +142,31 @@ fn pictures(flow: &Flow<'_, Halves>) -> Result<(), CompareError> {
         let x = f64::from(k) / 100.0;
         exact.push([x, theory.surface(x)?.pressure_coefficient]);
     }
-    let wall = &flow.outcome.surface;
-    let points = wall.position.iter().zip(&wall.pressure_coefficient);
     let panel = Panel::new(
         "x / chord",
         "pressure coefficient",
         vec![
             Series::new("shock-expansion theory", Style::Line, exact),
-            Series::new(
-                "particles",
-                Style::Dots,
-                points.map(|(foot, cp)| [foot[0], *cp]).collect(),
-            ),
+            Series::new("particles", Style::Dots, wall(flow.outcome).collect()),
         ],
     );
     flow.save(Curves::single(TITLE, panel), "cp", "svg")
 }
 
+/// Place on the chord and pressure coefficient of each panel.
+fn wall(outcome: &Outcome) -> impl Iterator<Item = [f64; 2]> {
+    let panels = &outcome.panels;
+    let each = panels.pressure_coefficient.iter().enumerate();
+    each.map(|(n, cp)| [panels.middle(n)[0], *cp])
+}
+
 /// Mean size of the departure of the pressure coefficient from theory, and mean size of the
 /// coefficient, over the stations judged.
 pub fn departure(outcome: &Outcome, theory: &Biconvex) -> Result<(f64, f64), CompareError> {
-    let wall = &outcome.surface;
     let (mut departure, mut scale, mut count) = (0.0, 0.0, 0.0);
-    for (foot, cp) in wall.position.iter().zip(&wall.pressure_coefficient) {
-        if (JUDGED[0]..JUDGED[1]).contains(&foot[0]) {
-            let exact = theory.surface(foot[0])?.pressure_coefficient;
+    for [x, cp] in wall(outcome) {
+        if (JUDGED[0]..JUDGED[1]).contains(&x) {
+            let exact = theory.surface(x)?.pressure_coefficient;
             departure += (cp - exact).abs();
             scale += exact.abs();
             count += 1.0;

@@ -64,7 +64,7 @@ fn rows(flow: &Flow<'_, u32>) -> Result<Vec<Row>, CompareError> {
     let is_of_points = flow.variant.scheme.is_of_points();
     Ok(vec![
         place("Mach stem on the wall, x'", found.foot, FOOT, 0.05),
-        place("triple point, x'", found.triple[0], TRIPLE[0], 0.005)
+        place("triple point, x'", found.triple[0], TRIPLE[0], 0.012)
             .by_points(is_of_points, [0.025, full]),
         place("triple point, y'", found.triple[1], TRIPLE[1], 0.012)
             .by_points(is_of_points, [0.1, full]),

@@ -84,7 +84,7 @@ fn rows(flow: &Flow<'_, Allowed>) -> Result<Vec<Row>, CompareError> {
             "the same body",
             drag(&mesh) / drag(flow.outcome),
             1.0,
-            [0.3, 2.0],
+            [0.7, 2.0],
         ),
     ];
     rows.extend(flow.no_lift("sphere", ROUND_OFF));

@@ -72,10 +72,10 @@ fn rows(flow: &Flow<'_>) -> Result<Vec<Row>, CompareError> {
     let length = 1.0 - shocks.triple_point(stem)?;
     let normal = normal_shock(MACH, GAMMA)?;
     rows.extend([
-        place("Mach stem, x at the upper wall", stem, STEM[0], 0.018)
+        place("Mach stem, x at the upper wall", stem, STEM[0], 0.03)
             .by_points(is_of_points, [0.05, 0.02]),
         place("Mach stem, length", length, STEM[1], 0.026),
-        place("reflection on the step, x", shocks.foot()?, FOOT, 0.023)
+        place("reflection on the step, x", shocks.foot()?, FOOT, 0.035)
             .by_points(is_of_points, [0.006, 0.02]),
         Row::relative(
             "pressure at the foot of the step",

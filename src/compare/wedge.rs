@@ -180,7 +180,7 @@ fn rows(flow: &Flow<'_, Corner>) -> Result<Vec<Row>, CompareError> {
             "half-jump shock angle, deg",
             found.line.angle.to_degrees(),
             degrees,
-            [0.07, 0.5],
+            [0.16, 0.5],
         ),
         near(
             "shock angle by eq. (36), deg",

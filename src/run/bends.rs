@@ -1,5 +1,5 @@
-//! Sharp convex bends of walls in a stream faster than sound, of particles, at the end of a run: the fan that stands at one has no dissipation among them,
-//! and pressures behind it are wrong over a number of spacings, however small these are.
+//! Sharp convex bends of walls in a stream faster than sound, of particles, at the end of a run: a fan stands at one, which kernels smear and
+//! which rings, so that pressures behind it are wrong over a number of spacings, however small these are.
 
 use aero_packer::{About, Warning};
 use aero_solver::frame::PanelFrame;
@@ -28,8 +28,8 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, panels: &PanelFrame
         many => format!("{many} sharp convex bends, the first at ({x:.4}, {y:.4})"),
     };
     let text = format!(
-        "behind {where_they_are}, particles show wall pressures that are too high for four spacings and by a quarter and more too low for twenty, however small \
-         these are; take points that stay (`scheme.motion = \"fixed\"`) for pressures there"
+        "behind {where_they_are}, particles show wall pressures that are too high for six spacings and off by 5 % up to twenty, by a third where the pressure \
+         falls below a fifth, however small spacings are; take points that stay (`scheme.motion = \"fixed\"`) for pressures there"
     );
     vec![Warning::new(About::Scene, text)]
 }

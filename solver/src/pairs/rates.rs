@@ -48,7 +48,7 @@ pub fn rates<const D: usize>(
     );
     // The conduction goes by what the viscosity finds.
     let dissipation = (
-        ArtificialViscosity(scheme.viscosity),
+        ArtificialViscosity::of(scheme),
         ArtificialConduction(scheme.conduction),
     );
     let flow = (gradients, (dissipation, PressureForce));
@@ -117,6 +117,6 @@ pub fn reactions<const D: usize>(
         let pressure = AveragedPressure { acts: true };
         return backend.sweep_in_double(lists, records, &met, &pressure, rates);
     }
-    let forces = (ArtificialViscosity(scheme.viscosity), PressureForce);
+    let forces = (ArtificialViscosity::of(scheme), PressureForce);
     backend.sweep_in_double(lists, records, &met, &forces, rates);
 }

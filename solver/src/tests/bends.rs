@@ -100,3 +100,36 @@ fn gas_at_rest_around_a_turning_cylinder_stays_at_one_pressure() {
     let furthest = solver.ghosts().iter().map(off).fold(0.0, f64::max);
     assert!(furthest < 5e-3, "the pressure is off by {furthest}");
 }
+
+/// Gas that circles as a rigid body, `u = w r`, is not strained. Its mirror image `u = w (2 R - r)` is: `r d(u / r)/dr / 2 = -w` at the wall.
+#[test]
+fn ghosts_beneath_gas_that_circles_a_cylinder_show_the_strain_of_their_own_velocities() {
+    const RATE: f64 = 0.4;
+    let mut problem = cylinder(WallKind::Slip);
+    problem.disorder = 0.0;
+    let centre = problem.domain.bounds.max * 0.5;
+    let still = [Vector::<2>::zeros(); 2];
+    turn(&mut problem.bodies[0], Vector3::zeros(), centre, still);
+    problem.initial = Initial::Field(Field(Arc::new(move |position: &Vector<2>| {
+        let arm = position - centre;
+        State {
+            density: 1.4,
+            velocity: Vector::<2>::new(-arm[1], arm[0]) * RATE,
+            pressure: 1.0,
+        }
+    })));
+    let mut solver = Solver::new(DEFAULT.of(problem), instructions()[0]);
+    solver.list();
+    solver.evaluate();
+    let mut seen = 0;
+    for ghost in solver.ghosts() {
+        if ghost.body != 0 || ghost.depth > 0.06 {
+            continue;
+        }
+        seen += 1;
+        let n = ghost.normal;
+        let shear = Vector::<2>::new(-n[1], n[0]).dot(&(ghost.point.strain * n));
+        assert!((shear / RATE + 1.0).abs() < 0.25, "{shear} for {}", -RATE);
+    }
+    assert!(seen > 20, "{seen} ghosts");
+}

@@ -127,10 +127,7 @@ fn show<const D: usize>(
     };
     // Beyond a slip wall the flow is the mirror image; beyond the other kind it goes on.
     ghost.shown.strain = match kind {
-        WallKind::Slip => {
-            let mirror = Matrix::identity() - ghost.normal * ghost.normal.transpose() * 2.0;
-            mirror * gas.strain * mirror
-        }
+        WallKind::Slip => mirrored_strain(ghost, gas, &(slide - ghost.normal * across)),
         WallKind::NoSlip(_) => gas.strain,
     };
     // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure, and so does what drives gas into the
@@ -156,6 +153,20 @@ fn show<const D: usize>(
         ghost.shown.energy = law.isentropic_energy(gas.energy, gas.pressure, ghost.shown.pressure);
     }
     ghost.shown.density = law.density(ghost.shown.pressure, ghost.shown.energy);
+}
+
+/// Rate of strain beyond a slip wall past which gas goes at `along`: `M E M - (n (x) S u + S u (x) n)`, `M` the mirror and
+/// `S` the wall's shape operator. Gas that follows a bent wall has `n.u = 0` along a normal that turns: the part of `E` across the wall that this makes does not
+/// change its sign beyond it, since the velocities that ghosts show follow the bend as well.
+fn mirrored_strain<const D: usize>(
+    ghost: &Ghost<D>,
+    gas: &Interpolated<D>,
+    along: &Vector<D>,
+) -> Matrix<D> {
+    let normal = ghost.normal;
+    let mirror = Matrix::identity() - normal * normal.transpose() * 2.0;
+    let bend = normal * (ghost.wall.curvature * along).transpose();
+    mirror * gas.strain * mirror - (bend + bend.transpose())
 }
 
 /// A pressure over the least that rises by `rise` to first order, and stays positive where it falls.

@@ -16,7 +16,7 @@ const SCENE: Source = scene!("hot-shock");
 const READ: [f64; 2] = [0.4, 0.8];
 
 /// Per cent: of density, pressure and temperature.
-const ALLOWED: f64 = 1.0;
+const ALLOWED: f64 = 1.5;
 
 /// Per cent of where the shock is, at the quick level, by three particles to its width, and at the full one.
 const PLACE: [f64; 2] = [3.0, 1.5];

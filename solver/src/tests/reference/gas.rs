@@ -125,7 +125,7 @@ pub fn rate<const D: usize>(
         let push = (corrected * i.pressure + j.renormalisation * pair.gradient * j.pressure)
             * (-j.volume / i.density);
         let closing = closing_speed(laws, &pair, i, j);
-        let viscous = pair.gradient * (j.mass / pair.density * viscous_pressure(&pair, closing));
+        let viscous = pair.gradient * (j.mass / pair.density * viscous_pressure(laws, &pair, i, j));
         pressure += push;
         viscosity += viscous;
         heat -= viscous.dot(&pair.u) / 2.0;

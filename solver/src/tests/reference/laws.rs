@@ -70,9 +70,35 @@ pub fn closing_speed<const D: usize>(
     pair.h * closing.min(0.0) / (squared + 0.01 * pair.h * pair.h)
 }
 
-/// `Pi = alpha c mu - beta mu^2`, `alpha = 1`, `beta = 2`.
-pub fn viscous_pressure<const D: usize>(pair: &Pair<D>, closing: f64) -> f64 {
-    pair.sound * closing - 2.0 * closing * closing
+/// `mu` of a pair that parts in gas that expands, zero of another: of its speed what neither strain explains, and no more than twice
+/// the mean rate of expansion.
+pub fn parting_speed<const D: usize>(
+    laws: Laws,
+    pair: &Pair<D>,
+    i: &Point<D>,
+    j: &Point<D>,
+) -> f64 {
+    let approach = pair.u.dot(&pair.r);
+    let squared = pair.distance * pair.distance;
+    let expansion = f64::midpoint(i.strain.trace(), j.strain.trace());
+    if laws.published || !laws.limits_viscosity || approach <= 0.0 || expansion <= 0.0 {
+        return 0.0;
+    }
+    let linear = [i, j].map(|end| pair.r.dot(&(end.strain * pair.r)));
+    let left = approach - linear.into_iter().fold(0.0, f64::max);
+    pair.h * left.clamp(0.0, 2.0 * expansion * squared) / (squared + 0.01 * pair.h * pair.h)
+}
+
+/// `Pi = alpha c mu - beta mu^2` of what closes, `alpha = 1`, `beta = 2`; `2 c mu` of what parts.
+pub fn viscous_pressure<const D: usize>(
+    laws: Laws,
+    pair: &Pair<D>,
+    i: &Point<D>,
+    j: &Point<D>,
+) -> f64 {
+    let closing = closing_speed(laws, pair, i, j);
+    let parting = parting_speed(laws, pair, i, j);
+    pair.sound * (closing + 2.0 * parting) - 2.0 * closing * closing
 }
 
 /// What `j` gives `i` of its heat, with `kappa = 0.1`: weighed by `m_j / rho_j` as published, by `m_j / rho_ij` otherwise, where Noh's

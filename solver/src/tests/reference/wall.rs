@@ -3,7 +3,7 @@
 use aero_geometry::Vector;
 use nalgebra::{DMatrix, DVector, Vector3};
 
-use super::laws::{Pair, closing_speed, viscous_pressure};
+use super::laws::{Pair, viscous_pressure};
 use super::{Heat, Laws, Matrix, Point, Wall, in_reach, kernel};
 
 /// Gas as it is seen from a point: `centroid` is where the interpolation looked, relative to the point.
@@ -130,9 +130,13 @@ pub fn mirrored<const D: usize>(wall: &Wall<D>, seen: &Seen<D>, height: f64) -> 
     let relative = seen.velocity - wall.surface_velocity;
     if wall.slips {
         let mirror = Matrix::<D>::identity() - n * n.transpose() * 2.0;
+        // Along a normal that turns, velocities beyond the wall go on as the gas's do.
+        let bent = wall.curvature * (relative - n * relative.dot(&n));
         return Point {
             velocity: seen.velocity - n * (2.0 * relative.dot(&n)),
-            strain: mirror * seen.strain * mirror.transpose(),
+            strain: mirror * seen.strain * mirror.transpose()
+                - n * bent.transpose()
+                - bent * n.transpose(),
             ..wall.point
         };
     }
@@ -253,8 +257,7 @@ pub fn force<const D: usize>(laws: Laws, ghost: &Point<D>, gas: &[Point<D>]) -> 
         let pair = Pair::new(i, ghost);
         let stress = i.renormalisation * i.pressure + ghost.renormalisation * ghost.pressure;
         let push = stress * pair.gradient * (-ghost.volume / i.density);
-        let closing = closing_speed(laws, &pair, i, ghost);
-        let viscous = viscous_pressure(&pair, closing) * ghost.mass / pair.density;
+        let viscous = viscous_pressure(laws, &pair, i, ghost) * ghost.mass / pair.density;
         force -= (push + pair.gradient * viscous) * i.mass;
     }
     force
