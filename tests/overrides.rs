@@ -78,4 +78,7 @@ fn a_comparison_takes_settings_for_all_its_runs_and_refuses_unknown_ones() {
     let place = Workplace::new();
     let answer = place.aero(&["validate", "sod", "--quick", "--set", "scheme.shifts=true"]);
     answer.refuses(&["scheme", "shifts", "shifting"]);
+    let tried = place.aero(&["validate", "sod", "--quick", "--set", "scheme.cfl=0.4"]);
+    let words = ", with scheme.cfl=0.4: ";
+    assert!(tried.out.contains(words), "{}", tried.out);
 }

@@ -80,7 +80,7 @@ impl<P> Compare for Comparison<P> {
             if !variant.levels.contain(context.level) || !is_asked {
                 continue;
             }
-            let label = (self.label)(&variant);
+            let label = context.called((self.label)(&variant));
             match self.run(&variant, &label, context) {
                 Ok((rows, history)) => {
                     checks.extend(rows);

@@ -27,6 +27,17 @@ pub struct Context<'a> {
     pub announce: &'a (dyn Fn(&str) + Sync),
 }
 
+impl Context<'_> {
+    /// What is said of a run called `label`, which has more settings than its own.
+    pub fn called(&self, label: String) -> String {
+        if self.settings.is_empty() {
+            label
+        } else {
+            format!("{label}, with {}", self.settings.join(" "))
+        }
+    }
+}
+
 impl std::fmt::Debug for Context<'_> {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("Context")
