@@ -36,7 +36,7 @@ pub enum Keep {
     End,
     /// Loads on the first body after every step.
     Loads,
-    /// Frames of the scene's `[output]` in the second half of the run.
+    /// Frames of the scene's `[output]` in the second half of the run; at the end alone of a run that settles.
     Frames,
     /// What panels show at the same times; at the end alone of a run that settles.
     Panels,
@@ -84,8 +84,12 @@ fn finish<const D: usize>(
     let gas = frame.chosen(|kind| kind == Kind::Fluid as u8);
     let panels = simulation.panels();
     let mut history = keeper.history;
+    // A run that settles has passed no frame by the time.
     if keep == Keep::Panels && history.panels.is_empty() {
         history.panels.push(panels.clone());
+    }
+    if keep == Keep::Frames && history.frames.is_empty() {
+        history.frames.push(frame.clone());
     }
     Ok(Outcome {
         gas,
