@@ -36,7 +36,7 @@ pub const NOZZLE: Comparison = Comparison {
         let published = Variant::new(30, ());
         vec![
             published.quick(),
-            published.settled(),
+            published.settled().both(),
             published,
             published.wm(),
             published.cells(60),
