@@ -179,3 +179,43 @@ shape = { expansion_corner = { angle = 15.0, corner = [0.0, 0.0] } }
         assert_eq!(told.contains(words), is_told, "{angle} {motion}: {told}");
     }
 }
+
+/// A block whose top turns down by 15 degrees at x = 0, from side to side.
+const ROOF: &str = "v -3 -3 -1\nv 4 -3 -1\nv 4 -1.0718 -1\nv 0 0 -1\nv -3 0 -1\n\
+    v -3 -3 2\nv 4 -3 2\nv 4 -1.0718 2\nv 0 0 2\nv -3 0 2\n\
+    f 5 4 3 2 1\nf 6 7 8 9 10\nf 1 2 7 6\nf 2 3 8 7\nf 3 4 9 8\nf 4 5 10 9\nf 5 1 6 10\n";
+
+#[test]
+fn particles_behind_a_convex_edge_in_space_are_told_of() {
+    let place = Workplace::new();
+    place.write("roof.obj", ROOF);
+    let scene = r#"
+dimension = 3
+spacing = 0.1
+end_time = 0.1
+[free_stream]
+mach = 2.0
+density = 1.4
+pressure = 1.0
+[domain]
+min = [-0.6, -0.6, 0.0]
+max = [0.8, 0.6, 0.5]
+[domain.sides]
+x_min = "inlet"
+x_max = "outlet"
+y_min = "body"
+y_max = "free-stream"
+z_min = "symmetry"
+z_max = "symmetry"
+[[body]]
+name = "roof"
+shape = { stl = { file = "roof.obj", unit = "m" } }
+"#;
+    for (mach, is_told) in [("2.0", true), ("0.8", false)] {
+        let ran = place.run(scene, &["--set", &format!("free_stream.mach={mach}")]);
+        ran.succeeds();
+        let told = format!("{}{}", ran.out, ran.err);
+        let words = "behind sharp convex edges, as that at (0.0000, 0.0000, ";
+        assert_eq!(told.contains(words), is_told, "{mach}: {told}");
+    }
+}

@@ -1,6 +1,7 @@
 //! Sharp convex bends of walls in a stream faster than sound, of particles, at the end of a run: a fan stands at one, which kernels smear and
 //! which rings, so that pressures behind it are wrong over a number of spacings, however small these are.
 
+use aero_geometry::{Ridge, Vector};
 use aero_packer::{About, Warning};
 use aero_solver::frame::PanelFrame;
 use aero_solver::problem::Problem;
@@ -8,24 +9,27 @@ use aero_solver::problem::Problem;
 /// Turns that are told of, degrees: of less the fan is weak, and gas does not follow farther.
 const TURNS: [f64; 2] = [10.0, 50.0];
 
-/// Mach number of the gas on both sides from which on a fan stands there.
+/// Mach number of the gas on both sides, across the edge, from which on a fan stands there.
 const FAST: f64 = 1.05;
+
+/// Places along an edge in space where the gas is asked.
+const PLACES: usize = 9;
+
+/// Cosine between normals of a panel and of the side of an edge that it belongs to.
+const ALIKE: f64 = 0.999;
 
 /// What there is to say of the bends of the bodies of a flow with these `panels`.
 pub(super) fn warnings<const D: usize>(problem: &Problem<D>, panels: &PanelFrame) -> Vec<Warning> {
-    if D != 2 || problem.method.fixed().is_some() {
+    if problem.method.fixed().is_some() {
         return Vec::new();
     }
-    let bends: Vec<[f64; 3]> = (1..panels.body.len())
-        .filter(|&n| (panels.body[n] as usize) < problem.bodies.len())
-        .filter_map(|n| bend(panels, n))
-        .collect();
-    let Some([x, y, _]) = bends.first() else {
-        return Vec::new();
+    let where_they_are = match D {
+        2 => in_the_plane(problem.bodies.len(), panels),
+        3 => in_space(problem, panels),
+        _ => None,
     };
-    let where_they_are = match bends.len() {
-        1 => format!("the sharp convex bend at ({x:.4}, {y:.4})"),
-        many => format!("{many} sharp convex bends, the first at ({x:.4}, {y:.4})"),
+    let Some(where_they_are) = where_they_are else {
+        return Vec::new();
     };
     let text = format!(
         "behind {where_they_are}, particles show wall pressures that are too high for six spacings and off by 5 % up to twenty, by a third where the pressure \
@@ -34,7 +38,81 @@ pub(super) fn warnings<const D: usize>(problem: &Problem<D>, panels: &PanelFrame
     vec![Warning::new(About::Scene, text)]
 }
 
-/// Where panel `n` and the one before it meet at such a bend.
+/// The bends of so many bodies in the plane, in words.
+fn in_the_plane(bodies: usize, panels: &PanelFrame) -> Option<String> {
+    let bends: Vec<[f64; 3]> = (1..panels.body.len())
+        .filter(|&n| (panels.body[n] as usize) < bodies)
+        .filter_map(|n| bend(panels, n))
+        .collect();
+    let [x, y, _] = bends.first()?;
+    Some(match bends.len() {
+        1 => format!("the sharp convex bend at ({x:.4}, {y:.4})"),
+        many => format!("{many} sharp convex bends, the first at ({x:.4}, {y:.4})"),
+    })
+}
+
+/// The first edge of a body at rest in space at which a fan stands, in words.
+fn in_space<const D: usize>(problem: &Problem<D>, panels: &PanelFrame) -> Option<String> {
+    let domain = problem.domain.bounds;
+    let stream = problem.free_stream.velocity;
+    let resting = problem.bodies.iter().enumerate();
+    let resting = resting.filter(|(_, body)| !body.motion.is_moving());
+    let edges = resting.flat_map(|(n, body)| {
+        let ridges = body.shape.ridges(problem.resolution.lattice(), &domain);
+        ridges.into_iter().map(move |ridge| (n as u32, ridge))
+    });
+    let places = edges.filter(|(_, ridge)| is_told_of(ridge.turn().to_degrees()));
+    let mut places = places.flat_map(|(body, ridge)| {
+        let along = (0..PLACES).map(|k| (k as f64 + 0.5) / PLACES as f64);
+        let places = along.map(|part| ridge.ends[0].lerp(&ridge.ends[1], part));
+        let here: Vec<Vector<D>> = places.filter(|place| domain.contains(place)).collect();
+        here.into_iter().map(move |place| (body, ridge, place))
+    });
+    let (_, _, place) = places.find(|(body, ridge, place)| {
+        let is_fast = |normal: &Vector<D>| {
+            let mach = mach_beside(panels, *body, normal, place);
+            mach.is_some_and(|mach| mach * crossing(ridge, normal, &stream) > FAST)
+        };
+        ridge.normals.iter().all(is_fast)
+    })?;
+    let place = place.iter().map(|x| format!("{x:.4}")).collect::<Vec<_>>();
+    Some(format!(
+        "sharp convex edges, as that at ({})",
+        place.join(", ")
+    ))
+}
+
+/// The part of the velocity of gas that follows the stream on the side of an edge with this normal that is across the edge.
+fn crossing<const D: usize>(ridge: &Ridge<D>, normal: &Vector<D>, stream: &Vector<D>) -> f64 {
+    let along = (ridge.ends[1] - ridge.ends[0]).normalize();
+    let flow = (stream - normal * normal.dot(stream)).normalize();
+    (flow - along * along.dot(&flow)).norm()
+}
+
+/// The Mach number on the panel of a body that faces along `normal` and is the nearest one.
+fn mach_beside<const D: usize>(
+    panels: &PanelFrame,
+    body: u32,
+    normal: &Vector<D>,
+    place: &Vector<D>,
+) -> Option<f64> {
+    let dot = |n: usize| (0..D).map(|k| panels.normal[n][k] * normal[k]).sum::<f64>();
+    let of_side = |n: &usize| panels.body[*n] == body && dot(*n) > ALIKE;
+    let distance = |n: &usize| {
+        let middle = panels.middle(*n);
+        (Vector::<D>::from_fn(|k, _| middle[k]) - place).norm_squared()
+    };
+    (0..panels.body.len())
+        .filter(of_side)
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        .map(|n| panels.mach[n])
+}
+
+fn is_told_of(turn: f64) -> bool {
+    turn > TURNS[0] && turn < TURNS[1]
+}
+
+/// Where panel `n` of the plane and the one before it meet at such a bend.
 fn bend(panels: &PanelFrame, n: usize) -> Option<[f64; 3]> {
     let corner = panels.points[2 * n];
     let fast = panels.mach[n - 1].min(panels.mach[n]) > FAST;
@@ -49,7 +127,7 @@ fn bend(panels: &PanelFrame, n: usize) -> Option<[f64; 3]> {
         .sum();
     let cosine: f64 = (0..2).map(|k| before[k] * behind[k]).sum();
     let turn = cosine.clamp(-1.0, 1.0).acos().to_degrees();
-    (part > 0.0 && turn > TURNS[0] && turn < TURNS[1]).then_some(corner)
+    (part > 0.0 && is_told_of(turn)).then_some(corner)
 }
 
 #[cfg(test)]
@@ -79,5 +157,50 @@ mod tests {
         let mut apart = panels(-15.0, [2.0, 2.5]);
         apart.points[2][0] = 0.1;
         assert_eq!(bend(&apart, 1), None);
+    }
+
+    #[test]
+    fn gas_crosses_edges_by_how_they_are_swept() {
+        let (s, c) = (-15_f64).to_radians().sin_cos();
+        let ridge = Ridge {
+            ends: [Vector::<3>::zeros(), Vector::z()],
+            normals: [Vector::y(), Vector::<3>::new(-s, c, 0.0)],
+        };
+        let across = |stream: [f64; 3]| {
+            let stream = Vector::from(stream);
+            ridge
+                .normals
+                .map(|normal| crossing(&ridge, &normal, &stream))
+        };
+        assert!(across([2.0, 0.0, 0.0]).map(|part| part - 1.0) == [0.0; 2]);
+        assert!(across([0.0, 0.0, 2.0]).iter().all(|part| *part < 1e-12));
+        let [before, _] = across([1.0, 0.0, 3_f64.sqrt()]);
+        assert!((before - 0.5).abs() < 1e-12, "{before}");
+        // Of gas at rest nothing crosses.
+        assert!(across([0.0; 3]).iter().all(|part| part.is_nan()));
+    }
+
+    #[test]
+    fn the_gas_beside_an_edge_is_that_of_the_nearest_panel_of_its_side() {
+        let square = |x: f64| [[x, 0.0, 0.0], [x + 1.0, 0.0, 0.0], [x, 0.0, 1.0]];
+        let panels = PanelFrame {
+            corners: 3,
+            points: [square(-3.0), square(-1.0), square(-0.5), square(-0.5)].concat(),
+            normal: vec![
+                [0.0, 1.0, 0.0],
+                [0.0, 1.0, 0.0],
+                [0.6, 0.8, 0.0],
+                [0.0, 1.0, 0.0],
+            ],
+            mach: vec![1.0, 2.0, 3.0, 4.0],
+            body: vec![0, 0, 0, 1],
+            ..PanelFrame::default()
+        };
+        let place = Vector::<3>::zeros();
+        let beside =
+            |body, normal: [f64; 3]| mach_beside(&panels, body, &Vector::from(normal), &place);
+        assert_eq!(beside(0, [0.0, 1.0, 0.0]), Some(2.0));
+        assert_eq!(beside(0, [0.6, 0.8, 0.0]), Some(3.0));
+        assert_eq!(beside(1, [0.6, 0.8, 0.0]), None);
     }
 }
