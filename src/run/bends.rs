@@ -61,19 +61,27 @@ fn in_space<const D: usize>(problem: &Problem<D>, panels: &PanelFrame) -> Option
         let ridges = body.shape.ridges(problem.resolution.lattice(), &domain);
         ridges.into_iter().map(move |ridge| (n as u32, ridge))
     });
-    let places = edges.filter(|(_, ridge)| is_told_of(ridge.turn().to_degrees()));
-    let mut places = places.flat_map(|(body, ridge)| {
-        let along = (0..PLACES).map(|k| (k as f64 + 0.5) / PLACES as f64);
-        let places = along.map(|part| ridge.ends[0].lerp(&ridge.ends[1], part));
-        let here: Vec<Vector<D>> = places.filter(|place| domain.contains(place)).collect();
-        here.into_iter().map(move |place| (body, ridge, place))
-    });
-    let (_, _, place) = places.find(|(body, ridge, place)| {
-        let is_fast = |normal: &Vector<D>| {
-            let mach = mach_beside(panels, *body, normal, place);
-            mach.is_some_and(|mach| mach * crossing(ridge, normal, &stream) > FAST)
-        };
-        ridge.normals.iter().all(is_fast)
+    let fastest = panels.mach.iter().copied().fold(0.0, f64::max);
+    let mut told = edges.filter(|(_, ridge)| is_told_of(ridge.turn().to_degrees()));
+    let place = told.find_map(|(body, ridge)| {
+        let crossings = ridge
+            .normals
+            .map(|normal| crossing(&ridge, &normal, &stream));
+        if !crossings.iter().all(|part| part * fastest > FAST) {
+            return None;
+        }
+        let sides = ridge.normals.map(|normal| side(panels, body, &normal));
+        let mut places = (0..PLACES)
+            .map(|k| (k as f64 + 0.5) / PLACES as f64)
+            .map(|part| ridge.ends[0].lerp(&ridge.ends[1], part))
+            .filter(|place| domain.contains(place));
+        places.find(|place| {
+            let mut sides = sides.iter().zip(crossings);
+            sides.all(|(side, part)| {
+                let mach = mach_beside(panels, side, place);
+                mach.is_some_and(|mach| mach * part > FAST)
+            })
+        })
     })?;
     let place = place.iter().map(|x| format!("{x:.4}")).collect::<Vec<_>>();
     Some(format!(
@@ -89,23 +97,27 @@ fn crossing<const D: usize>(ridge: &Ridge<D>, normal: &Vector<D>, stream: &Vecto
     (flow - along * along.dot(&flow)).norm()
 }
 
-/// The Mach number on the panel of a body that faces along `normal` and is the nearest one.
+/// The panels of a body that face along `normal`.
+fn side<const D: usize>(panels: &PanelFrame, body: u32, normal: &Vector<D>) -> Vec<usize> {
+    let dot = |n: usize| (0..D).map(|k| panels.normal[n][k] * normal[k]).sum::<f64>();
+    (0..panels.body.len())
+        .filter(|n| panels.body[*n] == body && dot(*n) > ALIKE)
+        .collect()
+}
+
+/// The Mach number on the nearest of these panels.
 fn mach_beside<const D: usize>(
     panels: &PanelFrame,
-    body: u32,
-    normal: &Vector<D>,
+    side: &[usize],
     place: &Vector<D>,
 ) -> Option<f64> {
-    let dot = |n: usize| (0..D).map(|k| panels.normal[n][k] * normal[k]).sum::<f64>();
-    let of_side = |n: &usize| panels.body[*n] == body && dot(*n) > ALIKE;
-    let distance = |n: &usize| {
-        let middle = panels.middle(*n);
+    let distance = |n: usize| {
+        let middle = panels.middle(n);
         (Vector::<D>::from_fn(|k, _| middle[k]) - place).norm_squared()
     };
-    (0..panels.body.len())
-        .filter(of_side)
-        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-        .map(|n| panels.mach[n])
+    side.iter()
+        .min_by(|a, b| distance(**a).total_cmp(&distance(**b)))
+        .map(|n| panels.mach[*n])
 }
 
 fn is_told_of(turn: f64) -> bool {
@@ -198,8 +210,10 @@ mod tests {
             ..PanelFrame::default()
         };
         let place = Vector::<3>::zeros();
-        let beside =
-            |body, normal: [f64; 3]| mach_beside(&panels, body, &Vector::from(normal), &place);
+        let beside = |body, normal: [f64; 3]| {
+            let side = side(&panels, body, &Vector::from(normal));
+            mach_beside(&panels, &side, &place)
+        };
         assert_eq!(beside(0, [0.0, 1.0, 0.0]), Some(2.0));
         assert_eq!(beside(0, [0.6, 0.8, 0.0]), Some(3.0));
         assert_eq!(beside(1, [0.6, 0.8, 0.0]), None);
