@@ -129,4 +129,26 @@ mod tests {
         let held = thick.moment(centre) / thick.loads.lift;
         assert!(held.abs() < 6e-3, "{held}");
     }
+    #[test]
+    fn the_moment_is_that_of_all_sides() {
+        let (half, mach, hinge) = (0.2_f64, 3.0, 0.3);
+        let thick = diamond(half, mach, 0.05, 1.4).unwrap();
+        let top = 0.5 * half.tan();
+        let mut moment = 0.0;
+        for (pressures, up) in [(thick.upper, 1.0), (thick.lower, -1.0)] {
+            let corners = [[0.0, 0.0], [0.5, up * top], [1.0, 0.0]];
+            for (ends, pressure) in corners.windows(2).zip(pressures) {
+                let way = [ends[1][0] - ends[0][0], ends[1][1] - ends[0][1]];
+                let arm = [
+                    0.5 * (ends[0][0] + ends[1][0]) - hinge,
+                    0.5 * (ends[0][1] + ends[1][1]),
+                ];
+                let force = [up * way[1] * pressure, -up * way[0] * pressure];
+                // Nose up is clockwise, the nose at the origin.
+                moment -= arm[0] * force[1] - arm[1] * force[0];
+            }
+        }
+        moment /= 0.5 * 1.4 * mach * mach;
+        assert_relative_eq!(thick.moment(hinge), moment, max_relative = 1e-12);
+    }
 }
