@@ -5,6 +5,7 @@ use std::path::Path;
 use aero::run::RunError;
 use aero::scene::SceneError;
 use aero_validation::metrics::MetricError;
+use aero_validation::table::Check;
 
 /// How much to run.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -34,6 +35,14 @@ impl Context<'_> {
             label
         } else {
             format!("{label}, with {}", self.settings.join(" "))
+        }
+    }
+
+    /// Says so in a row, too, that does not yet.
+    pub fn name(&self, check: &mut Check) {
+        let with = self.called(String::new());
+        if !check.quantity.contains(&with) {
+            check.quantity += &with;
         }
     }
 }

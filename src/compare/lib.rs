@@ -162,7 +162,10 @@ pub fn compare(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, Co
         .collect();
     let rows = Mutex::new(vec![Vec::new(); chosen.len()]);
     let run = |number: usize| {
-        let checks = chosen[number].compare(context)?;
+        let mut checks = chosen[number].compare(context)?;
+        for check in &mut checks {
+            context.name(check);
+        }
         let mut rows = rows.lock().unwrap_or_else(PoisonError::into_inner);
         rows[number] = checks;
         report::write(&rows.concat(), context.level, context.out).map_err(|source| {
