@@ -5,7 +5,7 @@ use crate::support::Workplace;
 /// Each scene with what makes it small.
 const SMALL: [(&str, &[&str]); 53] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
-    ("apollo", &["end_time=0.005", "spacing=0.5"]),
+    ("apollo", &["end_time=0.002", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
     ("backward-step", &["end_time=0.5"]),
     ("becker", &["end_time=1.0"]),
@@ -21,7 +21,7 @@ const SMALL: [(&str, &[&str]); 53] = [
     ("bump", &["end_time=0.3", "spacing=0.0625", "stop=end-time"]),
     ("cavity", &["end_time=0.02"]),
     ("cone", &["end_time=0.1", "spacing=0.05"]),
-    ("cone-faceted", &["end_time=0.15", "spacing=0.1"]),
+    ("cone-faceted", &["end_time=0.1", "spacing=0.1"]),
     (
         "cone-incidence",
         &[
@@ -77,7 +77,7 @@ const SMALL: [(&str, &[&str]); 53] = [
     ),
     ("hot-shock", &["end_time=1e-4", "spacing=0.02"]),
     ("intake", &["end_time=0.2", "spacing=0.125"]),
-    ("jet", &["end_time=0.2", "spacing=0.1"]),
+    ("jet", &["end_time=0.06", "spacing=0.1"]),
     ("mms", &["end_time=0.05"]),
     ("mms-3d", &["spacing=0.1"]),
     (

@@ -193,7 +193,8 @@ fn the_force_on_bodies_in_space_is_the_integral_of_their_surfaces() {
     ];
     for shape in shapes {
         for (motion, slack) in [(MOVING, 1.0), (FIXED, 1e-6)] {
-            let found = difference(&scene(3, 0.1, shape, ""), motion);
+            let short = scene(3, 0.1, shape, "").replace("end_time = 0.2", "end_time = 0.1");
+            let found = difference(&short, motion);
             assert!(found < slack, "{shape}, {motion}: {found} %");
         }
     }

@@ -1,7 +1,8 @@
 //! Shocks that may reach an inlet: how far ahead of a blunt front they stand.
 
+use aero_geometry::Vector;
 use aero_solver::panels::{Panel, Panels};
-use aero_solver::problem::Problem;
+use aero_solver::problem::{Body, Problem, Side};
 
 /// Stand-off over radius, `a exp(b / M^2)`, of spheres [Billig 1967].
 const ROUND: [f64; 2] = [0.143, 3.24];
@@ -14,6 +15,10 @@ const ROOM: f64 = 1.3;
 
 /// Below this part of the widest front a blunt spot is a rounded edge.
 const SPOT: f64 = 1.5;
+
+/// A body's own surface is left by so many spacings before one looks for what stands before it, in strides of at least so many.
+const OFF: f64 = 0.5;
+const STRIDE: f64 = 0.25;
 
 /// A warning where a detached shock may come to an inlet.
 pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>) -> Vec<String> {
@@ -34,54 +39,107 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, panels: &Panels<D>) -> 
     let steepest = largest_turn(mach).sin();
     let mut lines = Vec::new();
     for (number, body) in problem.bodies.iter().enumerate() {
-        let blunt: Vec<&Panel<D>> = panels
-            .all()
-            .iter()
-            .filter(|panel| {
-                panel.owner as usize == number
-                    && problem.domain.bounds.contains(&panel.centre)
-                    && -panel.normal.dot(&along) > steepest
-            })
-            .collect();
-        let Some(first) = blunt.iter().map(|p| p.centre.dot(&along)).reduce(f64::min) else {
-            continue;
-        };
-        // What faces the stream of the front.
-        let area: f64 = blunt.iter().map(|p| -p.normal.dot(&along) * p.size).sum();
-        let is_round = D == 3 || problem.domain.is_axisymmetric();
-        let mirrors = problem.domain.each_side();
-        let cut = mirrors.filter(|(axis, _, side, plane)| {
-            let extent = body.shape.bounds();
-            side.is_mirror() && extent.min[*axis] < *plane && *plane < extent.max[*axis]
+        let blunt = panels.all().iter().filter(|panel| {
+            panel.owner as usize == number
+                && problem.domain.bounds.contains(&panel.centre)
+                && -panel.normal.dot(&along) > steepest
         });
-        let whole = area * 2_f64.powi(cut.count() as i32);
-        let (radius, [a, b]) = match (is_round, D) {
-            (true, 3) => ((whole / std::f64::consts::PI).sqrt(), ROUND),
-            (true, _) => (0.5 * whole, ROUND),
-            _ => (0.5 * whole, PLANE),
+        let mut front = Front {
+            panels: blunt.collect(),
+            along,
         };
-        if radius < SPOT * problem.resolution.lattice() {
+        if front.lines(problem, body, mach, &inlets).is_empty() {
             continue;
         }
+        front.panels.retain(|panel| meets(problem, panel, &along));
+        lines.extend(front.lines(problem, body, mach, &inlets));
+    }
+    lines
+}
+
+/// What of a body turns the stream by more than a shock that is attached can.
+struct Front<'a, const D: usize> {
+    panels: Vec<&'a Panel<D>>,
+    /// Direction of the stream.
+    along: Vector<D>,
+}
+
+impl<const D: usize> Front<'_, D> {
+    /// A line for each of the `inlets` that the shock may come to.
+    fn lines(
+        &self,
+        problem: &Problem<D>,
+        body: &Body<D>,
+        mach: f64,
+        inlets: &[(usize, usize, Side, f64)],
+    ) -> Vec<String> {
+        let along = &self.along;
+        let depth = |panel: &&Panel<D>| panel.centre.dot(along);
+        let Some(first) = self.panels.iter().map(depth).reduce(f64::min) else {
+            return Vec::new();
+        };
+        let radius = self.radius(problem, body);
+        if radius < SPOT * problem.resolution.lattice() {
+            return Vec::new();
+        }
+        let is_round = D == 3 || problem.domain.is_axisymmetric();
+        let [a, b] = if is_round { ROUND } else { PLANE };
         let stand_off = radius * a * (b / (mach * mach)).exp();
-        for &(axis, end, _, face) in &inlets {
-            let room = blunt
-                .iter()
-                .filter(|panel| panel.centre.dot(&along) < first + radius)
+        let near = inlets.iter().filter_map(|&(axis, end, _, face)| {
+            let leading = self.panels.iter().filter(|p| depth(p) < first + radius);
+            let room = leading
                 .map(|panel| [1.0, -1.0][end] * (panel.centre[axis] - face))
                 .fold(f64::INFINITY, f64::min);
-            if room < ROOM * stand_off {
-                lines.push(format!(
+            (room < ROOM * stand_off).then(|| {
+                format!(
                     "body `{}`: its shock may reach the inlet `{}`: it stands about {stand_off:.3e} ahead of the front, and \
                      there is room for {room:.3e}; move the side to {:.4}",
                     body.name,
                     super::side_name(axis, end),
                     face - [1.0, -1.0][end] * (2.0 * ROOM * stand_off - room)
-                ));
-            }
+                )
+            })
+        });
+        near.collect()
+    }
+
+    /// Of the sphere or cylinder that faces as much of the stream.
+    fn radius(&self, problem: &Problem<D>, body: &Body<D>) -> f64 {
+        let faced = self
+            .panels
+            .iter()
+            .map(|p| -p.normal.dot(&self.along) * p.size);
+        let extent = body.shape.bounds();
+        let mirrors = problem.domain.each_side().filter(|(axis, _, side, plane)| {
+            side.is_mirror() && extent.min[*axis] < *plane && *plane < extent.max[*axis]
+        });
+        let whole = faced.sum::<f64>() * 2_f64.powi(mirrors.count() as i32);
+        if D == 3 {
+            (whole / std::f64::consts::PI).sqrt()
+        } else {
+            0.5 * whole
         }
     }
-    lines
+}
+
+/// True of a panel that the stream comes to without a body before it.
+fn meets<const D: usize>(problem: &Problem<D>, panel: &Panel<D>, along: &Vector<D>) -> bool {
+    let spacing = problem.resolution.lattice();
+    let mut ahead = OFF * spacing;
+    loop {
+        let point = panel.centre - along * ahead;
+        if !problem.domain.bounds.contains(&point) {
+            return true;
+        }
+        let shapes = problem.bodies.iter().map(|body| &body.shape);
+        let nearest = shapes
+            .map(|shape| shape.signed_distance(&point))
+            .fold(f64::INFINITY, f64::min);
+        if nearest < 0.0 {
+            return false;
+        }
+        ahead += nearest.max(STRIDE * spacing);
+    }
 }
 
 /// The largest angle (radians) by which a shock at `mach` turns a diatomic stream: beyond it the shock is detached [NACA 1135,
@@ -100,6 +158,41 @@ fn largest_turn(mach: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::check::told;
+
+    /// A plate 0.6 wide across the stream, a third of its width behind the inlet, maybe a larger one before it.
+    #[test]
+    fn a_front_in_the_lee_of_another_body_throws_no_shock_at_the_inlet() {
+        let plate = |name: &str, x: f64, half: f64| {
+            format!(
+                "[[body]]\nname = \"{name}\"\nshape = {{ rectangle = {{ width = 0.1, height = {} }} }}\n\
+                 place = {{ translate = [{x}, 0.0] }}\n",
+                2.0 * half
+            )
+        };
+        let scene = |bodies: &str| {
+            format!(
+                "dimension = 2\nspacing = 0.05\nend_time = 1.0\n[free_stream]\nmach = 2.0\ndensity = 1.4\npressure = 1.0\n\
+                 [domain]\nmin = [-0.25, -1.0]\nmax = [1.0, 1.0]\n[domain.sides]\nx_min = \"inlet\"\nx_max = \"outlet\"\n\
+                 y_min = \"free-stream\"\ny_max = \"free-stream\"\n{bodies}"
+            )
+        };
+        let warned = |bodies: &str| {
+            let lines = told(&scene(bodies), &[]);
+            let about = |name: &str| {
+                let words = format!("`{name}`: its shock may reach the inlet");
+                lines.iter().any(|line| line.contains(&words))
+            };
+            ["back", "front"].map(about)
+        };
+        let back = plate("back", 0.0, 0.3);
+        assert_eq!(warned(&back), [true, false]);
+        let front = plate("front", -0.15, 0.35);
+        assert_eq!(warned(&(back.clone() + &front)), [false, true]);
+        // What a smaller one lets by is met; itself it is no front, a spacing across.
+        let small = plate("front", -0.15, 0.05);
+        assert_eq!(warned(&(back + &small)), [true, false]);
+    }
 
     #[test]
     fn the_largest_turn_is_that_of_the_tables() {

@@ -57,28 +57,34 @@ enum Command {
 }
 
 impl Cli {
-    /// Does what was typed.
+    /// Does what was typed, on one of the default pool's threads: every loop of another one would wait to be taken over.
     pub fn run(self) -> Result<(), CommandError> {
-        match self.command {
-            Command::Pack(args) => pack::pack(&args),
-            Command::Check(args) => check::check(&args),
-            Command::Run(args) => run::run(&args),
-            Command::Validate(args) => validate::validate(&args),
-            Command::Sweep(args) => sweep::sweep(&args),
-            Command::Fly(args) => fly::fly(&args),
-            Command::Converge(args) => converge::converge(&args),
-            Command::New(args) => new::new(&args),
-            Command::Chart(args) => chart::chart(&args),
-            Command::Completions(args) => {
+        rayon::scope(|_| self.command.run())
+    }
+}
+
+impl Command {
+    fn run(self) -> Result<(), CommandError> {
+        match self {
+            Self::Pack(args) => pack::pack(&args),
+            Self::Check(args) => check::check(&args),
+            Self::Run(args) => run::run(&args),
+            Self::Validate(args) => validate::validate(&args),
+            Self::Sweep(args) => sweep::sweep(&args),
+            Self::Fly(args) => fly::fly(&args),
+            Self::Converge(args) => converge::converge(&args),
+            Self::New(args) => new::new(&args),
+            Self::Chart(args) => chart::chart(&args),
+            Self::Completions(args) => {
                 shell::completions(&args);
                 Ok(())
             }
-            Command::Man => shell::manual(),
+            Self::Man => shell::manual(),
         }
     }
 }
 
-/// Runs `work` on a pool of so many threads; on the default pool where no number is given.
+/// Runs `work` on a pool of so many threads; where it is where no number is given.
 fn on_threads<T: Send>(
     threads: Option<u16>,
     work: impl FnOnce() -> Result<T, CommandError> + Send,

@@ -1,7 +1,8 @@
 //! Work on many items at once.
 //!
 //! The iterators are used as rayon's are, and rayon's threads do the work, but its scheduler is compiled once, for numbered tasks, and not
-//! anew for each loop in each dimension: that was two fifths of the solver's code, and of the time to compile it.
+//! anew for each loop in each dimension: that was two fifths of the solver's code, and of the time to compile it. Loops begin on the thread that
+//! has them, and others are woken only where what is left is seen to be worth it.
 
 mod adaptors;
 mod sources;

@@ -1,4 +1,45 @@
+use std::collections::HashSet;
+use std::sync::Mutex;
+use std::thread::{ThreadId, current};
+use std::time::{Duration, Instant};
+
 use super::{IntoParallel, Parallel, Slices};
+
+/// Takes so long with an item that several threads are worth it.
+fn slowly<T>(item: T) -> T {
+    let begun = Instant::now();
+    while begun.elapsed() < Duration::from_micros(4) {
+        std::hint::spin_loop();
+    }
+    item
+}
+
+/// The threads of seven that loops of so many items are done on.
+fn threads_of(items: usize, work: impl Fn(usize) -> usize + Sync) -> HashSet<ThreadId> {
+    let [_, seven] = on_threads(|| {
+        let seen = Mutex::default();
+        (0..items).into_par_iter().for_each(|n| {
+            work(n);
+            let mut seen: std::sync::MutexGuard<'_, HashSet<ThreadId>> = seen.lock().unwrap();
+            seen.insert(current().id());
+        });
+        let seen: HashSet<ThreadId> = seen.into_inner().unwrap();
+        seen
+    });
+    seven
+}
+
+#[test]
+fn little_work_wakes_no_other_thread_and_much_work_does() {
+    let few = (0..20).map(|_| threads_of(16, |n| n).len());
+    // Once in a while the system takes the thread away meanwhile.
+    assert_eq!(few.min(), Some(1));
+    let many = |n| {
+        std::thread::sleep(Duration::from_millis(1));
+        n
+    };
+    assert!(threads_of(64, many).len() > 1);
+}
 
 /// What `work` gives on one thread and on seven.
 fn on_threads<R: Send>(work: impl Fn() -> R + Sync) -> [R; 2] {
@@ -15,7 +56,7 @@ fn results_come_in_order_whatever_the_threads() {
         for found in on_threads(|| {
             (0..count)
                 .into_par_iter()
-                .map(|n| 3 * n)
+                .map(|n| slowly(3 * n))
                 .collect::<Vec<_>>()
         }) {
             assert_eq!(found, expected);
@@ -23,7 +64,11 @@ fn results_come_in_order_whatever_the_threads() {
         let odd = |n: &usize| n % 2 == 1;
         let expected: Vec<(usize, usize)> = (0..count).filter(odd).enumerate().collect();
         for found in on_threads(|| {
-            let odd: Vec<usize> = expected.par_iter().map(|&(_, n)| n).filter(odd).collect();
+            let odd: Vec<usize> = expected
+                .par_iter()
+                .map(|&(_, n)| slowly(n))
+                .filter(odd)
+                .collect();
             odd.par_iter().copied().enumerate().collect::<Vec<_>>()
         }) {
             assert_eq!(found, expected);
@@ -44,7 +89,7 @@ fn every_item_is_worked_on_once() {
                     .with_min_len(least)
                     .for_each(|(number, (seen, numbers))| {
                         for (seen, n) in seen.iter_mut().zip(numbers) {
-                            *seen += n * 1000 + number;
+                            *slowly(&mut *seen) += n * 1000 + number;
                         }
                     });
                 seen
@@ -61,7 +106,7 @@ fn room_is_used_again_whatever_was_in_it() {
     for before in [0, 10, 100, 1000] {
         for found in on_threads(|| {
             let mut room = vec![usize::MAX; before];
-            let squares = (0..100).into_par_iter().map(|n| n * n);
+            let squares = (0..100).into_par_iter().map(|n| slowly(n * n));
             squares.collect_into_vec(&mut room);
             room
         }) {
@@ -75,7 +120,7 @@ fn windows_overlap_where_tasks_meet() {
     let ends: Vec<usize> = (0..100).map(|n| n * n).collect();
     let expected: Vec<usize> = ends.windows(2).map(|pair| pair[1] - pair[0]).collect();
     for found in on_threads(|| {
-        let steps = ends.par_windows(2).map(|pair| pair[1] - pair[0]);
+        let steps = ends.par_windows(2).map(|pair| slowly(pair[1] - pair[0]));
         steps.collect::<Vec<_>>()
     }) {
         assert_eq!(found, expected);
@@ -86,7 +131,7 @@ fn windows_overlap_where_tasks_meet() {
 fn the_least_and_the_most_are_found() {
     let places = |n: usize| [(n * 37 % 101) as f64; 2];
     for found in on_threads(|| {
-        let all = (0..101).into_par_iter().map(places);
+        let all = (0..101).into_par_iter().map(|n| slowly(places(n)));
         all.reduce(
             || [f64::INFINITY, f64::NEG_INFINITY],
             |[a, b], [c, d]| [a.min(c), b.max(d)],

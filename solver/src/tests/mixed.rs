@@ -69,16 +69,17 @@ fn the_flow_is_that_of_double_precision_to_single_round_off() {
         for shifting in [false, true] {
             follows::<1>(40, scheme, shifting);
             follows::<2>(20, scheme, shifting);
-            follows::<3>(11, scheme, shifting);
         }
     }
+    follows::<3>(11, Scheme::PAPER, false);
+    follows::<3>(11, Scheme::CONSERVATIVE, true);
 }
 
 fn rests<const D: usize>(extrapolation: Extrapolation) {
     let mut problem = mixed(cube::<D>(10, WALL));
     problem.scheme.wall.extrapolation = extrapolation;
     let mut simulation = start(problem);
-    advance(&mut simulation, 100);
+    advance(&mut simulation, if D == 3 { 40 } else { 100 });
     let noise = simulation.fluid.iter().fold([0.0_f64; 2], |noise, p| {
         let density = (p.density / 1.4 - 1.0).abs();
         [noise[0].max(p.velocity.norm()), noise[1].max(density)]

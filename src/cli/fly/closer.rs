@@ -18,6 +18,9 @@ const UNSEEN_IS_WORTH: f64 = 3.0;
 /// So many times the seconds before the first step one more halving takes.
 const GROWS: f64 = 4.0;
 
+/// So many times the points that a halving adds the next one adds at least: those along edges are twice as many.
+const ADDS: f64 = 2.0;
+
 /// Part of the time within which one more is tried.
 const TRIED: f64 = 0.03;
 
@@ -38,11 +41,13 @@ pub(super) fn resolve(
 ) -> Result<(), CommandError> {
     let costs = Costs::new(flight.dimension(), false);
     let each = f64::from(1_u32 << flight.halvings()).powi(flight.dimension() as i32);
+    let mut points = Vec::new();
     loop {
         let finest = look / f64::from(1_u32 << flight.body_halvings());
         let is_seen = flight.thinnest.is_none_or(|thin| thin > SEEN * finest);
         let worth = if is_seen { 1.0 } else { UNSEEN_IS_WORTH };
-        if !flight.come_closer() {
+        let most = worth * each * cells;
+        if least_next(&points).is_some_and(|next| next > most) || !flight.come_closer() {
             return Ok(());
         }
         let text = flight.scene(look, None).map_err(CommandError::wrong)?;
@@ -52,15 +57,35 @@ pub(super) fn resolve(
         let is_worth_it = |seen: &Burst| {
             let seconds_of = [seen.seconds_before, seen.seconds_per_step];
             let took = Costs::of_burst(seconds_of, seen.steps_to_go, seen.settles);
-            seen.gas as f64 <= worth * each * cells && costs.fit(took, seconds) <= COARSEST
+            seen.gas as f64 <= most && costs.fit(took, seconds) <= COARSEST
         };
         let Some(seen) = seen.ok().filter(is_worth_it) else {
             flight.stand_back();
             return Ok(());
         };
+        points.push(seen.gas as f64);
         // It would take much of the time only to see that the next is too much.
         if GROWS * seen.seconds_before > TRIED * seconds {
             return Ok(());
         }
+    }
+}
+
+/// Points with one more halving than the last of these have, at least.
+fn least_next(points: &[f64]) -> Option<f64> {
+    let [.., before, last] = points else {
+        return None;
+    };
+    Some(last + ADDS * (last - before))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_halving_adds_twice_what_the_last_one_added() {
+        assert_eq!(least_next(&[100.0]), None);
+        assert_eq!(least_next(&[50.0, 100.0, 130.0]), Some(190.0));
     }
 }
