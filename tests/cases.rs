@@ -77,7 +77,7 @@ const SMALL: [(&str, &[&str]); 53] = [
     ),
     ("hot-shock", &["end_time=1e-4", "spacing=0.02"]),
     ("intake", &["end_time=0.2", "spacing=0.125"]),
-    ("jet", &["end_time=0.06", "spacing=0.1"]),
+    ("jet", &["end_time=0.2", "spacing=0.1"]),
     ("mms", &["end_time=0.05"]),
     ("mms-3d", &["spacing=0.1"]),
     (
