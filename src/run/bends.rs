@@ -1,7 +1,7 @@
 //! Sharp convex bends of walls in a stream faster than sound, of particles, at the end of a run: a fan stands at one, which kernels smear and
 //! which rings, so that pressures behind it are wrong over a number of spacings, however small these are.
 
-use aero_geometry::{Ridge, Vector};
+use aero_geometry::{Bounds, Ridge, Vector};
 use aero_packer::{About, Warning};
 use aero_solver::frame::PanelFrame;
 use aero_solver::problem::Problem;
@@ -12,7 +12,7 @@ const TURNS: [f64; 2] = [10.0, 50.0];
 /// Mach number of the gas on both sides, across the edge, from which on a fan stands there.
 const FAST: f64 = 1.05;
 
-/// Places along an edge in space where the gas is asked.
+/// Places along what the domain holds of an edge in space where the gas is asked.
 const PLACES: usize = 9;
 
 /// Cosine between normals of a panel and of the side of an edge that it belongs to.
@@ -71,10 +71,10 @@ fn in_space<const D: usize>(problem: &Problem<D>, panels: &PanelFrame) -> Option
             return None;
         }
         let sides = ridge.normals.map(|normal| side(panels, body, &normal));
+        let [from, to] = part_in(&ridge.ends, &domain)?;
         let mut places = (0..PLACES)
             .map(|k| (k as f64 + 0.5) / PLACES as f64)
-            .map(|part| ridge.ends[0].lerp(&ridge.ends[1], part))
-            .filter(|place| domain.contains(place));
+            .map(|part| from.lerp(&to, part));
         places.find(|place| {
             let mut sides = sides.iter().zip(crossings);
             sides.all(|(side, part)| {
@@ -88,6 +88,24 @@ fn in_space<const D: usize>(problem: &Problem<D>, panels: &PanelFrame) -> Option
         "sharp convex edges, as that at ({})",
         place.join(", ")
     ))
+}
+
+/// The part of a line between two `ends` that lies in a box.
+fn part_in<const D: usize>(ends: &[Vector<D>; 2], bounds: &Bounds<D>) -> Option<[Vector<D>; 2]> {
+    let way = ends[1] - ends[0];
+    let [mut first, mut last] = [0.0_f64, 1.0_f64];
+    for k in 0..D {
+        if way[k] == 0.0 {
+            let is_between = (bounds.min[k]..=bounds.max[k]).contains(&ends[0][k]);
+            if is_between {
+                continue;
+            }
+            return None;
+        }
+        let [a, b] = [bounds.min[k], bounds.max[k]].map(|face| (face - ends[0][k]) / way[k]);
+        (first, last) = (first.max(a.min(b)), last.min(a.max(b)));
+    }
+    (first <= last).then(|| [first, last].map(|part| ends[0] + way * part))
 }
 
 /// The part of the velocity of gas that follows the stream on the side of an edge with this normal that is across the edge.
@@ -169,6 +187,28 @@ mod tests {
         let mut apart = panels(-15.0, [2.0, 2.5]);
         apart.points[2][0] = 0.1;
         assert_eq!(bend(&apart, 1), None);
+    }
+
+    #[test]
+    fn edges_are_asked_where_they_lie_in_the_domain() {
+        let bounds = Bounds::new(Vector::<3>::zeros(), Vector::repeat(0.4));
+        let part = |from: [f64; 3], to: [f64; 3]| part_in(&[from, to].map(Vector::from), &bounds);
+        let [low, high] = part([0.1, 0.2, -7.0], [0.1, 0.2, 5.0]).expect("a part");
+        assert!(
+            (low - Vector::<3>::new(0.1, 0.2, 0.0)).norm() < 1e-12,
+            "{low}"
+        );
+        assert!(
+            (high - Vector::<3>::new(0.1, 0.2, 0.4)).norm() < 1e-12,
+            "{high}"
+        );
+        // In a face; slanted, from within; past a corner; beside the box.
+        let along = part([0.0, 0.4, 0.3], [0.0, 0.4, -1.0]).expect("a part");
+        assert!((along[1].z - 0.0).abs() < 1e-12 && (along[0].z - 0.3).abs() < 1e-12);
+        let slanted = part([0.2, 0.2, 0.2], [1.2, 0.2, 0.7]).expect("a part");
+        assert!((slanted[1] - Vector::<3>::new(0.4, 0.2, 0.3)).norm() < 1e-12);
+        assert_eq!(part([-0.3, 0.2, 0.2], [0.2, 0.2, 0.8]), None);
+        assert_eq!(part([0.1, 0.5, -7.0], [0.1, 0.5, 5.0]), None);
     }
 
     #[test]
