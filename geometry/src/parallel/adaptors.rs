@@ -27,6 +27,10 @@ impl<P: Parallel> Parallel for MinLen<P> {
         self.inner.serial()
     }
 
+    fn elements(&self) -> usize {
+        self.inner.elements()
+    }
+
     fn least(&self) -> usize {
         self.inner.least().max(self.least)
     }
@@ -51,6 +55,10 @@ impl<P: Parallel, Q: Parallel> Parallel for Zip<P, Q> {
 
     fn serial(self) -> Self::Serial {
         self.0.serial().zip(self.1.serial())
+    }
+
+    fn elements(&self) -> usize {
+        self.0.elements().max(self.1.elements())
     }
 
     fn least(&self) -> usize {
@@ -88,6 +96,10 @@ impl<P: Parallel> Parallel for Enumerate<P> {
         (self.first..).zip(self.inner.serial())
     }
 
+    fn elements(&self) -> usize {
+        self.inner.elements()
+    }
+
     fn least(&self) -> usize {
         self.inner.least()
     }
@@ -111,6 +123,10 @@ impl<'a, T: Copy + 'a, P: Parallel<Item = &'a T>> Parallel for Copied<P> {
 
     fn serial(self) -> Self::Serial {
         self.0.serial().copied()
+    }
+
+    fn elements(&self) -> usize {
+        self.0.elements()
     }
 
     fn least(&self) -> usize {
@@ -151,6 +167,10 @@ macro_rules! with_closure {
 
             fn serial(self) -> Self::Serial {
                 self.inner.serial().$method(self.$closure)
+            }
+
+            fn elements(&self) -> usize {
+                self.inner.elements()
             }
 
             fn least(&self) -> usize {

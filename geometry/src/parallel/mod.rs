@@ -1,8 +1,8 @@
 //! Work on many items at once.
 //!
-//! The iterators are used as rayon's are, and rayon's threads do the work, but its scheduler is compiled once, for numbered tasks, and not
-//! anew for each loop in each dimension: that was two fifths of the solver's code, and of the time to compile it. Loops begin on the thread that
-//! has them, and others are woken only where what is left is seen to be worth it.
+//! The iterators are used as rayon's are, and rayon's threads do the work, but its scheduler is compiled once, for tasks of any kind, and
+//! not anew for each loop in each dimension: that was two fifths of the solver's code, and of the time to compile it. Loops of few elements
+//! begin on the thread that has them, and others are woken only where what is left is seen to be worth it.
 
 mod adaptors;
 mod sources;
@@ -10,9 +10,12 @@ mod tasks;
 #[cfg(test)]
 mod tests;
 
+use std::mem;
+use std::sync::{Mutex, PoisonError};
+
 pub use adaptors::{Copied, Enumerate, Filter, FilterMap, FlatMap, Map, MinLen, Zip};
 pub use sources::{Chunks, ChunksMut, IntoParallel, Numbers, Slices, Windows};
-use tasks::{in_tasks, joined, made_in_tasks};
+use tasks::in_parts;
 
 /// What loops need.
 pub mod prelude {
@@ -36,6 +39,11 @@ pub trait Parallel: Sized + Send {
 
     /// The items, one after the other.
     fn serial(self) -> Self::Serial;
+
+    /// Number of elements in all items: those in chunks count each.
+    fn elements(&self) -> usize {
+        self.length()
+    }
 
     /// The least number of items that is worth a task.
     fn least(&self) -> usize {
@@ -105,7 +113,7 @@ pub trait Parallel: Sized + Send {
 
     /// Does `work` with every item.
     fn for_each(self, work: impl Fn(Self::Item) + Sync) {
-        in_tasks(self, |part| part.serial().for_each(&work));
+        in_parts(self, &|_, part| part.serial().for_each(&work));
     }
 
     /// All items in order.
@@ -113,7 +121,10 @@ pub trait Parallel: Sized + Send {
     where
         Self::Item: Send,
     {
-        let lists = made_in_tasks(self, |part| part.serial().collect());
+        let lists = Mutex::new(Vec::new());
+        in_parts(self, &|number, part| {
+            keep(&lists, number, part.serial().collect());
+        });
         joined(lists).into_iter().collect()
     }
 
@@ -139,7 +150,34 @@ pub trait Parallel: Sized + Send {
     where
         Self::Item: Send,
     {
-        let parts = made_in_tasks(self, |part| part.serial().fold(start(), &merge));
-        parts.into_iter().fold(start(), &merge)
+        let all = Mutex::new(start());
+        in_parts(self, &|_, part| {
+            let more = part.serial().fold(start(), &merge);
+            let mut all = all.lock().unwrap_or_else(PoisonError::into_inner);
+            *all = merge(mem::replace(&mut *all, start()), more);
+        });
+        all.into_inner().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// Keeps the list of the part with this number.
+fn keep<T>(lists: &Mutex<Vec<Vec<T>>>, number: usize, list: Vec<T>) {
+    let mut lists = lists.lock().unwrap_or_else(PoisonError::into_inner);
+    while lists.len() <= number {
+        lists.push(Vec::new());
+    }
+    lists[number] = list;
+}
+
+/// Lists one after the other.
+fn joined<T>(lists: Mutex<Vec<Vec<T>>>) -> Vec<T> {
+    let lists = lists.into_inner().unwrap_or_else(PoisonError::into_inner);
+    let length: usize = lists.iter().map(Vec::len).sum();
+    let mut lists = lists.into_iter();
+    let mut all = lists.next().unwrap_or_default();
+    all.reserve_exact(length - all.len());
+    for list in lists {
+        all.extend(list);
+    }
+    all
 }

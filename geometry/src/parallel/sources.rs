@@ -172,6 +172,10 @@ impl<'a, T: Sync> Parallel for Chunks<'a, T> {
         self.items.len().div_ceil(self.size)
     }
 
+    fn elements(&self) -> usize {
+        self.items.len()
+    }
+
     fn part_at(self, place: usize) -> (Self, Self) {
         let size = self.size;
         let middle = (place * size).min(self.items.len());
@@ -197,6 +201,10 @@ impl<'a, T: Send> Parallel for ChunksMut<'a, T> {
 
     fn length(&self) -> usize {
         self.items.len().div_ceil(self.size)
+    }
+
+    fn elements(&self) -> usize {
+        self.items.len()
     }
 
     fn part_at(self, place: usize) -> (Self, Self) {

@@ -1,129 +1,127 @@
-//! Numbered tasks, and the threads that do them.
+//! Parts of items, and the threads that do them.
 
-use std::sync::{Mutex, PoisonError};
 use std::time::Instant;
 
 use rayon::iter::{IntoParallelIterator, ParallelIterator};
 
 use super::Parallel;
 
-/// Tasks per thread: so many that threads which are done early find more.
+/// Parts per thread: so many that threads which are done early find more.
 const PER_THREAD: usize = 8;
 
-/// Seconds of work that are worth a task: to wake a thread takes nearly as long.
-const WORTH: f64 = 20e-6;
+/// Loops of more elements than this are worth other threads, and these are woken at once.
+const FEW: usize = 2048;
 
-/// Seconds after which the first items have shown how long the others take.
-const SEEN: f64 = 0.5 * WORTH;
+/// Seconds of work that are worth other threads: to wake one takes nearly as long.
+const WORTH: f64 = 40e-6;
 
-/// Does `work` with `items`, cut into tasks.
-pub(super) fn in_tasks<P: Parallel>(items: P, work: impl Fn(P) + Sync) {
-    made_in_tasks(items, work);
-}
+/// Seconds after which items have shown how long those behind them take.
+const SEEN: f64 = 10e-6;
 
-/// What `work` makes of each task, in order.
-pub(super) fn made_in_tasks<P: Parallel, R: Send>(
-    items: P,
-    work: impl Fn(P) -> R + Sync,
-) -> Vec<R> {
-    // One function, however often it is called here.
-    let work: &(dyn Fn(P) -> R + Sync) = &work;
-    let threads = rayon::current_num_threads();
-    if threads == 1 {
-        return vec![work(items)];
-    }
-    let mut made = Vec::new();
-    let Some(Rest { items, each }) = begun(items, work, &mut made) else {
-        return made;
-    };
-    let (length, least) = (items.length(), items.least().max(1));
-    let worth = (each * length as f64 / WORTH) as usize;
-    let size = length.div_ceil(worth.clamp(1, PER_THREAD * threads));
-    let size = size.max(least);
-    let mut rest = Vec::new();
-    rest.resize_with(length.div_ceil(size), Mutex::default);
-    numbered(items, size, &|number, part| keep(&rest[number], work(part)));
-    made.extend(taken(rest));
-    made
-}
+/// Seconds that a part takes at least.
+const PART: f64 = 2.5e-6;
 
-/// Items that are left, and the seconds that each takes.
-struct Rest<P> {
-    items: P,
-    each: f64,
-}
-
-/// Works on `items` until it is seen how long they take; none is left of a few, which are done before other threads have woken.
-fn begun<P: Parallel, R>(items: P, work: &dyn Fn(P) -> R, made: &mut Vec<R>) -> Option<Rest<P>> {
-    let start = Instant::now();
-    let (mut rest, mut few, mut done) = (items, 0, 0);
+/// Does `work` with the parts of `items` and their numbers. It is compiled anew for each loop: what knows nothing of the items stands below.
+pub(super) fn in_parts<P: Parallel>(items: P, work: &(dyn Fn(usize, P) + Sync)) {
+    let mut cuts = Cuts::new(items.elements(), items.length(), items.least());
+    let (mut rest, mut number) = (items, 0);
+    let mut shared: Vec<Task<'_>> = Vec::new();
     loop {
-        few = (2 * few).max(rest.least()).max(1);
-        if rest.length() <= few {
-            made.push(work(rest));
-            return None;
+        let left = rest.length();
+        let size = cuts.next(left);
+        let (part, later) = rest.part_at(size);
+        let task = move || work(number, part);
+        if cuts.are_shared() {
+            shared.push(Box::new(task));
+        } else {
+            task();
         }
-        let (first, later) = rest.part_at(few);
-        made.push(work(first));
-        (rest, done) = (later, done + few);
-        let seconds = start.elapsed().as_secs_f64();
-        if seconds > SEEN {
-            let each = seconds / done as f64;
-            return Some(Rest { items: rest, each });
+        if size == left {
+            break;
         }
-    }
-}
-
-/// Does `work` with the tasks and their numbers.
-fn numbered<P: Parallel>(items: P, size: usize, work: &(dyn Fn(usize, P) + Sync)) {
-    let mut tasks = Vec::with_capacity(items.length() / size + 1);
-    let mut rest = items;
-    while rest.length() > size {
-        let (first, later) = rest.part_at(size);
-        tasks.push(Mutex::new(Some(first)));
         rest = later;
+        number += 1;
     }
-    tasks.push(Mutex::new(Some(rest)));
-    each_number(tasks.len(), &|number| {
-        let mut task = tasks[number].lock().unwrap_or_else(PoisonError::into_inner);
-        if let Some(part) = task.take() {
-            work(number, part);
+    share(shared);
+}
+
+/// Work on one part.
+type Task<'a> = Box<dyn FnOnce() + Send + 'a>;
+
+/// Does the tasks on all threads. The one loop that rayon is compiled for.
+fn share(tasks: Vec<Task<'_>>) {
+    if !tasks.is_empty() {
+        tasks.into_par_iter().for_each(|task| task());
+    }
+}
+
+/// Where a loop is cut: work begins on the thread that has it, until what is left is seen to be worth other threads, which it may never be. Gas
+/// at rest comes before gas that costs something, so what the last few took is asked again and again.
+struct Cuts {
+    start: Instant,
+    /// Seconds until the last part was begun.
+    before: f64,
+    /// Items of the last part.
+    few: usize,
+    /// The least number of items that is worth a part.
+    least: usize,
+    threads: usize,
+    /// Items of each part, once other threads share them.
+    shared: Option<usize>,
+}
+
+impl Cuts {
+    fn new(elements: usize, length: usize, least: usize) -> Self {
+        let threads = rayon::current_num_threads();
+        let mut cuts = Self {
+            start: Instant::now(),
+            before: 0.0,
+            few: 0,
+            least: least.max(1),
+            threads,
+            shared: None,
+        };
+        if threads > 1 && elements > FEW && length > 1 {
+            cuts.share(length, usize::MAX);
         }
-    });
-}
-
-/// Calls `work` with every number below `count`, on all threads. The one loop that rayon is compiled for.
-#[inline(never)]
-fn each_number(count: usize, work: &(dyn Fn(usize) + Sync)) {
-    if count == 1 {
-        work(0);
-    } else {
-        (0..count).into_par_iter().for_each(work);
+        cuts
     }
-}
 
-/// Keeps what a task made.
-fn keep<R>(place: &Mutex<Option<R>>, made: R) {
-    *place.lock().unwrap_or_else(PoisonError::into_inner) = Some(made);
-}
+    /// True of parts that go to other threads.
+    fn are_shared(&self) -> bool {
+        self.shared.is_some()
+    }
 
-/// All that was made.
-fn taken<R>(made: Vec<Mutex<Option<R>>>) -> Vec<R> {
-    let mut all = Vec::with_capacity(made.len());
-    for place in made {
-        all.extend(place.into_inner().unwrap_or_else(PoisonError::into_inner));
+    /// Items of the next part, of so many that are left.
+    fn next(&mut self, left: usize) -> usize {
+        if self.threads == 1 {
+            return left;
+        }
+        if self.shared.is_none() {
+            self.look(left);
+        }
+        self.shared.unwrap_or(self.few).min(left)
     }
-    all
-}
 
-/// Lists one after the other.
-pub(super) fn joined<T>(mut lists: Vec<Vec<T>>) -> Vec<T> {
-    if lists.len() == 1 {
-        return lists.pop().unwrap_or_default();
+    /// Looks how long the last part took.
+    fn look(&mut self, left: usize) {
+        if self.few == 0 {
+            self.few = self.least;
+            return;
+        }
+        let now = self.start.elapsed().as_secs_f64();
+        let each = (now - self.before) / self.few as f64;
+        if now > SEEN && each * left as f64 > WORTH {
+            self.share(left, (each * left as f64 / PART) as usize);
+        } else {
+            self.few = ((SEEN / each) as usize).clamp(self.least, 2 * self.few);
+            self.before = now;
+        }
     }
-    let mut all = Vec::with_capacity(lists.iter().map(Vec::len).sum());
-    for list in lists {
-        all.extend(list);
+
+    /// The rest goes to all threads, in `most` parts at most.
+    fn share(&mut self, left: usize, most: usize) {
+        let parts = most.clamp(1, PER_THREAD * self.threads);
+        self.shared = Some(left.div_ceil(parts).max(self.least));
     }
-    all
 }

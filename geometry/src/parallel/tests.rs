@@ -3,6 +3,7 @@ use std::sync::Mutex;
 use std::thread::{ThreadId, current};
 use std::time::{Duration, Instant};
 
+use super::tasks::in_parts;
 use super::{IntoParallel, Parallel, Slices};
 
 /// Takes so long with an item that several threads are worth it.
@@ -14,31 +15,73 @@ fn slowly<T>(item: T) -> T {
     item
 }
 
-/// The threads of seven that loops of so many items are done on.
-fn threads_of(items: usize, work: impl Fn(usize) -> usize + Sync) -> HashSet<ThreadId> {
+/// Lengths of the parts that seven threads do `work` in.
+fn parts_of(items: usize, work: impl Fn(usize) -> usize + Sync) -> Vec<usize> {
     let [_, seven] = on_threads(|| {
-        let seen = Mutex::default();
-        (0..items).into_par_iter().for_each(|n| {
-            work(n);
-            let mut seen: std::sync::MutexGuard<'_, HashSet<ThreadId>> = seen.lock().unwrap();
-            seen.insert(current().id());
+        let lengths = Mutex::new(Vec::new());
+        in_parts((0..items).into_par_iter(), &|number, part| {
+            let length = part.serial().map(&work).count();
+            lengths.lock().unwrap().push((number, length));
         });
-        let seen: HashSet<ThreadId> = seen.into_inner().unwrap();
-        seen
+        let mut lengths = lengths.into_inner().unwrap();
+        lengths.sort_unstable();
+        lengths.into_iter().map(|(_, length)| length).collect()
     });
     seven
 }
 
 #[test]
-fn little_work_wakes_no_other_thread_and_much_work_does() {
-    let few = (0..20).map(|_| threads_of(16, |n| n).len());
-    // Once in a while the system takes the thread away meanwhile.
-    assert_eq!(few.min(), Some(1));
-    let many = |n| {
+fn little_work_is_not_cut_for_other_threads_and_much_work_is() {
+    // But where the system takes the thread away meanwhile.
+    let tries = (0..20).map(|_| parts_of(100, |n| n));
+    assert!(
+        tries
+            .into_iter()
+            .any(|parts| parts == [1, 2, 4, 8, 16, 32, 37])
+    );
+    let short = (0..20).map(|_| parts_of(8, slowly).len());
+    assert!(short.min() <= Some(5));
+    // What the first have shown; and what needs no showing.
+    assert!(parts_of(100, slowly).len() > 20);
+    assert_eq!(parts_of(5600, |n| n), [100; 56]);
+    // Slow ones behind eight that are not.
+    let late = |n| if n < 8 { n } else { slowly(slowly(n)) };
+    assert!(parts_of(100, late).len() > 20);
+}
+
+#[test]
+fn threads_share_what_is_cut() {
+    let seen: Mutex<HashSet<ThreadId>> = Mutex::default();
+    parts_of(64, |n| {
         std::thread::sleep(Duration::from_millis(1));
+        seen.lock().unwrap().insert(current().id());
         n
-    };
-    assert!(threads_of(64, many).len() > 1);
+    });
+    // Those of the pool of one among them.
+    assert!(seen.into_inner().unwrap().len() > 2);
+}
+
+#[test]
+fn many_beside_none_are_none() {
+    let (many, none) = (vec![1_u8; 5000], Vec::<u8>::new());
+    let pairs = || many.par_iter().zip(&none).map(|(a, b)| a + b);
+    let whole = || many.par_chunks(9000).map(<[u8]>::len);
+    let found = on_threads(|| {
+        [
+            pairs().map(usize::from).collect(),
+            whole().collect::<Vec<_>>(),
+        ]
+    });
+    assert_eq!(found, [[vec![], vec![5000]], [vec![], vec![5000]]]);
+}
+
+#[test]
+fn elements_in_chunks_count_each() {
+    let numbers = vec![0_u8; 1000];
+    let chunks = numbers.par_chunks(64).zip(0..16).map(|(chunk, _)| chunk);
+    assert_eq!([chunks.length(), chunks.elements()], [16, 1000]);
+    let (first, rest) = chunks.enumerate().with_min_len(2).part_at(3);
+    assert_eq!([first.elements(), rest.elements()], [192, 808]);
 }
 
 /// What `work` gives on one thread and on seven.
