@@ -15,19 +15,33 @@ fn slowly<T>(item: T) -> T {
     item
 }
 
-/// Lengths of the parts that seven threads do `work` in.
-fn parts_of(items: usize, work: impl Fn(usize) -> usize + Sync) -> Vec<usize> {
-    let [_, seven] = on_threads(|| {
+/// Lengths of the parts that one thread and seven do `work` in.
+fn parts_on(count: usize, least: usize, work: impl Fn(usize) -> usize + Sync) -> [Vec<usize>; 2] {
+    on_threads(|| {
         let lengths = Mutex::new(Vec::new());
-        in_parts((0..items).into_par_iter(), &|number, part| {
+        let items = (0..count).into_par_iter().with_min_len(least);
+        in_parts(items, &|number, part| {
             let length = part.serial().map(&work).count();
             lengths.lock().unwrap().push((number, length));
         });
         let mut lengths = lengths.into_inner().unwrap();
         lengths.sort_unstable();
         lengths.into_iter().map(|(_, length)| length).collect()
-    });
+    })
+}
+
+/// Lengths of the parts that seven threads do `work` in.
+fn parts_of(items: usize, work: impl Fn(usize) -> usize + Sync) -> Vec<usize> {
+    let [_, seven] = parts_on(items, 1, work);
     seven
+}
+
+#[test]
+fn parts_are_no_shorter_than_is_worth_one_and_one_thread_does_all_in_one() {
+    let parts = parts_on(5600, 400, |n| n);
+    assert_eq!(parts, [vec![5600], vec![400; 14]]);
+    let [one, _] = parts_on(90, 1, slowly);
+    assert_eq!(one, [90]);
 }
 
 #[test]
