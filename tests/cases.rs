@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 53] = [
+const SMALL: [(&str, &[&str]); 55] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.002", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -32,6 +32,7 @@ const SMALL: [(&str, &[&str]); 53] = [
         ],
     ),
     ("couette", &["end_time=1e-9", "stop=end-time"]),
+    ("couette-hot", &["end_time=2e-7", "stop=end-time"]),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     (
         "cylinder-shedding",
@@ -68,6 +69,15 @@ const SMALL: [(&str, &[&str]); 53] = [
     ),
     (
         "hemisphere-viscous",
+        &[
+            "end_time=1e-5",
+            "spacing=0.0125",
+            "stop=end-time",
+            "scheme.refine=0",
+        ],
+    ),
+    (
+        "hemisphere-viscous-hot",
         &[
             "end_time=1e-5",
             "spacing=0.0125",

@@ -49,8 +49,8 @@ fn what_is_of_an_ideal_gas_alone_is_refused_with_the_mend() {
     );
     refused(
         air,
-        &also("viscosity = 1e-5"),
-        &["gas.viscosity", "\"ideal\"", "leave viscosity out"],
+        &also("prandtl = 0.7"),
+        &["gas.prandtl", "there is none", "add `viscosity`"],
     );
     refused(
         air,

@@ -77,19 +77,17 @@ fn fill<const D: usize>(
             };
             let (gradients, matrix) = read_by(law, &gradients, &r.matrix);
             let coefficients = gas.coefficients(particle.density, particle.energy);
-            let heat_capacity = gas.heat_capacity_at_volume(particle.density, particle.energy);
             let weight = (near.volume, &matrix);
-            *diffusive = Diffusive::new(&gradients, weight, coefficients, heat_capacity);
+            *diffusive = Diffusive::new(&gradients, weight, coefficients);
         });
     for (slot, open) in (count..).zip(buffers.particles()) {
         let Particle {
             density, energy, ..
         } = open.particle;
         let coefficients = gas.coefficients(density, energy);
-        let heat_capacity = gas.heat_capacity_at_volume(density, energy);
         let (gradients, matrix) = read_by(law, &open.gradients, &open.renormalisation);
         let weight = (near[slot].volume, &matrix);
-        diffusive[slot] = Diffusive::new(&gradients, weight, coefficients, heat_capacity);
+        diffusive[slot] = Diffusive::new(&gradients, weight, coefficients);
     }
 }
 
@@ -132,11 +130,9 @@ fn fill_ghosts<const D: usize>(
                     let gradients = beyond(gas, walls.kind(ghost.body), ghost, &inside);
                     let (density, energy) = (ghost.shown.density, ghost.shown.energy);
                     let coefficients = gas.coefficients(density, energy);
-                    let heat_capacity = gas.heat_capacity_at_volume(density, energy);
                     let (gradients, matrix) = read_by(law, &gradients, &even);
                     let weight = (ghost.volume, &matrix);
-                    own[target - first_target] =
-                        Diffusive::new(&gradients, weight, coefficients, heat_capacity);
+                    own[target - first_target] = Diffusive::new(&gradients, weight, coefficients);
                 }
             }
         });

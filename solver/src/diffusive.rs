@@ -38,27 +38,24 @@ impl<const D: usize> Diffusive<D> {
         }
     }
 
-    /// That of a particle with the renormalisation `matrix` and these `coefficients`; a heat capacity `c_v` turns a conductivity into one
-    /// by energy.
+    /// That of a particle with the renormalisation `matrix` and these `coefficients`.
     pub fn new(
         gradients: &Gradients<D>,
         (volume, matrix): (f64, &Matrix<D>),
         coefficients: TransportCoefficients,
-        heat_capacity: f64,
     ) -> Self {
         let TransportCoefficients {
             viscosity,
             conductivity,
         } = coefficients;
-        let by_energy = conductivity / heat_capacity;
         let carried = matrix * volume;
         Self {
             half_gradient: gradients.velocity * 0.5,
             stress: stress(viscosity, &gradients.velocity) * carried,
             half_viscosity: 0.5 * viscosity,
             half_slope: gradients.energy * 0.5,
-            flux: carried * gradients.energy * by_energy,
-            half_conductivity: 0.5 * by_energy,
+            flux: carried * gradients.energy * conductivity,
+            half_conductivity: 0.5 * conductivity,
         }
     }
 

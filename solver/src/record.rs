@@ -109,7 +109,7 @@ pub struct Diffusive<const D: usize, N: Number = f64> {
     pub half_viscosity: N,
     /// Half the gradient of the specific internal energy.
     pub half_slope: SVector<N, D>,
-    /// `V kappa L grad e`, of the conductivity `kappa = k / c_v`.
+    /// `V kappa L grad e`, of the conductivity `kappa` by energy.
     pub flux: SVector<N, D>,
     /// Half of `kappa`.
     pub half_conductivity: N,

@@ -110,11 +110,10 @@ impl StepBound {
     }
 }
 
-/// The larger of the diffusivities of momentum, `mu / rho`, and of heat, `k / (rho c_v)`.
+/// The larger of the diffusivities of momentum, `mu / rho`, and of heat.
 fn diffusivity(gas: &Gas, density: f64, energy: f64) -> f64 {
     let coefficients = gas.coefficients(density, energy);
-    let heat = coefficients.conductivity / gas.heat_capacity_at_volume(density, energy);
-    coefficients.viscosity.max(heat) / density
+    coefficients.viscosity.max(coefficients.conductivity) / density
 }
 
 /// The bound from the speed of sound alone, known before any rate.

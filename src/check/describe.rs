@@ -106,7 +106,7 @@ fn gas<const D: usize>(problem: &Problem<D>) -> String {
                 liquid.sound_speed, liquid.pressure, liquid.density
             )
         }
-        Gas::Air(air) => {
+        Gas::Air { air, .. } => {
             let [least, most] = air.range();
             format!(
                 "gas: {air}, {least} to {most} K; the stream has {:.2} K",

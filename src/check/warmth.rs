@@ -6,12 +6,9 @@ use aero_solver::problem::Problem;
 
 use super::Check;
 
-/// Halvings of the logarithm of a temperature.
-const HALVINGS: usize = 50;
-
 /// Looks at the free stream.
 pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
-    let Gas::Air(air) = problem.gas else {
+    let Gas::Air { air, .. } = problem.gas else {
         return;
     };
     let stream = &problem.free_stream;
@@ -26,7 +23,10 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
     let square = stream.velocity.norm_squared();
     let enthalpy = problem.gas.enthalpy(stream.density, stream.pressure) + 0.5 * square;
     let pressure = stream.pressure + stream.density * square;
-    let rest = at_rest(air, pressure, enthalpy);
+    let rest = air.temperature(
+        pressure / air.heat_of_enthalpy(pressure, enthalpy),
+        pressure,
+    );
     if rest > most {
         let mend = match air {
             Air::ThermallyPerfect => "; its molecules come apart, as those of `equilibrium-air` do",
@@ -47,21 +47,6 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
             ),
         ));
     }
-}
-
-/// Temperature at a pressure and an enthalpy, K, by halving.
-fn at_rest(air: Air, pressure: f64, enthalpy: f64) -> f64 {
-    let (mut low, mut high) = (1.0_f64, 1e6_f64);
-    for _ in 0..HALVINGS {
-        let middle = (low * high).sqrt();
-        let density = air.density_at(pressure, middle);
-        if air.energy(density, pressure) + pressure / density > enthalpy {
-            high = middle;
-        } else {
-            low = middle;
-        }
-    }
-    low
 }
 
 #[cfg(test)]

@@ -25,7 +25,7 @@ pub const REAL_GAS: Suite = Suite::of(&[
 ]);
 
 /// Air at 60 km [U.S. Standard Atmosphere 1976].
-fn at_60_km() -> Result<Hot, CompareError> {
+pub(super) fn at_60_km() -> Result<Hot, CompareError> {
     Ok(HotAir::Reacting.at(21.9587, 247.021)?)
 }
 

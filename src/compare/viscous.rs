@@ -3,6 +3,7 @@
 
 mod channel;
 mod cylinder;
+mod hot_shear;
 mod nose;
 mod particles;
 mod plate;
@@ -23,6 +24,7 @@ const GAS_CONSTANT: f64 = 287.05;
 /// Flows of points that stay, and of particles.
 pub const VISCOUS: Suite = Suite::of(&[
     (Levels::Both, shear::compare),
+    (Levels::Both, hot_shear::compare),
     (Levels::Both, shock::compare),
     (Levels::Both, vortices::compare),
     (Levels::Both, particles::compare),

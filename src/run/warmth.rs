@@ -7,7 +7,7 @@ use aero_solver::problem::Problem;
 
 /// What there is to say of the temperatures of a flow as it stands in `frame`.
 pub(super) fn warnings<const D: usize>(problem: &Problem<D>, frame: &Frame) -> Vec<Warning> {
-    let Gas::Air(air) = problem.gas else {
+    let Gas::Air { air, .. } = problem.gas else {
         return Vec::new();
     };
     let [least, most] = air.range();

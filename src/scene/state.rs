@@ -27,8 +27,14 @@ impl EquationOfState {
     pub(super) fn gas(self) -> Option<Gas> {
         match self {
             Self::Ideal => None,
-            Self::ThermallyPerfectAir => Some(Gas::Air(Air::ThermallyPerfect)),
-            Self::EquilibriumAir => Some(Gas::Air(Air::Equilibrium)),
+            Self::ThermallyPerfectAir => Some(Gas::Air {
+                air: Air::ThermallyPerfect,
+                transport: None,
+            }),
+            Self::EquilibriumAir => Some(Gas::Air {
+                air: Air::Equilibrium,
+                transport: None,
+            }),
             Self::Linear(entry) => Some(Gas::Liquid(entry.into())),
             Self::Tait(entry) => Some(Gas::Liquid(entry.into())),
         }

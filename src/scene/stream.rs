@@ -101,7 +101,7 @@ fn at_rest(entry: &FreeStreamEntry, gas: &Gas) -> Result<(f64, f64), SceneError>
     match (entry.density, entry.temperature) {
         (Some(density), None) if entry.gas_constant.is_none() => Ok((pressure, density.get())),
         (None, Some(temperature)) => {
-            if let Gas::Air(air) = gas {
+            if let Gas::Air { air, .. } = gas {
                 return Ok((pressure, air.density_at(pressure, temperature.get())));
             }
             let gas_constant = entry.gas_constant.map_or(AIR, Positive::get);

@@ -20,7 +20,7 @@ const PRANDTL: f64 = 0.72;
 
 /// Specific gas constant, where the scene says one: its own, or the free stream's; air that is named has one.
 pub(super) fn gas_constant(file: &SceneFile) -> Option<f64> {
-    if let Some(Gas::Air(air)) = named(file) {
+    if let Some(Gas::Air { air, .. }) = named(file) {
         return Some(air.gas_constant());
     }
     let of_stream = file.free_stream.as_ref().and_then(|entry| {
@@ -57,9 +57,10 @@ pub(super) fn gas<const D: usize>(
             transport: transport(file, free_stream, gas_constant(file))?,
             ..gas
         })),
-        air @ Gas::Air(_) => {
+        Gas::Air { air, .. } => {
             check_air(file)?;
-            Ok(air)
+            let transport = transport(file, free_stream, Some(air.gas_constant()))?;
+            Ok(Gas::Air { air, transport })
         }
         Gas::Liquid(liquid) => {
             let transport = transport(file, free_stream, None)?;
@@ -82,20 +83,11 @@ fn check_air(file: &SceneFile) -> Result<(), SceneError> {
             stream.is_some_and(|stream| stream.gas_constant.is_some()),
         ),
     ];
-    if let Some((key, _)) = own.into_iter().find(|(_, is_given)| *is_given) {
-        let message =
-            "follows from gas.equation_of_state, which names air; leave one of the two out";
-        return Err(SceneError::value(key, message));
-    }
-    let rubs = [
-        ("gas.viscosity", file.gas.viscosity.is_some()),
-        ("gas.prandtl", file.gas.prandtl.is_some()),
-    ];
-    match rubs.into_iter().find(|(_, is_given)| *is_given) {
+    match own.into_iter().find(|(_, is_given)| *is_given) {
         None => Ok(()),
         Some((key, _)) => Err(SceneError::value(
             key,
-            "goes with gas.equation_of_state = \"ideal\"; take that, or leave viscosity out",
+            "follows from gas.equation_of_state, which names air; leave one of the two out",
         )),
     }
 }

@@ -17,6 +17,9 @@ pub trait EquationOfState: Copy + Send + Sync {
     /// Change of the pressure, of gas of this density and pressure, with those of density and internal energy per volume, to first order.
     fn pressure_change(&self, density: f64, pressure: f64, change: [f64; 2]) -> f64;
 
+    /// `p / rho` at a temperature and a pressure.
+    fn heat_at(&self, temperature: f64, pressure: f64) -> f64;
+
     /// Pressure on a wall at rest that gas of this density and pressure moves into at `speed`, or away from where it is
     /// negative: the Riemann problem between the gas and its mirror image.
     fn wall_pressure(&self, density: f64, pressure: f64, speed: f64) -> f64;
@@ -39,7 +42,7 @@ impl AnyGas {
     pub fn of(gas: &Gas) -> Result<Self, String> {
         match gas {
             Gas::Ideal(gas) => Ok(Self::Ideal(*gas)),
-            Gas::Air(air) => Ok(Self::Air(*air)),
+            Gas::Air { air, .. } => Ok(Self::Air(*air)),
             Gas::Liquid(_) => {
                 Err("a liquid goes with particles; use `scheme.motion = \"with-the-gas\"`".into())
             }
@@ -96,6 +99,11 @@ impl EquationOfState for AnyGas {
     }
 
     #[inline(always)]
+    fn heat_at(&self, temperature: f64, pressure: f64) -> f64 {
+        either!(self, gas => EquationOfState::heat_at(gas, temperature, pressure))
+    }
+
+    #[inline(always)]
     fn wall_pressure(&self, density: f64, pressure: f64, speed: f64) -> f64 {
         either!(self, gas => EquationOfState::wall_pressure(gas, density, pressure, speed))
     }
@@ -128,6 +136,10 @@ impl EquationOfState for Air {
         Self::pressure_change(*self, density, pressure, change)
     }
 
+    fn heat_at(&self, temperature: f64, pressure: f64) -> f64 {
+        pressure / self.density_at(pressure, temperature)
+    }
+
     fn wall_pressure(&self, density: f64, pressure: f64, speed: f64) -> f64 {
         Self::wall_pressure(*self, density, pressure, speed)
     }
@@ -152,6 +164,11 @@ impl EquationOfState for IdealGas {
     #[inline(always)]
     fn pressure_change(&self, _: f64, _: f64, [_, internal_energy]: [f64; 2]) -> f64 {
         internal_energy * (self.gamma - 1.0)
+    }
+
+    #[inline(always)]
+    fn heat_at(&self, temperature: f64, _: f64) -> f64 {
+        temperature * self.constant
     }
 
     /// The shock that stops the gas [Toro 2009, eq. 4.6 with `u* = 0`, solved for `p*`], or the isentropic expansion

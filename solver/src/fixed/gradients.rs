@@ -61,7 +61,7 @@ pub fn slopes<G: EquationOfState, const D: usize>(
     for wall in &block.walls {
         let cell = &states[wall.i as usize];
         let rise = wall.beyond(gas, cell).plus(-1.0, cell);
-        let warming = viscous.map(|_| wall.heat_beyond(cell) - cell.heat());
+        let warming = viscous.map(|_| wall.heat_beyond(gas, cell) - cell.heat());
         let sums = &mut sums[wall.i as usize - start];
         sums.add(&in_heat(rise, warming, cell), &wall.image.weight());
         sums.meet(cell, &wall.image);

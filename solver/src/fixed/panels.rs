@@ -8,7 +8,7 @@ use super::equation_of_state::EquationOfState;
 use super::pieces::{Nearby, Piece};
 use super::state::dot;
 use super::unshown::{self, Left, Shown};
-use super::viscous::{Viscous, WallShare};
+use super::viscous::WallShare;
 use super::wall_fit::Around;
 use super::walls::Wall;
 use crate::frame::{Load, PanelFrame};
@@ -52,10 +52,10 @@ impl<const D: usize> FixedSimulation<D> {
             .collect();
         let spread = self.show_all(panels, &pieces, &walls, &patches, &mut pressed);
         let mut heated = Vec::new();
-        if let Some(viscous) = &self.fluid.viscous {
+        if self.fluid.viscous.is_some() {
             let shares: Vec<&WallShare<D>> = self.wall_shares().collect();
             for (pieces, pressed) in pieces.iter().zip(&mut pressed) {
-                let (friction, heat) = rubbed(viscous, pieces, &shares, &patches);
+                let (friction, heat) = rubbed(pieces, &shares, &patches);
                 pressed.friction = friction;
                 heated.push(heat);
             }
@@ -165,7 +165,6 @@ impl<const D: usize> FixedSimulation<D> {
 
 /// Friction and heat on a panel: the means over its pieces.
 fn rubbed<const D: usize>(
-    viscous: &Viscous,
     pieces: &[Piece<D>],
     shares: &[&WallShare<D>],
     patches: &[Patch<D>],
@@ -177,7 +176,7 @@ fn rubbed<const D: usize>(
         let size = piece.part * patches[piece.wall].ratio;
         friction -= Vector::from(share.stress) * size;
         heated.flux += size * share.heat;
-        heated.temperature += piece.part * viscous.temperature(share.level);
+        heated.temperature += piece.part * share.temperature;
     }
     (friction, heated)
 }

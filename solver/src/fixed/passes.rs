@@ -13,7 +13,7 @@ use super::quiet::Quiet;
 use super::slopes::Flow;
 use super::slopes::Slopes;
 use super::slow::least_mach;
-use super::state::{Conserved, Primitive, dot};
+use super::state::{Conserved, dot};
 use super::viscous::Rubbing;
 use super::{FixedSimulation, Fluid};
 
@@ -92,10 +92,9 @@ impl<const D: usize> FixedSimulation<D> {
             viscosities,
             ..
         } = &mut self.columns;
-        let viscosity = |state: &Primitive<D>| viscous.viscosity(state.pressure / state.density);
         states
             .par_iter()
-            .map(viscosity)
+            .map(|state| viscous.viscosity(state))
             .collect_into_vec(viscosities);
     }
 

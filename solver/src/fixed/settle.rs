@@ -247,13 +247,13 @@ impl<const D: usize> FixedSimulation<D> {
     /// What settles last in viscous gas, and hardly counts beside pressure: friction, heat, the temperature of walls and the energy of all gas.
     /// Those of all walls in parts of themselves, so that they are seen to grow, be they ever so small beside the largest `force`.
     fn rubbed(&self, loads: &[Load], force: f64) -> Vec<f64> {
-        let [mut friction, mut heat, mut area, mut level] = [0.0; 4];
+        let [mut friction, mut heat, mut area, mut warmth] = [0.0; 4];
         for ((wall, _), share) in self.walls().zip(self.wall_shares()) {
             let size = wall.image.size;
             friction += dot(&share.stress, &share.stress).sqrt() * size;
             heat += share.heat.abs() * size;
             area += size;
-            level += share.level * size;
+            warmth += share.temperature * size;
         }
         let held = self.columns.held.iter().enumerate();
         let energy: f64 = held
@@ -263,7 +263,7 @@ impl<const D: usize> FixedSimulation<D> {
         let heat = heat + LEAST_FRICTION * force * self.speed_of_sound();
         let mut watched = vec![energy.ln(), friction.ln(), heat.ln()];
         if area > 0.0 {
-            watched.push((level / area).ln());
+            watched.push((warmth / area).ln());
         }
         watched.extend(
             loads

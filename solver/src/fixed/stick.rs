@@ -1,5 +1,6 @@
 //! How gas sticks to faces on walls.
 
+use super::equation_of_state::EquationOfState;
 use super::state::Primitive;
 
 /// Least part of a cell's density that its image behind a hot wall has.
@@ -17,21 +18,22 @@ pub struct Stick<const D: usize> {
 /// What heat does at a face.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Heat {
-    /// The gas there has this `p / rho`.
-    Level(f64),
+    /// The gas there has this temperature.
+    Temperature(f64),
     /// So much goes into the gas per area and time.
     Flux(f64),
 }
 
 impl<const D: usize> Stick<D> {
     /// The state behind the wall that makes that on it the mean of both, of gas in the state of `cell`.
-    pub fn beyond(&self, cell: &Primitive<D>) -> Primitive<D> {
+    pub fn beyond<G: EquationOfState>(&self, gas: &G, cell: &Primitive<D>) -> Primitive<D> {
         let mut velocity = self.velocity;
         for k in 0..D {
             velocity[k] += self.velocity[k] - cell.velocity[k];
         }
         let density = match self.heat {
-            Heat::Level(level) => {
+            Heat::Temperature(temperature) => {
+                let level = gas.heat_at(temperature, cell.pressure);
                 (2.0 * cell.pressure / level - cell.density).max(LEAST_DENSITY * cell.density)
             }
             Heat::Flux(_) => cell.density,

@@ -55,7 +55,7 @@ impl<const D: usize> Wall<D> {
     pub fn beyond<G: EquationOfState>(&self, gas: &G, cell: &Primitive<D>) -> Primitive<D> {
         let mut beyond = match &self.stick {
             None => self.around_bend(gas, cell),
-            Some(stick) => stick.beyond(cell),
+            Some(stick) => stick.beyond(gas, cell),
         };
         if self.push != 0.0 {
             beyond.pressure += 2.0 * self.image.distance * cell.density * self.push;
@@ -87,9 +87,11 @@ impl<const D: usize> Wall<D> {
 
     /// `p / rho` behind it, as the slopes of viscous gas see it: a line through what it is on the wall.
     #[inline]
-    pub fn heat_beyond(&self, cell: &Primitive<D>) -> f64 {
+    pub fn heat_beyond<G: EquationOfState>(&self, gas: &G, cell: &Primitive<D>) -> f64 {
         match self.stick.map(|stick| stick.heat) {
-            Some(Heat::Level(level)) => 2.0 * level - cell.heat(),
+            Some(Heat::Temperature(temperature)) => {
+                2.0 * gas.heat_at(temperature, cell.pressure) - cell.heat()
+            }
             Some(Heat::Flux(_)) | None => cell.heat(),
         }
     }

@@ -18,8 +18,13 @@ pub use transport::{Transport, TransportCoefficients, Viscosity};
 pub enum Gas {
     /// An ideal gas of constant specific heats.
     Ideal(IdealGas),
-    /// Air as it gets hot, without viscosity.
-    Air(Air),
+    /// Air as it gets hot.
+    Air {
+        /// What happens to it.
+        air: Air,
+        /// Viscosity and heat conduction; none makes the equations Euler's.
+        transport: Option<Transport>,
+    },
     /// A liquid, without heat.
     Liquid(Liquid),
 }
@@ -45,7 +50,7 @@ impl Gas {
     pub const fn ideal_gas(&self) -> Option<&IdealGas> {
         match self {
             Self::Ideal(gas) => Some(gas),
-            Self::Air(_) | Self::Liquid(_) => None,
+            Self::Air { .. } | Self::Liquid(_) => None,
         }
     }
 
@@ -53,14 +58,14 @@ impl Gas {
     pub const fn liquid(&self) -> Option<&Liquid> {
         match self {
             Self::Liquid(liquid) => Some(liquid),
-            Self::Ideal(_) | Self::Air(_) => None,
+            Self::Ideal(_) | Self::Air { .. } => None,
         }
     }
 
     /// Pressure at no density.
     pub fn least_pressure(&self) -> f64 {
         match self {
-            Self::Ideal(_) | Self::Air(_) => 0.0,
+            Self::Ideal(_) | Self::Air { .. } => 0.0,
             Self::Liquid(liquid) => liquid.least_pressure(),
         }
     }
@@ -70,7 +75,7 @@ impl Gas {
     pub fn pressure(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.heat() * density * energy,
-            Self::Air(air) => air.pressure(density, energy),
+            Self::Air { air, .. } => air.pressure(density, energy),
             Self::Liquid(liquid) => liquid.pressure(density),
         }
     }
@@ -80,7 +85,7 @@ impl Gas {
     pub fn pressure_over_density(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.heat() * energy,
-            Self::Air(air) => air.pressure_over_density(density, energy),
+            Self::Air { air, .. } => air.pressure_over_density(density, energy),
             Self::Liquid(liquid) => liquid.pressure(density) / density,
         }
     }
@@ -90,7 +95,7 @@ impl Gas {
     pub fn temperature(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => self.pressure_over_density(density, energy) / gas.constant,
-            Self::Air(air) => air.temperature(density, air.pressure(density, energy)),
+            Self::Air { air, .. } => air.temperature(density, air.pressure(density, energy)),
             Self::Liquid(_) => 0.0,
         }
     }
@@ -99,7 +104,7 @@ impl Gas {
     pub fn temperature_at(&self, density: f64, pressure: f64) -> f64 {
         match self {
             Self::Ideal(gas) => pressure / (density * gas.constant),
-            Self::Air(air) => air.temperature(density, pressure),
+            Self::Air { air, .. } => air.temperature(density, pressure),
             Self::Liquid(_) => 0.0,
         }
     }
@@ -109,7 +114,7 @@ impl Gas {
     pub fn sound_speed(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => (gas.gamma * gas.heat() * energy).sqrt(),
-            Self::Air(air) => air
+            Self::Air { air, .. } => air
                 .sound_square(density, air.pressure(density, energy))
                 .sqrt(),
             Self::Liquid(liquid) => liquid.sound_speed(density),
@@ -121,7 +126,7 @@ impl Gas {
     pub fn sound_speed_at(&self, density: f64, pressure: f64) -> f64 {
         match self {
             Self::Ideal(gas) => (gas.gamma * pressure / density).sqrt(),
-            Self::Air(air) => air.sound_square(density, pressure).sqrt(),
+            Self::Air { air, .. } => air.sound_square(density, pressure).sqrt(),
             Self::Liquid(liquid) => liquid.sound_speed(density),
         }
     }
@@ -131,7 +136,7 @@ impl Gas {
     pub fn sound_measure(&self, density: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(_) => energy,
-            Self::Air(air) => air.sound_square(density, air.pressure(density, energy)),
+            Self::Air { air, .. } => air.sound_square(density, air.pressure(density, energy)),
             Self::Liquid(liquid) => liquid.relative_sound_square(density),
         }
     }
@@ -141,7 +146,7 @@ impl Gas {
     pub fn unit_sound(&self) -> f64 {
         match self {
             Self::Ideal(_) => self.sound_speed(1.0, 1.0),
-            Self::Air(_) => 1.0,
+            Self::Air { .. } => 1.0,
             Self::Liquid(liquid) => liquid.sound_speed,
         }
     }
@@ -150,7 +155,7 @@ impl Gas {
     pub fn ratio_at(&self, density: f64, pressure: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.gamma,
-            Self::Air(air) => air.sound_square(density, pressure) * density / pressure,
+            Self::Air { air, .. } => air.sound_square(density, pressure) * density / pressure,
             Self::Liquid(liquid) => liquid.sound_speed(density).powi(2) * density / pressure,
         }
     }
@@ -159,7 +164,7 @@ impl Gas {
     pub fn enthalpy(&self, density: f64, pressure: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.gamma / gas.heat() * pressure / density,
-            Self::Air(air) => air.energy(density, pressure) + pressure / density,
+            Self::Air { air, .. } => air.energy(density, pressure) + pressure / density,
             Self::Liquid(liquid) => liquid.energy(density) + pressure / density,
         }
     }
@@ -168,7 +173,7 @@ impl Gas {
     pub fn entropy_rise(&self, [density, pressure]: [f64; 2], from: [f64; 2]) -> f64 {
         match self {
             Self::Ideal(gas) => (pressure / from[1]).ln() - gas.gamma * (density / from[0]).ln(),
-            Self::Air(air) => {
+            Self::Air { air, .. } => {
                 let capacity = air.heat_capacity_at_volume(from[0], air.energy(from[0], from[1]));
                 (air.entropy(density, pressure) - air.entropy(from[0], from[1])) / capacity
             }
@@ -181,7 +186,7 @@ impl Gas {
     pub fn energy(&self, density: f64, pressure: f64) -> f64 {
         match self {
             Self::Ideal(gas) => pressure / (gas.heat() * density),
-            Self::Air(air) => air.energy(density, pressure),
+            Self::Air { air, .. } => air.energy(density, pressure),
             Self::Liquid(liquid) => liquid.energy(density),
         }
     }
@@ -191,7 +196,7 @@ impl Gas {
     pub fn density(&self, pressure: f64, energy: f64) -> f64 {
         match self {
             Self::Ideal(gas) => pressure / (gas.heat() * energy),
-            Self::Air(air) => air.density(pressure, energy),
+            Self::Air { air, .. } => air.density(pressure, energy),
             Self::Liquid(liquid) => liquid.density(pressure),
         }
     }
@@ -200,7 +205,7 @@ impl Gas {
     pub fn isentropic_energy(&self, energy: f64, before: f64, pressure: f64) -> f64 {
         match self {
             Self::Ideal(gas) => energy * (pressure / before).powf(gas.heat() / gas.gamma),
-            Self::Air(air) => {
+            Self::Air { air, .. } => {
                 let density = air.density(before, energy);
                 air.energy(air.isentropic_density(density, before, pressure), pressure)
             }
@@ -216,7 +221,7 @@ impl Gas {
     pub const fn transport(&self) -> Option<&Transport> {
         match self {
             Self::Ideal(gas) => gas.transport.as_ref(),
-            Self::Air(_) => None,
+            Self::Air { transport, .. } => transport.as_ref(),
             Self::Liquid(liquid) => liquid.transport.as_ref(),
         }
     }
@@ -227,30 +232,22 @@ impl Gas {
         self.transport().is_some()
     }
 
-    /// Heat capacity `c_p` at constant pressure of gas in a state, J/(kg K); none of a liquid, which conducts no heat.
-    pub fn heat_capacity(&self, density: f64, energy: f64) -> f64 {
+    /// How much its enthalpy rises for each rise of its specific internal energy at constant pressure, in a state: of an ideal gas, the ratio of
+    /// its specific heats; none of a liquid, which conducts no heat.
+    pub fn enthalpy_by_energy(&self, density: f64, energy: f64) -> f64 {
         match self {
-            Self::Ideal(gas) => gas.gamma * gas.constant / gas.heat(),
-            Self::Air(air) => air.heat_capacity(density, energy),
+            Self::Ideal(gas) => gas.gamma,
+            Self::Air { air, .. } => air.enthalpy_by_energy(density, energy),
             Self::Liquid(_) => 0.0,
         }
     }
 
-    /// Heat capacity `c_v` at constant volume of gas in a state, J/(kg K); one of a liquid.
-    pub fn heat_capacity_at_volume(&self, density: f64, energy: f64) -> f64 {
-        match self {
-            Self::Ideal(gas) => gas.constant / gas.heat(),
-            Self::Air(air) => air.heat_capacity_at_volume(density, energy),
-            Self::Liquid(_) => 1.0,
-        }
-    }
-
-    /// Specific internal energy at a density and a temperature.
-    pub fn energy_at(&self, density: f64, temperature: f64) -> f64 {
+    /// Specific internal energy at a pressure and a temperature.
+    pub fn energy_at(&self, pressure: f64, temperature: f64) -> f64 {
         match self {
             Self::Ideal(gas) => gas.constant / gas.heat() * temperature,
-            Self::Air(air) => air.energy_at(density, temperature),
-            Self::Liquid(liquid) => liquid.energy(density),
+            Self::Air { air, .. } => air.energy(air.density_at(pressure, temperature), pressure),
+            Self::Liquid(liquid) => liquid.energy(liquid.density(pressure)),
         }
     }
 
@@ -258,8 +255,8 @@ impl Gas {
     pub fn coefficients(&self, density: f64, energy: f64) -> TransportCoefficients {
         self.transport()
             .map_or_else(TransportCoefficients::default, |transport| {
-                let heat_capacity = self.heat_capacity(density, energy);
-                transport.at(self.temperature(density, energy), heat_capacity)
+                let by_energy = self.enthalpy_by_energy(density, energy);
+                transport.at(self.temperature(density, energy), by_energy)
             })
     }
 }
@@ -322,7 +319,8 @@ mod tests {
         let energy = air.energy(1.2, 1.2 * 287.05 * 300.0);
         let found = air.coefficients(1.2, energy);
         assert!((found.viscosity - 1.846e-5).abs() < 1e-8, "{found:?}");
-        assert!((found.conductivity - 0.0262).abs() < 2e-4, "{found:?}");
+        let by_temperature = found.conductivity * 287.05 / 0.4;
+        assert!((by_temperature - 0.0262).abs() < 2e-4, "{found:?}");
         assert!(!Gas::ideal(1.4).is_viscous());
         assert_eq!(
             Gas::ideal(1.4).coefficients(1.2, energy),

@@ -39,7 +39,8 @@ pub enum Viscosity {
 pub struct TransportCoefficients {
     /// Dynamic viscosity, Pa s.
     pub viscosity: f64,
-    /// Thermal conductivity, W / (m K).
+    /// Heat that flows per gradient of the specific internal energy at constant pressure, kg / (m s): what flows per gradient of the temperature
+    /// over the heat capacity at constant volume, where that energy is one of the temperature alone.
     pub conductivity: f64,
 }
 
@@ -91,13 +92,17 @@ impl Viscosity {
 }
 
 impl Transport {
-    /// Viscosity and conductivity `mu c_p / Pr` at a temperature, of gas with the heat capacity `c_p` at constant pressure, J/(kg K).
+    /// Viscosity and conductivity at a temperature: heat flows as `mu / Pr` times the gradient of the enthalpy, which rises so much
+    /// `by_energy` at constant pressure.
+    ///
+    /// That is `mu c_p / Pr` times the gradient of the temperature where nothing reacts; of air in equilibrium it has what species carry
+    /// that spread as fast as heat does, whose Lewis number is one [Fay & Riddell 1958, J. Aeronaut. Sci. 25, 73-85].
     #[inline]
-    pub fn at(&self, temperature: f64, heat_capacity: f64) -> TransportCoefficients {
+    pub fn at(&self, temperature: f64, by_energy: f64) -> TransportCoefficients {
         let viscosity = self.viscosity.at(temperature);
         TransportCoefficients {
             viscosity,
-            conductivity: viscosity * heat_capacity / self.prandtl,
+            conductivity: viscosity * by_energy / self.prandtl,
         }
     }
 }

@@ -42,7 +42,7 @@ pub fn energy<const D: usize>(
     match heat {
         WallHeat::Adiabatic => gas.energy,
         WallHeat::Temperature(temperature) => {
-            let wall = law.energy_at(law.density(gas.pressure, gas.energy), temperature);
+            let wall = law.energy_at(gas.pressure, temperature);
             let beyond = wall - (gas.energy - wall) * stretch(ghost, arm);
             beyond.max(LEAST_ENERGY * wall.min(gas.energy))
         }
@@ -86,5 +86,5 @@ pub fn beyond<const D: usize>(
 fn slope(pressure: f64, energy: f64, flux: f64, law: &Gas) -> f64 {
     let density = law.density(pressure, energy);
     let coefficients = law.coefficients(density, energy);
-    -flux * law.heat_capacity_at_volume(density, energy) / coefficients.conductivity
+    -flux / coefficients.conductivity
 }

@@ -1,15 +1,18 @@
 //! Heat into the nose of a hemisphere.
 
 use aero_solver::frame::PanelFrame;
-use aero_validation::exact::fay_riddell::Nose;
+use aero_validation::exact::fay_riddell::{HotNose, Nose};
+use aero_validation::exact::hot_air::HotAir;
 use aero_validation::metrics::nose::at_nose;
 use aero_validation::table::{Check, Subject};
 
 use super::{GAMMA, GAS_CONSTANT, NAME};
 use crate::context::{CompareError, Context};
+use crate::real_gas::at_60_km;
 use crate::scenes::{Source, scene};
 
 const SCENE: Source = scene!("hemisphere-viscous");
+const HOT: Source = scene!("hemisphere-viscous-hot");
 /// A sphere that gas slides along: how fast it goes away from the nose.
 const SMOOTH: Source = scene!("sphere-axisymmetric");
 const SOURCE: &str = "Fay & Riddell 1958, eq. 63, with the velocity gradient of a slip wall";
@@ -25,6 +28,12 @@ const NOSE: Nose = Nose {
     gamma: GAMMA,
     prandtl: 0.72,
 };
+/// m/s.
+const HOT_SPEEDS: [f64; 2] = [3000.0, 5000.0];
+const HOT_SOURCE: &str =
+    "Fay & Riddell 1958, eq. 63, Lewis number of one, with the pressure on the nose itself";
+/// Per cent.
+const HOT_ALLOWED: f64 = 10.0;
 /// Degrees around the nose that heat and pressure are fitted over.
 const CAP: f64 = 30.0;
 const SMALL_CAP: f64 = 23.0;
@@ -75,7 +84,35 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
         let change = (fine - middle).abs() / (middle - coarse).abs();
         checks.push(Subject::new(NAME, what, "itself").at_most(change, 0.5));
     }
+    for speed in HOT_SPEEDS {
+        checks.push(hot(speed, context)?);
+    }
     Ok(checks)
+}
+
+/// Heat into the nose in air that comes apart, at this speed.
+fn hot(speed: f64, context: &Context<'_>) -> Result<Check, CompareError> {
+    let nose = HotNose {
+        air: HotAir::Reacting,
+        radius: NOSE.radius,
+        ahead: at_60_km()?,
+        speed,
+        wall: 1000.0,
+        prandtl: 0.71,
+    };
+    let attempt = HOT.attempt(&[format!("free_stream.speed={speed:?}")], context)?;
+    let around = attempt
+        .outcome()
+        .map(|outcome| Around::new(&outcome.panels));
+    let found = around.and_then(|around| Some((around.heat()?[0], around.pressure()?)));
+    let what = format!(
+        "hemisphere, equilibrium-air, {speed} m/s at 60 km, wall 1000 K, 160 cells to the radius: heat into the nose, W/m^2"
+    );
+    let subject = Subject::new(NAME, &what, HOT_SOURCE);
+    Ok(match found {
+        Some((heat, bend)) => subject.relative(heat, nose.heat_flux_where(bend)?, HOT_ALLOWED),
+        None => subject.unmeasured(f64::NAN),
+    })
 }
 
 /// Panels of a sphere by their angles from the nose.

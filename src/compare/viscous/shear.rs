@@ -1,5 +1,6 @@
 //! Air between a wall at rest and one that slides.
 
+use aero_solver::frame::PanelFrame;
 use aero_validation::exact::couette::{Couette, air_viscosity};
 use aero_validation::table::{Check, Subject};
 
@@ -36,6 +37,32 @@ pub(super) fn sliding(speed: f64) -> String {
     )
 }
 
+/// What gas takes from the wall that slides and gives to both.
+pub(super) struct Rubbed {
+    /// Friction per area.
+    pub stress: f64,
+    /// Heat into both walls per area.
+    pub lost: f64,
+}
+
+impl Rubbed {
+    pub(super) fn of(panels: &PanelFrame) -> Self {
+        let heat = |side| of_wall(panels, side, |n| panels.heat.flux[n]);
+        Self {
+            // On the wall that slides the gas pulls back.
+            stress: -of_wall(panels, 1, |n| panels.friction[n][0]),
+            lost: -heat(0) - heat(1),
+        }
+    }
+}
+
+/// Mean over the panels of a wall side.
+pub(super) fn of_wall(panels: &PanelFrame, side: u32, value: impl Fn(usize) -> f64) -> f64 {
+    let own = (0..panels.body.len()).filter(|&n| panels.body[n] == side);
+    let (sum, count) = own.fold((0.0, 0.0), |(sum, count), n| (sum + value(n), count + 1.0));
+    sum / count
+}
+
 fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], CompareError> {
     let speed = mach * (GAMMA * GAS_CONSTANT * TEMPERATURE).sqrt();
     let spacing = HEIGHT / f64::from(cells);
@@ -67,16 +94,7 @@ fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], C
     let (shear, heat) = match held.outcome() {
         None => (shear.unmeasured(couette.shear()), heat.unmeasured(1.0)),
         Some(outcome) => {
-            let panels = &outcome.panels;
-            let of = |side: u32, value: &dyn Fn(usize) -> f64| {
-                let own = (0..panels.body.len()).filter(|&n| panels.body[n] == side);
-                let (sum, count) =
-                    own.fold((0.0, 0.0), |(sum, count), n| (sum + value(n), count + 1.0));
-                sum / count
-            };
-            // On the wall that slides the gas pulls back.
-            let stress = -of(1, &|n| panels.friction[n][0]);
-            let lost = -of(0, &|n| panels.heat.flux[n]) - of(1, &|n| panels.heat.flux[n]);
+            let Rubbed { stress, lost } = Rubbed::of(&outcome.panels);
             (
                 shear.relative(stress / unit, couette.shear(), SHEAR),
                 heat.relative(lost / (stress * speed), 1.0, SHEAR),
@@ -89,9 +107,7 @@ fn between(mach: f64, cells: u32, context: &Context<'_>) -> Result<[Check; 3], C
     let hot = match free.outcome() {
         None => hot.unmeasured(wall),
         Some(outcome) => {
-            let panels = &outcome.panels;
-            let found = (0..panels.body.len()).find(|&n| panels.body[n] == 1);
-            let found = found.map_or(f64::NAN, |n| panels.heat.temperature[n]);
+            let found = of_wall(&outcome.panels, 1, |n| outcome.panels.heat.temperature[n]);
             hot.relative(found / TEMPERATURE, wall, WALL)
         }
     };

@@ -19,6 +19,8 @@ const END: f64 = 0.1;
 const WIDTH: u32 = 12;
 /// Largest error over the speed of the wall, per cent.
 const ALLOWED: f64 = 1.0;
+/// Least order of that of a scheme of liquids.
+const ORDER: f64 = 1.8;
 
 pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     let (schemes, cells): (&[&str], &[u32]) = match context.level {
@@ -37,9 +39,16 @@ pub(super) fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError>
     };
     let mut checks = Vec::new();
     for scheme in schemes {
-        for &cells in cells {
-            for mover in [Mover::Wall, Mover::Force] {
-                checks.push(mover.check(scheme, cells, context)?);
+        for mover in [Mover::Wall, Mover::Force] {
+            let mut errors = Vec::new();
+            for &cells in cells {
+                let error = mover.error(scheme, cells, context)?;
+                checks.push(mover.check(scheme, cells, error));
+                errors.push(error);
+            }
+            if let [Some(coarse), Some(fine)] = errors[..] {
+                let order = (coarse / fine).log2();
+                checks.push(mover.order(scheme, [cells[0], cells[1]], order));
             }
         }
     }
@@ -71,7 +80,45 @@ impl Mover {
         }
     }
 
-    fn check(self, scheme: &str, cells: u32, context: &Context<'_>) -> Result<Check, CompareError> {
+    fn name(self) -> &'static str {
+        match self {
+            Self::Wall => "shear",
+            Self::Force => "channel",
+        }
+    }
+
+    fn check(self, scheme: &str, cells: u32, error: Option<f64>) -> Check {
+        let name = self.name();
+        let what = format!(
+            "{scheme}, {name} that starts, {cells} cells: largest error of the velocity, per cent"
+        );
+        let subject = Subject::new(NAME, &what, THEORY);
+        match error {
+            None => subject.unmeasured(ALLOWED),
+            Some(error) => subject.at_most(100.0 * error, ALLOWED),
+        }
+    }
+
+    /// What conserves momentum to round-off is not of second order among particles that have moved, and is told.
+    fn order(self, scheme: &str, [coarse, fine]: [u32; 2], order: f64) -> Check {
+        let name = self.name();
+        let what =
+            format!("{scheme}, {name} that starts, {coarse} to {fine} cells: order of that error");
+        let subject = Subject::new(NAME, &what, THEORY);
+        if scheme == "conservative" {
+            subject.informs(order, 2.0)
+        } else {
+            subject.at_least(order, ORDER)
+        }
+    }
+
+    /// Largest error of the velocity over the speed that all comes to; none of a run that fails.
+    fn error(
+        self,
+        scheme: &str,
+        cells: u32,
+        context: &Context<'_>,
+    ) -> Result<Option<f64>, CompareError> {
         let spacing = CHANNEL.height / f64::from(cells);
         let mut settings = vec![
             format!("scheme.equations={scheme}"),
@@ -83,26 +130,15 @@ impl Mover {
             "domain.sides.x_max=periodic".into(),
             format!("body_force=[{:?}, 0.0]", self.force()),
         ];
-        let name = match self {
-            Self::Wall => "shear",
-            Self::Force => {
-                settings.push("domain.sides.y_max={ wall = { kind = \"no-slip\" } }".into());
-                "channel"
-            }
-        };
-        let what = format!(
-            "{scheme}, {name} that starts, {cells} cells: largest error of the velocity, per cent"
-        );
-        let subject = Subject::new(NAME, &what, THEORY);
+        if let Self::Force = self {
+            settings.push("domain.sides.y_max={ wall = { kind = \"no-slip\" } }".into());
+        }
         let attempt = SCENE.attempt(&settings, context)?;
-        Ok(match attempt.outcome() {
-            None => subject.unmeasured(ALLOWED),
-            Some(outcome) => {
-                let gas = &outcome.gas;
-                let errors = gas.position.iter().zip(&gas.velocity);
-                let errors = errors.map(|(place, found)| (found[0] - self.speed(place[1])).abs());
-                subject.at_most(100.0 * errors.fold(0.0, f64::max), ALLOWED)
-            }
-        })
+        Ok(attempt.outcome().map(|outcome| {
+            let gas = &outcome.gas;
+            let errors = gas.position.iter().zip(&gas.velocity);
+            let errors = errors.map(|(place, found)| (found[0] - self.speed(place[1])).abs());
+            errors.fold(0.0, f64::max)
+        }))
     }
 }

@@ -1,12 +1,14 @@
-//! Heat into the nose of a blunt body of revolution in a hypersonic stream of air whose specific heats are constant.
+//! Heat into the nose of a blunt body of revolution in a hypersonic stream of air whose specific heats are constant, or that is in equilibrium.
 //!
-//! Source: Fay & Riddell, J. Aeronaut. Sci. 25 (1958) 73-85, eq. 63, without dissociation:
+//! Source: Fay & Riddell, J. Aeronaut. Sci. 25 (1958) 73-85, eq. 63, without dissociation or with a Lewis number of one:
 //! `q = 0.763 Pr^-0.6 (rho_e mu_e)^0.4 (rho_w mu_w)^0.1 sqrt(du_e/dx) (h_0e - h_w)`, edge `e` at rest behind a normal shock, wall `w` at the
-//! same pressure; `du_e/dx = sqrt(2 (p_e - p) / rho_e) / R`, Newton's pressure on a sphere.
+//! same pressure, viscosities by Sutherland's law; `du_e/dx = sqrt(2 (p_e - p) / rho_e) / R`, Newton's pressure on a sphere.
 //!
 //! How it falls off the nose of a sphere: Lees, Jet Propulsion 26 (1956) 259-269, with the same pressure.
 
+use super::ExactError;
 use super::couette::air_viscosity;
+use super::hot_air::{Hot, HotAir};
 use super::isentropic::temperature_ratio;
 use super::normal::pitot_pressure_ratio;
 
@@ -43,17 +45,14 @@ impl Nose {
     pub fn heat_flux_where(&self, bend: f64) -> f64 {
         let pressure = self.pressure * pitot_pressure_ratio(self.mach, self.gamma);
         let edge = self.temperature * temperature_ratio(self.mach, self.gamma);
-        let density = |temperature: f64| pressure / (self.gas_constant * temperature);
-        let gradient = (2.0 * bend * pressure / density(edge)).sqrt() / self.radius;
         let heat_capacity = self.gamma / (self.gamma - 1.0) * self.gas_constant;
-        let product = |temperature: f64| density(temperature) * air_viscosity(temperature);
-        0.763
-            * self.prandtl.powf(-0.6)
-            * product(edge).powf(0.4)
-            * product(self.wall).powf(0.1)
-            * gradient.sqrt()
-            * heat_capacity
-            * (edge - self.wall)
+        let at = |temperature: f64| Hot {
+            pressure,
+            density: pressure / (self.gas_constant * temperature),
+            temperature,
+            enthalpy: heat_capacity * temperature,
+        };
+        flux(&at(edge), &at(self.wall), self.prandtl, bend, self.radius)
     }
 
     /// Heat at this angle from the nose, in radians, over that at the nose.
@@ -65,6 +64,61 @@ impl Nose {
         let far = shape(2.0) + (1.0 - (2.0 * angle).cos()) / 2.0;
         let grown = (1.0 - least) * near + 4.0 * least * far;
         2.0 * angle * sin * ((1.0 - least) * cos * cos + least) / grown.sqrt()
+    }
+}
+
+/// Heat into the nose behind gas at rest at its `edge`, and with gas like that at its `wall`.
+fn flux(edge: &Hot, wall: &Hot, prandtl: f64, bend: f64, radius: f64) -> f64 {
+    let gradient = (2.0 * bend * edge.pressure / edge.density).sqrt() / radius;
+    let product = |gas: &Hot| gas.density * air_viscosity(gas.temperature);
+    0.763
+        * prandtl.powf(-0.6)
+        * product(edge).powf(0.4)
+        * product(wall).powf(0.1)
+        * gradient.sqrt()
+        * (edge.enthalpy - wall.enthalpy)
+}
+
+/// A sphere in a stream of air that gets hot.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct HotNose {
+    /// What happens to it.
+    pub air: HotAir,
+    /// Radius, m.
+    pub radius: f64,
+    /// The stream.
+    pub ahead: Hot,
+    /// Its speed, m/s.
+    pub speed: f64,
+    /// Temperature of the wall, K.
+    pub wall: f64,
+    /// Prandtl number of what no species carry.
+    pub prandtl: f64,
+}
+
+impl HotNose {
+    /// Heat into the stagnation point, W/m^2, where pressure falls off the nose as [`Nose::heat_flux_where`] has it.
+    ///
+    /// # Errors
+    /// Air that is too hot or too cold.
+    pub fn heat_flux_where(&self, bend: f64) -> Result<f64, ExactError> {
+        let edge = self.edge()?;
+        let wall = self.air.at(edge.pressure, self.wall)?;
+        Ok(flux(&edge, &wall, self.prandtl, bend, self.radius))
+    }
+
+    /// Gas at rest behind the shock: what is left of its speed there, hardly more than a quarter of that of sound, is stopped as by a liquid.
+    ///
+    /// # Errors
+    /// Air that is too hot or too cold.
+    pub fn edge(&self) -> Result<Hot, ExactError> {
+        let behind = self.air.normal_shock(&self.ahead, self.speed)?;
+        let slow = self.ahead.density * self.speed / behind.density;
+        let rest = 0.5 * slow * slow;
+        let compressed = rest * behind.density / behind.pressure;
+        // To second order with a ratio of specific heats of 1.2: it changes little.
+        let pressure = behind.pressure * (1.0 + compressed + compressed * compressed / 2.4);
+        self.air.of_enthalpy(pressure, behind.enthalpy + rest)
     }
 }
 
@@ -102,6 +156,23 @@ mod tests {
         }
         let steeper = NOSE.heat_flux_where(4.0) / NOSE.heat_flux_where(1.0);
         assert!((steeper - 2.0_f64.sqrt()).abs() < 1e-12);
+    }
+
+    /// Air that is cold all the way is an ideal gas.
+    #[test]
+    fn slow_air_takes_no_notice_of_its_molecules() {
+        let slow = Nose { mach: 2.0, ..NOSE };
+        let ahead = HotAir::Whole.at(NOSE.pressure, NOSE.temperature).unwrap();
+        let hot = HotNose {
+            air: HotAir::Whole,
+            radius: NOSE.radius,
+            ahead,
+            speed: 2.0 * (1.4 * ahead.pressure / ahead.density).sqrt(),
+            wall: NOSE.wall,
+            prandtl: NOSE.prandtl,
+        };
+        let ratio = hot.heat_flux_where(1.0).unwrap() / slow.heat_flux_where(1.0);
+        assert!((ratio - 1.0).abs() < 5e-3, "{ratio}");
     }
 
     /// It falls with the root of the radius and grows with that of the pressure, and there is none where the wall is as hot as gas at rest.

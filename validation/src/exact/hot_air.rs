@@ -140,8 +140,11 @@ impl HotAir {
         })
     }
 
-    /// At a pressure and an enthalpy.
-    fn of_enthalpy(self, pressure: f64, enthalpy: f64) -> Result<Hot, ExactError> {
+    /// At a pressure, Pa, and an enthalpy, J/kg above that of atoms at rest.
+    ///
+    /// # Errors
+    /// Gas that is too hot or too cold.
+    pub fn of_enthalpy(self, pressure: f64, enthalpy: f64) -> Result<Hot, ExactError> {
         let off = |t: f64| {
             self.at(pressure, t)
                 .map_or(f64::NAN, |hot| hot.enthalpy - enthalpy)

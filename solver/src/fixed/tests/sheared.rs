@@ -64,7 +64,7 @@ fn couette(mach: f64, is_adiabatic: bool, cells: usize) -> (f64, f64) {
             if wall.image.normal[1] > 0.0 {
                 found = (
                     share.stress[0] * height / (viscosity * speed),
-                    share.level / R,
+                    share.temperature,
                 );
             }
         }

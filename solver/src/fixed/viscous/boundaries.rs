@@ -21,8 +21,8 @@ pub struct WallShare<const D: usize> {
     pub heat: f64,
     /// Work on the gas.
     work: f64,
-    /// `p / rho` of the gas at the wall.
-    pub level: f64,
+    /// Temperature of the gas at the wall.
+    pub temperature: f64,
 }
 
 impl<const D: usize> WallShare<D> {
@@ -31,7 +31,7 @@ impl<const D: usize> WallShare<D> {
         stress: [0.0; D],
         heat: 0.0,
         work: 0.0,
-        level: 0.0,
+        temperature: 0.0,
     };
 
     /// What the gas gains per time.
@@ -65,14 +65,16 @@ impl<const D: usize> Rubbing<'_, D> {
             Some(stick) => self.stuck(stick, &wall.image, cell, distance),
             None => WallShare {
                 stress: self.drawn(i, &wall.image, cell, gradient, distance),
-                level: cell.pressure / cell.density,
+                temperature: self
+                    .viscous
+                    .temperature(self.viscous.heat(cell), cell.pressure),
                 ..WallShare::NONE
             },
         }
     }
 
-    /// The stress of gas that sticks, of a profile that is linear up to the wall, and the heat: of the temperature that the gas would have at
-    /// the wall if none went through, `T + Pr u^2 / (2 c_p)`.
+    /// The stress of gas that sticks, of a profile that is linear up to the wall, and the heat: of the enthalpy that the gas would have at
+    /// the wall if none went through, `h + Pr u^2 / 2`.
     fn stuck(
         &self,
         stick: &Stick<D>,
@@ -88,24 +90,26 @@ impl<const D: usize> Rubbing<'_, D> {
         for k in 0..D {
             slide[k] -= across * image.normal[k];
         }
-        let level = cell.pressure / cell.density;
+        let level = self.viscous.heat(cell);
         let recovered = level + self.viscous.recovered(dot(&slide, &slide));
         let at_wall = match stick.heat {
-            Heat::Level(level) => level,
+            Heat::Temperature(temperature) => self.viscous.heat_at(temperature, cell.pressure),
             Heat::Flux(_) => recovered,
         };
-        let viscosity = self.viscous.viscosity(0.5 * (level + at_wall));
+        let viscosity = self
+            .viscous
+            .viscosity_at(0.5 * (level + at_wall), cell.pressure);
         let conductivity = self.viscous.conductivity(viscosity);
         let stress = slide.map(|slide| viscosity * slide / distance);
         let (heat, at_wall) = match stick.heat {
-            Heat::Level(level) => (conductivity * (level - recovered) / distance, level),
+            Heat::Temperature(_) => (conductivity * (at_wall - recovered) / distance, at_wall),
             Heat::Flux(heat) => (heat, recovered + heat * distance / conductivity),
         };
         WallShare {
             stress,
             heat,
             work: dot(&stick.velocity, &stress),
-            level: at_wall,
+            temperature: self.viscous.temperature(at_wall, cell.pressure),
         }
     }
 

@@ -37,18 +37,18 @@ impl<const D: usize> Rubbing<'_, D> {
         let gradients: Vec<Gradient<D>> = block
             .cells
             .clone()
-            .map(|i| Gradient::of(&flow.states[i], &flow.slopes[i]))
+            .map(|i| Gradient::of(self.viscous, &flow.states[i], &flow.slopes[i]))
             .collect();
         let gradient = |i: usize| {
             let known = gradients.get(i.wrapping_sub(start)).copied();
-            known.unwrap_or_else(|| Gradient::of(&flow.states[i], &flow.slopes[i]))
+            known.unwrap_or_else(|| Gradient::of(self.viscous, &flow.states[i], &flow.slopes[i]))
         };
         for face in &block.faces {
             let (i, j) = (face.i as usize, face.j as usize);
             let shape = &net.face_shapes[face.shape as usize];
             let [a, b] = [&flow.states[i], &flow.states[j]];
             let rise = b.plus(-1.0, a).velocity;
-            let heat = b.heat() - a.heat();
+            let heat = self.viscous.heat(b) - self.viscous.heat(a);
             let at = gradient(i)
                 .mean(&gradient(j))
                 .along(&shape.apart, &rise, heat);
@@ -74,7 +74,7 @@ impl<const D: usize> Rubbing<'_, D> {
                 energy: dot(&velocity, &stress) + conducted,
             };
             let slopes = [&flow.slopes[i], &flow.slopes[j]];
-            let gain = gain.plus(-1.0, &uneven(self.viscous.gamma, [a, b], slopes, shape));
+            let gain = gain.plus(-1.0, &uneven(self.viscous, [a, b], slopes, shape));
             for (number, sign) in [(i, 1.0), (j, -1.0)] {
                 if let Some(cell) = gains.cells.get_mut(number.wrapping_sub(start)) {
                     *cell = cell.plus(sign, &gain);

@@ -1,90 +1,25 @@
 //! Viscosity and heat conduction: the stress `mu (grad u + grad u^T - 2/3 div u)` and the heat `k grad T` through faces.
 //!
-//! None of this is asked for where the gas has no viscosity. Temperatures are those times the gas constant, `p / rho`, so that
-//! conductivities are `mu gamma / ((gamma - 1) Pr)`.
+//! None of this is asked for where the gas has no viscosity. What heat flows down is its measure, see [`warmth`].
 
 mod boundaries;
 mod faces;
 mod stick;
 mod uneven;
+mod warmth;
 
 use super::cells::RADIAL;
 use super::net::Net;
 use super::slopes::Slopes;
 use super::state::{Primitive, dot};
-use crate::gas::{Gas, Transport};
 use aero_geometry::Vector;
 
 pub use boundaries::WallShare;
 pub use faces::Rubbing;
 pub use stick::stick;
+pub use warmth::Viscous;
 
-/// Viscosity and heat conduction of a gas.
-#[derive(Clone, Copy, Debug)]
-pub struct Viscous {
-    transport: Transport,
-    gamma: f64,
-    constant: f64,
-}
-
-impl Viscous {
-    /// Those of `gas`; none of one without.
-    pub fn of(gas: &Gas) -> Option<Self> {
-        let gas = gas.ideal_gas()?;
-        gas.transport.map(|transport| Self {
-            transport,
-            gamma: gas.gamma,
-            constant: gas.constant,
-        })
-    }
-
-    /// Dynamic viscosity at this `p / rho`.
-    #[inline]
-    pub fn viscosity(&self, heat: f64) -> f64 {
-        self.transport.viscosity.at(heat / self.constant)
-    }
-
-    /// Heat conducted per gradient of `p / rho`, of gas with this viscosity.
-    #[inline]
-    pub fn conductivity(&self, viscosity: f64) -> f64 {
-        viscosity * self.gamma / ((self.gamma - 1.0) * self.transport.prandtl)
-    }
-
-    /// The faster of what spreads momentum and heat, m^2/s.
-    #[inline]
-    pub fn diffusivity(&self, viscosity: f64, density: f64) -> f64 {
-        /// Gas that is drawn out along a line resists as this much of its viscosity.
-        const DRAWN: f64 = 4.0 / 3.0;
-        viscosity / density * DRAWN.max(self.gamma / self.transport.prandtl)
-    }
-
-    /// What `p / rho` of gas rises by that comes to rest beside a wall with this square of its speed, where no heat goes through the wall:
-    /// `k T + mu u^2 / 2` is then the same across the layer.
-    #[inline]
-    pub fn recovered(&self, square: f64) -> f64 {
-        0.5 * self.transport.prandtl * (self.gamma - 1.0) / self.gamma * square
-    }
-
-    /// `p / rho` of a temperature.
-    pub fn heat(&self, temperature: f64) -> f64 {
-        temperature * self.constant
-    }
-
-    /// Temperature of gas of this `p / rho`.
-    pub fn temperature(&self, heat: f64) -> f64 {
-        heat / self.constant
-    }
-
-    /// What two cells with these viscosities add to the wave speeds of the first one, of this density, over a face of this size and so far
-    /// apart: twice the diffusivity over the distance, times the area.
-    #[inline]
-    pub fn reach(&self, viscosities: [f64; 2], density: f64, size: f64, apart: f64) -> f64 {
-        let mean = 0.5 * (viscosities[0] + viscosities[1]);
-        2.0 * self.diffusivity(mean, density) * size / apart
-    }
-}
-
-/// Gradients of velocity and of `p / rho`.
+/// Gradients of velocity and of the measure of heat.
 #[derive(Clone, Copy, Debug)]
 struct Gradient<const D: usize> {
     /// Derivative of the velocity along each axis.
@@ -95,14 +30,14 @@ struct Gradient<const D: usize> {
 impl<const D: usize> Gradient<D> {
     /// That in a cell.
     #[inline(always)]
-    fn of(state: &Primitive<D>, slopes: &Slopes<D>) -> Self {
+    fn of(viscous: &Viscous, state: &Primitive<D>, slopes: &Slopes<D>) -> Self {
         let mut gradient = Self {
             velocity: [[0.0; D]; D],
             heat: [0.0; D],
         };
         for (axis, slope) in slopes.along.iter().enumerate() {
             gradient.velocity[axis] = slope.velocity;
-            gradient.heat[axis] = state.warming(slope);
+            gradient.heat[axis] = viscous.warming(state, slope);
         }
         gradient
     }

@@ -16,9 +16,9 @@ const ACROSS: f64 = 0.2;
 /// # Errors
 /// A surface that is said to move across itself.
 pub fn stick<const D: usize>(net: &mut Net<D>, problem: &Problem<D>) -> Result<(), String> {
-    let Some(viscous) = Viscous::of(&problem.gas) else {
+    if Viscous::of(&problem.gas).is_none() {
         return Ok(());
-    };
+    }
     let bodies = problem
         .bodies
         .iter()
@@ -50,7 +50,7 @@ pub fn stick<const D: usize>(net: &mut Net<D>, problem: &Problem<D>) -> Result<(
             heat: match heat {
                 WallHeat::Adiabatic => Heat::Flux(0.0),
                 WallHeat::Flux(heat) => Heat::Flux(*heat),
-                WallHeat::Temperature(temperature) => Heat::Level(viscous.heat(*temperature)),
+                WallHeat::Temperature(temperature) => Heat::Temperature(*temperature),
             },
         });
     }

@@ -8,10 +8,11 @@ use super::super::calmness::smoothness;
 use super::super::net::FaceShape;
 use super::super::slopes::Slopes;
 use super::super::state::{Conserved, Primitive, dot};
+use super::Viscous;
 
 /// Flux through a face between two cells, from the first to the second, of what their states vary along it: none in shocks.
 pub fn uneven<const D: usize>(
-    gamma: f64,
+    viscous: &Viscous,
     states: [&Primitive<D>; 2],
     slopes: [&Slopes<D>; 2],
     shape: &FaceShape<D>,
@@ -40,7 +41,7 @@ pub fn uneven<const D: usize>(
         for axis in 0..D {
             change = change.plus(way[axis], &along[axis]);
         }
-        let more = together(gamma, &middle, &change, &shape.area);
+        let more = together(viscous, &middle, &change, &shape.area);
         sum = sum.plus(calm * square / 12.0, &more);
     }
     sum
@@ -64,9 +65,9 @@ fn ways<const D: usize>(normal: &[f64; D]) -> [[f64; D]; D] {
     ways
 }
 
-/// Second derivative of the flux of a state that goes on by `change`, halved: of `rho u`, `rho u u` and `(gamma / (gamma - 1) p + rho u^2 / 2) u`.
+/// Second derivative of the flux of a state that goes on by `change`, halved: of `rho u`, `rho u u` and `(rho h + rho u^2 / 2) u`.
 fn together<const D: usize>(
-    gamma: f64,
+    viscous: &Viscous,
     state: &Primitive<D>,
     change: &Primitive<D>,
     area: &[f64; D],
@@ -86,6 +87,6 @@ fn together<const D: usize>(
     Conserved {
         mass,
         momentum,
-        energy: gamma / (gamma - 1.0) * change.pressure * more + kinetic,
+        energy: viscous.enthalpy_change(state, change) * more + kinetic,
     }
 }

@@ -186,6 +186,40 @@ impl Air {
         pressure / heat.exp()
     }
 
+    /// Enthalpy per volume `rho e + p`, and what it changes by with changes of density and pressure, to first order.
+    pub(crate) fn enthalpy_change(self, density: f64, pressure: f64, change: [f64; 2]) -> [f64; 2] {
+        let heat = pressure / density;
+        let ratio = self.ratio(density, heat);
+        let by_density = heat * (ratio.by_density - ratio.by_heat);
+        let by_pressure = 1.0 + ratio.capacity();
+        let rise = by_density * change[0] + by_pressure * change[1];
+        [pressure * (1.0 + ratio.value), rise]
+    }
+
+    /// `p / rho` at a pressure and a specific enthalpy.
+    pub fn heat_of_enthalpy(self, pressure: f64, enthalpy: f64) -> f64 {
+        let wanted = enthalpy.ln();
+        // About as much as when it is warm.
+        let mut heat = (enthalpy / 4.0).ln();
+        for _ in 0..STEPS {
+            let ratio = self.ratio(pressure / heat.exp(), heat.exp());
+            let off = heat + (1.0 + ratio.value).ln() - wanted;
+            let slope = 1.0 + (ratio.by_heat - ratio.by_density) / (1.0 + ratio.value);
+            let step = (off / slope).clamp(-0.5, 0.5);
+            heat -= step;
+            if step.abs() < EXACT {
+                break;
+            }
+        }
+        heat.exp()
+    }
+
+    /// How much its enthalpy rises for each rise of its specific internal energy at constant pressure.
+    pub fn enthalpy_by_energy(self, density: f64, energy: f64) -> f64 {
+        let ratio = self.ratio(density, self.pressure_over_density(density, energy));
+        1.0 + 1.0 / (ratio.capacity() - ratio.by_density)
+    }
+
     /// Specific internal energy at a density and a temperature, K.
     pub fn energy_at(self, density: f64, temperature: f64) -> f64 {
         let wanted = temperature.ln();

@@ -2,6 +2,7 @@ use approx::assert_relative_eq;
 
 use super::Air;
 use super::equilibrium::{Level, Mixture};
+use crate::gas::Gas;
 
 const BOTH: [Air; 2] = [Air::ThermallyPerfect, Air::Equilibrium];
 
@@ -269,6 +270,44 @@ fn heat_capacities_are_slopes() {
             let rise = enthalpy(high) - enthalpy(low);
             let found = air.heat_capacity(density, energy);
             assert_relative_eq!(found, rise / (2.0 * step), max_relative = 2e-3);
+        }
+    }
+}
+
+/// Enthalpy and its changes, by differences; the `p / rho` that belongs to one.
+#[test]
+fn enthalpy_changes_as_its_derivatives_say() {
+    for air in BOTH {
+        for [density, temperature] in STATES {
+            let pressure = air.pressure(density, air.energy_at(density, temperature));
+            let enthalpy =
+                |density: f64, pressure: f64| air.energy(density, pressure) * density + pressure;
+            for [by_density, by_pressure] in [[1.0, 0.0], [0.0, 1.0], [1.0, -2.0]] {
+                let step = 1e-5;
+                let at = |part: f64| {
+                    let dense = density * (1.0 + part * by_density);
+                    enthalpy(dense, pressure * (1.0 + part * by_pressure))
+                };
+                let slope = (at(step) - at(-step)) / (2.0 * step);
+                let change = [by_density * density, by_pressure * pressure];
+                let [whole, told] = air.enthalpy_change(density, pressure, change);
+                assert_relative_eq!(whole, at(0.0), max_relative = 1e-12);
+                assert!((told - slope).abs() < 1e-5 * whole, "{told} {slope}");
+            }
+            let found = air.heat_of_enthalpy(pressure, enthalpy(density, pressure) / density);
+            assert_relative_eq!(found, pressure / density, max_relative = 1e-10);
+            let gas = Gas::Air {
+                air,
+                transport: None,
+            };
+            let held = gas.energy_at(pressure, temperature);
+            assert_relative_eq!(held, air.energy(density, pressure), max_relative = 1e-10);
+            let [thin, dense] = [1.0 - 1e-4, 1.0 + 1e-4].map(|part| part * density);
+            let rise = |value: &dyn Fn(f64) -> f64| value(thin) - value(dense);
+            let ratio = rise(&|density| enthalpy(density, pressure) / density)
+                / rise(&|density| air.energy(density, pressure));
+            let told = air.enthalpy_by_energy(density, air.energy(density, pressure));
+            assert_relative_eq!(told, ratio, max_relative = 1e-4);
         }
     }
 }

@@ -10,7 +10,7 @@ use crate::records::Read;
 use crate::vectors::Vectors;
 
 /// Heating `1/rho_i [sum_j V_j (q_i L_i + q_j L_j).grad_i W_ij + sum_j V_j 2 kappa_ij d_ij F]` by the flux `q = kappa grad e` [Fourier
-/// 1822] with `kappa = k / c_v`, and the departure `d_ij = e_ij - 1/2 (grad e_i + grad e_j).r_ij`.
+/// 1822] with the conductivity `kappa` by energy, and the departure `d_ij = e_ij - 1/2 (grad e_i + grad e_j).r_ij`.
 #[derive(Clone, Copy, Debug)]
 pub struct HeatFlux;
 
