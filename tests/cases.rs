@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 55] = [
+const SMALL: [(&str, &[&str]); 56] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.002", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -134,6 +134,7 @@ const SMALL: [(&str, &[&str]); 55] = [
     ("step", &["end_time=0.05", "spacing=0.05"]),
     ("store", &["end_time=0.0005", "spacing=0.06"]),
     ("supersonic-vortex", &["end_time=0.1", "stop=end-time"]),
+    ("taylor-couette", &["end_time=0.2"]),
     ("taylor-green", &["end_time=0.02"]),
     ("transonic", &["end_time=0.03", "stop=end-time"]),
     ("two-gases", &["end_time=2e-5"]),

@@ -80,7 +80,10 @@ static CASES: [Case; 33] = [
     ("mms", &[&mms::MANUFACTURED]),
     ("mms-walls", &[&mms_walls::WALLS]),
     ("outlets", &[&outlets::OUTLETS]),
-    ("viscous", &[&viscous::VISCOUS]),
+    (
+        "viscous",
+        &[&viscous::SHEAR, &viscous::LAYERS, &viscous::NOSES],
+    ),
     (
         "weakly-compressible",
         &[&weakly_compressible::WEAKLY_COMPRESSIBLE],
@@ -112,9 +115,8 @@ static CASES: [Case; 33] = [
     ("fly", &[&fly::FLIGHTS]),
 ];
 
-/// Cases that run only where they are named: they show where the method ends, and some of their rows
-/// fail.
-static ON_REQUEST: [Case; 8] = [
+/// Cases that run only where they are named: parts of others, and what shows where the method ends, some of whose rows fail.
+static ON_REQUEST: [Case; 11] = [
     (
         "stress",
         &[
@@ -126,6 +128,9 @@ static ON_REQUEST: [Case; 8] = [
             &stress::FINS,
         ],
     ),
+    ("viscous-shear", &[&viscous::SHEAR]),
+    ("viscous-layers", &[&viscous::LAYERS]),
+    ("viscous-noses", &[&viscous::NOSES]),
     ("stress-tubes", &[&stress::TUBES]),
     ("stress-balls", &[&stress::BALLS]),
     ("stress-smooth", &[&stress::SMOOTH]),

@@ -10,6 +10,7 @@ mod plate;
 mod reattachment;
 mod shear;
 mod shock;
+mod turning;
 mod vortices;
 mod wake;
 
@@ -21,17 +22,24 @@ const GAMMA: f64 = 1.4;
 /// J/(kg K), as in the scenes.
 const GAS_CONSTANT: f64 = 287.05;
 
-/// Flows of points that stay, and of particles.
-pub const VISCOUS: Suite = Suite::of(&[
+/// Flows between walls and far from them, of points that stay and of particles.
+pub const SHEAR: Suite = Suite::of(&[
     (Levels::Both, shear::compare),
     (Levels::Both, hot_shear::compare),
     (Levels::Both, shock::compare),
     (Levels::Both, vortices::compare),
     (Levels::Both, particles::compare),
     (Levels::Both, channel::compare),
+    (Levels::Both, turning::compare),
+]);
+
+/// Boundary layers, wakes and what parts from walls.
+pub const LAYERS: Suite = Suite::of(&[
     (Levels::Both, cylinder::compare),
     (Levels::Full, plate::compare),
     (Levels::Full, reattachment::compare),
-    (Levels::Full, nose::compare),
     (Levels::Full, wake::compare),
 ]);
+
+/// Heat into noses.
+pub const NOSES: Suite = Suite::of(&[(Levels::Full, nose::compare)]);

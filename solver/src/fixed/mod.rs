@@ -281,7 +281,7 @@ impl<const D: usize> FixedSimulation<D> {
             },
             problem.domain.is_axisymmetric(),
         )?;
-        viscous::stick(&mut net, problem)?;
+        viscous::stick(&mut net, &cells.points, problem)?;
         let least = slow::least_mach(problem);
         let walls = net.blocks.iter_mut().flat_map(|block| &mut block.walls);
         walls.for_each(|wall| wall.least_mach = least);

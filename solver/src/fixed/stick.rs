@@ -11,6 +11,8 @@ const LEAST_DENSITY: f64 = 0.1;
 pub struct Stick<const D: usize> {
     /// Velocity of the surface, along the face.
     pub velocity: [f64; D],
+    /// The same of what moves as the surface does where the cell's point is: gas that turns with its wall is not sheared.
+    pub beside: [f64; D],
     /// What heat does.
     pub heat: Heat,
 }

@@ -7,6 +7,7 @@ use super::agreement::compare;
 use super::reference::Matrix;
 use super::seam::{DEFAULT, PUBLISHED, Setup, Solver, body_on_the_lattice, instructions, turn};
 use super::*;
+use crate::problem::{NoSlip, Slide};
 
 const RADIUS: f64 = 0.6;
 
@@ -132,4 +133,45 @@ fn ghosts_beneath_gas_that_circles_a_cylinder_show_the_strain_of_their_own_veloc
         assert!((shear / RATE + 1.0).abs() < 0.25, "{shear} for {}", -RATE);
     }
     assert!(seen > 20, "{seen} ghosts");
+}
+
+/// What gas that sticks feels of a round surface that slides around is what it feels of a body that turns.
+#[test]
+fn a_surface_that_slides_around_moves_as_that_of_a_body_that_turns() {
+    const RATE: f64 = 1.7;
+    let surface = |slides: bool| {
+        let rate = if slides { RATE } else { 0.0 };
+        let mut problem = cylinder(WallKind::STICKY);
+        let centre = problem.domain.bounds.max * 0.5;
+        let body = &mut problem.bodies[0];
+        body.wall = WallKind::NoSlip(NoSlip {
+            slide: Slide {
+                turning: [0.0, 0.0, rate],
+                pivot: [centre[0], centre[1], 0.0],
+                ..Slide::default()
+            },
+            ..NoSlip::default()
+        });
+        body.motion = Motion::none();
+        if !slides {
+            turn(
+                body,
+                Vector3::new(0.0, 0.0, RATE),
+                centre,
+                [Vector::zeros(); 2],
+            );
+        }
+        let simulation = start(problem);
+        let ghosts = simulation.walls.own();
+        let cylinder = ghosts.iter().filter(|ghost| ghost.body == 0);
+        cylinder
+            .map(|ghost| ghost.wall.velocity + ghost.wall.slide)
+            .collect::<Vec<_>>()
+    };
+    let [slides, turns] = [true, false].map(surface);
+    assert!(slides.len() > 100 && slides.len() == turns.len());
+    for (slides, turns) in slides.iter().zip(&turns) {
+        assert!((slides - turns).norm() < 1e-12, "{slides} {turns}");
+        assert!((slides.norm() / (RATE * RADIUS) - 1.0).abs() < 1e-6);
+    }
 }

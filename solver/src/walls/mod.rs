@@ -196,7 +196,10 @@ impl<const D: usize> Walls<D> {
             ghost.wall.velocity = pose.velocity(&foot);
             ghost.wall.slide = match self.bodies[number].kind {
                 WallKind::Slip => Vector::zeros(),
-                WallKind::NoSlip(wall) => pose.direction(&wall.slide.at(&ghost.origin.position)),
+                WallKind::NoSlip(wall) => {
+                    let foot = ghost.origin.position + ghost.origin.normal * ghost.depth;
+                    pose.direction(&wall.slide.at(&foot))
+                }
             };
             ghost.wall.acceleration = pose.acceleration(&foot);
             ghost.wall.curvature = pose.tensor(&ghost.origin.curvature);

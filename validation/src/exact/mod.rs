@@ -30,6 +30,7 @@ mod root;
 pub mod sedov;
 pub mod shock_expansion;
 pub mod sod_tube;
+pub mod turning;
 
 /// Density, velocity and pressure of a gas moving along one axis.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -171,6 +171,42 @@ fn a_shear_along_a_wall_askew_to_the_lattice_goes_on() {
     }
 }
 
+/// Gas that turns with its wall is not sheared, be the wall round.
+#[test]
+fn gas_that_turns_with_its_wall_does_not_rub_on_it() {
+    const RATE: f64 = 0.4;
+    let mut problem = problem::<2>([1; 2], 0.1, [[Side::FreeStream; 2]; 2]);
+    problem.domain.bounds = Bounds::new([-1.0; 2].into(), [1.0; 2].into());
+    problem.gas = gas(0.02, 0.72);
+    let mut body = slip_body(Arc::new(bodies::circle(0.53).unwrap()) as Arc<dyn Shape<2>>);
+    body.wall = WallKind::NoSlip(NoSlip {
+        heat: WallHeat::Adiabatic,
+        slide: Slide {
+            turning: [0.0, 0.0, RATE],
+            ..Slide::default()
+        },
+    });
+    problem.bodies = vec![body];
+    problem.initial = field(|x: &Vector<2>| State {
+        density: 1.0,
+        velocity: [-RATE * x[1], RATE * x[0]].into(),
+        pressure: 1.0,
+    });
+    let mut flow = FixedSimulation::new(problem).unwrap();
+    flow.find_slopes();
+    flow.exchange(|_, _, _| {});
+    let mut seen = 0;
+    for (block, shares) in flow.net.blocks.iter().zip(&flow.columns.shares) {
+        for (wall, share) in block.walls.iter().zip(shares) {
+            seen += usize::from(wall.stick.is_some());
+            let stress = Vector::from(share.stress).norm();
+            assert!(stress < 1e-12, "{:?} {stress:e}", wall.foot);
+            assert!((share.temperature - 1.0).abs() < 1e-12);
+        }
+    }
+    assert!(seen > 30, "{seen}");
+}
+
 /// Gas between a hot and a cold wall comes to rest with all of its mass: `p = rho R (T_2 - T_1) / ln(T_2 / T_1)` where temperatures lie on a line.
 #[test]
 fn gas_that_is_closed_in_settles_with_the_mass_that_it_began_with() {

@@ -73,7 +73,7 @@ impl<const D: usize> Rubbing<'_, D> {
         }
     }
 
-    /// The stress of gas that sticks, of a profile that is linear up to the wall, and the heat: of the enthalpy that the gas would have at
+    /// The stress of gas that sticks, of a profile that is linear up to the wall beside what moves as the wall does, and the heat: of the enthalpy that the gas would have at
     /// the wall if none went through, `h + Pr u^2 / 2`.
     fn stuck(
         &self,
@@ -82,7 +82,7 @@ impl<const D: usize> Rubbing<'_, D> {
         cell: &Primitive<D>,
         distance: f64,
     ) -> WallShare<D> {
-        let mut slide = stick.velocity;
+        let mut slide = stick.beside;
         for k in 0..D {
             slide[k] -= cell.velocity[k];
         }

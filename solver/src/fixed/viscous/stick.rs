@@ -11,11 +11,15 @@ use crate::walls::wall_sides;
 /// Part of its speed up to which the surface of a wall may move across itself: faces are flat where bodies are round.
 const ACROSS: f64 = 0.2;
 
-/// Tells the walls of `net` that gas sticks to them, where it does in `problem`.
+/// Tells the walls of `net`, whose cells have these `points`, that gas sticks to them, where it does in `problem`.
 ///
 /// # Errors
 /// A surface that is said to move across itself.
-pub fn stick<const D: usize>(net: &mut Net<D>, problem: &Problem<D>) -> Result<(), String> {
+pub fn stick<const D: usize>(
+    net: &mut Net<D>,
+    points: &[Vector<D>],
+    problem: &Problem<D>,
+) -> Result<(), String> {
     if Viscous::of(&problem.gas).is_none() {
         return Ok(());
     }
@@ -45,8 +49,10 @@ pub fn stick<const D: usize>(net: &mut Net<D>, problem: &Problem<D>) -> Result<(
                 wall.foot.as_slice()
             ));
         }
+        let beside = slide.at(&points[wall.i as usize]);
         wall.stick = Some(Stick {
             velocity: (velocity - normal * across).into(),
+            beside: (beside - normal * beside.dot(&normal)).into(),
             heat: match heat {
                 WallHeat::Adiabatic => Heat::Flux(0.0),
                 WallHeat::Flux(heat) => Heat::Flux(*heat),
