@@ -67,7 +67,7 @@ impl<const D: usize> Rubbing<'_, D> {
                 stress: self.drawn(i, &wall.image, cell, gradient, distance),
                 temperature: self
                     .viscous
-                    .temperature(self.viscous.heat(cell), cell.pressure),
+                    .temperature(self.viscous.measure(cell), cell.pressure),
                 ..WallShare::NONE
             },
         }
@@ -90,10 +90,10 @@ impl<const D: usize> Rubbing<'_, D> {
         for k in 0..D {
             slide[k] -= across * image.normal[k];
         }
-        let level = self.viscous.heat(cell);
+        let level = self.viscous.measure(cell);
         let recovered = level + self.viscous.recovered(dot(&slide, &slide));
         let at_wall = match stick.heat {
-            Heat::Temperature(temperature) => self.viscous.heat_at(temperature, cell.pressure),
+            Heat::Temperature(temperature) => self.viscous.measure_at(temperature, cell.pressure),
             Heat::Flux(_) => recovered,
         };
         let viscosity = self

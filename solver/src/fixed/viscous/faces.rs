@@ -48,7 +48,7 @@ impl<const D: usize> Rubbing<'_, D> {
             let shape = &net.face_shapes[face.shape as usize];
             let [a, b] = [&flow.states[i], &flow.states[j]];
             let rise = b.plus(-1.0, a).velocity;
-            let heat = self.viscous.heat(b) - self.viscous.heat(a);
+            let heat = self.viscous.measure(b) - self.viscous.measure(a);
             let at = gradient(i)
                 .mean(&gradient(j))
                 .along(&shape.apart, &rise, heat);

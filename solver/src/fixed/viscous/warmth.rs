@@ -6,8 +6,8 @@
 use super::super::state::Primitive;
 use crate::gas::{Air, Gas, IdealGas, Transport};
 
-/// Ratio of the specific heats of air when it is cold, which none exceeds.
-const LARGEST_RATIO: f64 = 1.4;
+/// No air has a larger ratio of its specific heats than cold air.
+const LARGEST_RATIO: f64 = 1.402;
 
 /// Viscosity and heat conduction of a gas.
 #[derive(Clone, Copy, Debug)]
@@ -41,19 +41,16 @@ impl Viscous {
 
     /// Measure of heat in a state.
     #[inline]
-    pub fn heat<const D: usize>(&self, state: &Primitive<D>) -> f64 {
+    pub fn measure<const D: usize>(&self, state: &Primitive<D>) -> f64 {
         match self.gas {
             Warm::Ideal { .. } => state.heat(),
-            Warm::Air(air) => {
-                let heat = state.heat();
-                air.energy(state.density, state.pressure) + heat
-            }
+            Warm::Air(air) => air.energy(state.density, state.pressure) + state.heat(),
         }
     }
 
     /// That at a temperature and a pressure.
     #[inline]
-    pub fn heat_at(&self, temperature: f64, pressure: f64) -> f64 {
+    pub fn measure_at(&self, temperature: f64, pressure: f64) -> f64 {
         match self.gas {
             Warm::Ideal { constant, .. } => temperature * constant,
             Warm::Air(air) => {
@@ -94,11 +91,11 @@ impl Viscous {
 
     /// Temperature of gas of this measure at a pressure.
     #[inline]
-    pub fn temperature(&self, heat: f64, pressure: f64) -> f64 {
+    pub fn temperature(&self, measure: f64, pressure: f64) -> f64 {
         match self.gas {
-            Warm::Ideal { constant, .. } => heat / constant,
+            Warm::Ideal { constant, .. } => measure / constant,
             Warm::Air(air) => {
-                let density = pressure / air.heat_of_enthalpy(pressure, heat);
+                let density = pressure / air.heat_of_enthalpy(pressure, measure);
                 air.temperature(density, pressure)
             }
         }
@@ -116,8 +113,8 @@ impl Viscous {
 
     /// Dynamic viscosity at this measure of heat and a pressure.
     #[inline]
-    pub fn viscosity_at(&self, heat: f64, pressure: f64) -> f64 {
-        let temperature = self.temperature(heat, pressure);
+    pub fn viscosity_at(&self, measure: f64, pressure: f64) -> f64 {
+        let temperature = self.temperature(measure, pressure);
         self.transport.viscosity.at(temperature)
     }
 
@@ -217,8 +214,8 @@ mod tests {
     fn temperatures_come_back_from_the_measure_of_heat() {
         for (viscous, temperature) in gases() {
             let state = state(&viscous, temperature);
-            let heat = viscous.heat(&state);
-            let at = viscous.heat_at(temperature, state.pressure);
+            let heat = viscous.measure(&state);
+            let at = viscous.measure_at(temperature, state.pressure);
             assert_relative_eq!(heat, at, max_relative = 1e-10);
             if let Warm::Air(air) = viscous.gas {
                 let at = EquationOfState::heat_at(&air, temperature, state.pressure);
@@ -246,13 +243,14 @@ mod tests {
                 };
                 let step = 1e-5;
                 let at = |part: f64| state.plus(part, &rise);
-                let slope = (viscous.heat(&at(step)) - viscous.heat(&at(-step))) / (2.0 * step);
+                let slope =
+                    (viscous.measure(&at(step)) - viscous.measure(&at(-step))) / (2.0 * step);
                 let told = viscous.warming(&state, &rise);
-                let size = viscous.heat(&state);
+                let size = viscous.measure(&state);
                 assert!((told - slope).abs() < 1e-5 * size, "{told} {slope}");
                 // Measures in enthalpies.
                 let unit = viscous.conductivity(TRANSPORT.prandtl);
-                let enthalpy = |part: f64| unit * viscous.heat(&at(part)) * at(part).density;
+                let enthalpy = |part: f64| unit * viscous.measure(&at(part)) * at(part).density;
                 let slope = (enthalpy(step) - enthalpy(-step)) / (2.0 * step);
                 let told = viscous.enthalpy_change(&state, &rise);
                 assert!((told - slope).abs() < 1e-5 * unit * size * state.density);
@@ -265,7 +263,7 @@ mod tests {
     fn cold_air_conducts_as_an_ideal_gas_and_hot_air_by_its_heat_capacity() {
         for (viscous, temperature) in gases() {
             let [low, high] = [0.999, 1.001].map(|part| state(&viscous, part * temperature));
-            let rise = (viscous.heat(&high) - viscous.heat(&low)) / (0.002 * temperature);
+            let rise = (viscous.measure(&high) - viscous.measure(&low)) / (0.002 * temperature);
             let flux = viscous.conductivity(1.0) * rise;
             let capacity = match viscous.gas {
                 Warm::Ideal { .. } => 3.5 * 287.06,
@@ -277,9 +275,9 @@ mod tests {
             assert_relative_eq!(flux * TRANSPORT.prandtl, capacity, max_relative = 0.02);
             // `T + Pr u^2 / (2 c_p)`, of a little of it.
             let speed = 1.0;
-            let warmed = viscous.heat(&low) + viscous.recovered(speed);
+            let warmed = viscous.measure(&low) + viscous.recovered(speed);
             let warmer = viscous.temperature(warmed, low.pressure)
-                - viscous.temperature(viscous.heat(&low), low.pressure);
+                - viscous.temperature(viscous.measure(&low), low.pressure);
             let expected = 0.5 * TRANSPORT.prandtl / capacity;
             assert_relative_eq!(warmer, expected, max_relative = 0.02);
             assert!(viscous.diffusivity(1.0, 1.0) >= 1.4 / TRANSPORT.prandtl - 1e-12);
