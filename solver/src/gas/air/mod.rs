@@ -156,33 +156,23 @@ impl Air {
     pub fn density(self, pressure: f64, energy: f64) -> f64 {
         let wanted = energy.ln();
         // About as much as when it is warm.
-        let mut heat = (energy / 3.0).ln();
-        for _ in 0..STEPS {
+        let heat = newton((energy / 3.0).ln(), |heat| {
             let ratio = self.ratio(pressure / heat.exp(), heat.exp());
             let off = heat + ratio.value.ln() - wanted;
             let slope = 1.0 + (ratio.by_heat - ratio.by_density) / ratio.value;
-            let step = (off / slope).clamp(-0.5, 0.5);
-            heat -= step;
-            if step.abs() < EXACT {
-                break;
-            }
-        }
+            [off, slope]
+        });
         pressure / heat.exp()
     }
 
     /// Density at a pressure and a temperature, K.
     pub fn density_at(self, pressure: f64, temperature: f64) -> f64 {
         let wanted = temperature.ln();
-        let mut heat = (temperature * self.gas_constant()).ln();
-        for _ in 0..STEPS {
+        let heat = newton((temperature * self.gas_constant()).ln(), |heat| {
             let warmth = self.warmth(pressure / heat.exp(), heat.exp());
             let off = heat + warmth.value.ln() - wanted;
-            let step = (off / (1.0 + warmth.by_heat - warmth.by_density)).clamp(-0.5, 0.5);
-            heat -= step;
-            if step.abs() < EXACT {
-                break;
-            }
-        }
+            [off, 1.0 + warmth.by_heat - warmth.by_density]
+        });
         pressure / heat.exp()
     }
 
@@ -200,17 +190,12 @@ impl Air {
     pub fn heat_of_enthalpy(self, pressure: f64, enthalpy: f64) -> f64 {
         let wanted = enthalpy.ln();
         // About as much as when it is warm.
-        let mut heat = (enthalpy / 4.0).ln();
-        for _ in 0..STEPS {
+        let heat = newton((enthalpy / 4.0).ln(), |heat| {
             let ratio = self.ratio(pressure / heat.exp(), heat.exp());
             let off = heat + (1.0 + ratio.value).ln() - wanted;
             let slope = 1.0 + (ratio.by_heat - ratio.by_density) / (1.0 + ratio.value);
-            let step = (off / slope).clamp(-0.5, 0.5);
-            heat -= step;
-            if step.abs() < EXACT {
-                break;
-            }
-        }
+            [off, slope]
+        });
         heat.exp()
     }
 
@@ -221,18 +206,13 @@ impl Air {
     }
 
     /// Specific internal energy at a density and a temperature, K.
-    pub fn energy_at(self, density: f64, temperature: f64) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn energy_at(self, density: f64, temperature: f64) -> f64 {
         let wanted = temperature.ln();
-        let mut heat = (temperature * self.gas_constant()).ln();
-        for _ in 0..STEPS {
+        let heat = newton((temperature * self.gas_constant()).ln(), |heat| {
             let warmth = self.warmth(density, heat.exp());
-            let off = heat + warmth.value.ln() - wanted;
-            let step = (off / (1.0 + warmth.by_heat)).clamp(-0.5, 0.5);
-            heat -= step;
-            if step.abs() < EXACT {
-                break;
-            }
-        }
+            [heat + warmth.value.ln() - wanted, 1.0 + warmth.by_heat]
+        });
         self.energy(density, density * heat.exp())
     }
 
@@ -245,7 +225,8 @@ impl Air {
 
     /// Heat capacity at constant pressure, J/(kg K): that at constant volume, times the square of the speed of sound over that of waves at
     /// constant temperature.
-    pub fn heat_capacity(self, density: f64, energy: f64) -> f64 {
+    #[cfg(test)]
+    pub(crate) fn heat_capacity(self, density: f64, energy: f64) -> f64 {
         let heat = self.pressure_over_density(density, energy);
         let warmth = self.warmth(density, heat);
         let held = 1.0 - warmth.by_density / (1.0 + warmth.by_heat);
@@ -350,6 +331,19 @@ fn runge_kutta(slope: impl Fn(f64, f64) -> f64, x: f64, y: f64, step: f64) -> f6
     let again = slope(x + 0.5 * step * middle, y + 0.5 * step);
     let last = slope(x + step * again, y + step);
     step * (first + 2.0 * (middle + again) + last) / 6.0
+}
+
+/// A logarithm, near this one, of which `[off, slope]` says how far it is off, by Newton's method.
+fn newton(mut log: f64, off: impl Fn(f64) -> [f64; 2]) -> f64 {
+    for _ in 0..STEPS {
+        let [off, slope] = off(log);
+        let step = (off / slope).clamp(-0.5, 0.5);
+        log -= step;
+        if step.abs() < EXACT {
+            break;
+        }
+    }
+    log
 }
 
 /// Where `off` is nothing, above `least`, by the secant method from two guesses.
