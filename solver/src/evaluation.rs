@@ -112,6 +112,16 @@ pub fn arrange<const D: usize>(
 /// Sums the masses about each particle, `sum m W`.
 fn sum_masses<const D: usize>(fluid: &mut Particles<D>, around: &mut Neighbourhood<D>) {
     round_near(around);
+    if around.arch.is_mixed() {
+        // Of the state they read the slopes at walls.
+        let Records {
+            state,
+            rounded,
+            start,
+            ..
+        } = &mut around.records;
+        rounded.round_state_in(start[GHOSTS]..state.len(), state);
+    }
     densities(
         &around.arch,
         &around.lists,

@@ -2,6 +2,8 @@
 //!
 //! Lengths are measured in about a spacing, so that powers of them stay far from what `f32` cannot hold.
 
+use std::ops::Range;
+
 use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 use nalgebra::SVector;
@@ -125,20 +127,24 @@ impl<const D: usize> Rounded<D> {
 
     /// Rounds the state.
     pub fn round_state(&mut self, state: &[State<D>]) {
-        let (length, per_volume) = (self.length, self.length.powi(-(D as i32)));
+        let length = self.length;
         state
             .par_iter()
             .with_min_len(BLOCK)
-            .map(|state| State {
-                half_sound: state.half_sound as f32,
-                energy: state.energy as f32,
-                pressure: state.pressure as f32,
-                half_gradient: state.half_gradient.map(|x| (x * length) as f32),
-                strain: state.strain.rounded(length),
-                energy_slope: state.energy_slope.map(|x| (x * length) as f32),
-                stress: state.stress.rounded(per_volume),
-            })
+            .map(|state| rounded(state, length))
             .collect_into_vec(&mut self.state);
+    }
+
+    /// Rounds the state in these slots alone, where the others are not asked for.
+    pub fn round_state_in(&mut self, slots: Range<usize>, state: &[State<D>]) {
+        if self.state.len() != state.len() {
+            return self.round_state(state);
+        }
+        let length = self.length;
+        self.state[slots.clone()]
+            .par_iter_mut()
+            .zip(&state[slots])
+            .for_each(|(own, state)| *own = rounded(state, length));
     }
 
     /// Rounds the shifts, which are velocities.
@@ -146,6 +152,19 @@ impl<const D: usize> Rounded<D> {
         self.shift.clear();
         self.shift
             .extend(shift.iter().map(|shift| shift.map(|u| u as f32)));
+    }
+}
+
+/// A state in lengths of this size.
+fn rounded<const D: usize>(state: &State<D>, length: f64) -> State<D, f32> {
+    State {
+        half_sound: state.half_sound as f32,
+        energy: state.energy as f32,
+        pressure: state.pressure as f32,
+        half_gradient: state.half_gradient.map(|x| (x * length) as f32),
+        strain: state.strain.rounded(length),
+        energy_slope: state.energy_slope.map(|x| (x * length) as f32),
+        stress: state.stress.rounded(length.powi(-(D as i32))),
     }
 }
 

@@ -213,6 +213,8 @@ pub struct WallTreatment {
     pub follows_the_bend: bool,
     /// Gas keeps its entropy across the layer at a wall; otherwise its temperature.
     pub keeps_entropy: bool,
+    /// The flow varies across the layer at a wall along which it slides, and ghosts and sums that densities are read off know how; otherwise it is even there.
+    pub slopes: bool,
     /// Ghost volumes stay constant; false only to show what happens otherwise.
     pub constant_volume: bool,
     /// Gas that a step has carried into a wall comes back as off a mirror; otherwise it is left there.

@@ -26,6 +26,7 @@ impl Scheme {
         wall: WallTreatment {
             follows_the_bend: false,
             keeps_entropy: false,
+            slopes: false,
             sends_back: false,
             ..Self::CONSERVATIVE.wall
         },
@@ -62,6 +63,7 @@ impl Scheme {
             extrapolation: Extrapolation::Wom,
             follows_the_bend: true,
             keeps_entropy: true,
+            slopes: true,
             constant_volume: true,
             sends_back: true,
             surface_tags: true,

@@ -45,7 +45,7 @@ mod hllc;
 mod image;
 mod kink;
 mod levels;
-mod limiter;
+pub(crate) mod limiter;
 mod loads;
 mod mach_lines;
 mod march;

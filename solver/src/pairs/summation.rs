@@ -1,9 +1,10 @@
 //! Density read off the particles.
 
 use super::law::{Basis, Law, Neighbour};
-use super::pair::{Separation, Target};
+use super::pair::{LaneVector, Separation, Target, dot};
 use super::unlike::{share, unlike};
 use crate::backend::Backend;
+use crate::each::each;
 use crate::lanes::Lane;
 use crate::neighbours::Lists;
 use crate::records::{Read, Records};
@@ -37,7 +38,9 @@ struct Kernels<'a, const D: usize> {
     records: &'a Records<D>,
 }
 
-/// `rho_i = sum_gas m_j W_ij / (1 - phi_i)`, where `phi_i = sum_ghosts V_g W_ig` is the walls' share of the kernel. A particle of another gas
+/// `rho_i = [sum_gas m_j W_ij + sum_ghosts V_g s_g.r_gi W_ig] / (1 - phi_i)`, where `phi_i = sum_ghosts V_g W_ig` is the walls' share of the
+/// kernel and `s_g` the gradient of the density across the layer at the wall: gas on one side alone is as dense as it is beside the particle, not
+/// as at it. A particle of another gas
 /// counts by the room that it takes, as one of its own: `m_i` in place of `m_j` [Hu & Adams 2006, eq. 6], so that no gas is spread into
 /// the other.
 struct Summation<'a> {
@@ -48,7 +51,8 @@ struct Summation<'a> {
 
 impl<const D: usize> Basis<D> for Kernels<'_, D> {
     type Own<V: Vectors> = Target<V, D>;
-    type Pair<V: Vectors> = Lane<V>;
+    /// The kernel and `r_ij`.
+    type Pair<V: Vectors> = (Lane<V>, LaneVector<V, D>);
     type Site<'a>
         = ()
     where
@@ -72,8 +76,9 @@ impl<const D: usize> Basis<D> for Kernels<'_, D> {
         own: &Target<V, D>,
         read: Read<'_, D, V::Number>,
         j: usize,
-    ) -> Lane<V> {
-        Separation::new(vectors, own, &read.near[j]).kernel(vectors)
+    ) -> Self::Pair<V> {
+        let separation = Separation::new(vectors, own, &read.near[j]);
+        (separation.kernel(vectors), separation.vector)
     }
 
     fn rest(&self, slot: usize, density: &mut f64) {
@@ -90,9 +95,9 @@ impl<const D: usize> Basis<D> for Kernels<'_, D> {
 impl<const D: usize> Law<Kernels<'_, D>, D> for Summation<'_> {
     /// Share of the second gas, and mass.
     type Own<V: Vectors> = (Lane<V>, Lane<V>);
-    /// Mass of the gas and share of the walls.
-    type Sums<V: Vectors> = (Lane<V>, Lane<V>);
-    type Number = (f64, f64);
+    /// Mass of the gas, share of the walls, and half of what the density lacks there.
+    type Sums<V: Vectors> = (Lane<V>, (Lane<V>, Lane<V>));
+    type Number = (f64, (f64, f64));
 
     #[inline(always)]
     fn load<V: Vectors>(
@@ -112,7 +117,7 @@ impl<const D: usize> Law<Kernels<'_, D>, D> for Summation<'_> {
     fn add<V: Vectors>(
         &self,
         (_, (own_share, own)): (&Target<V, D>, &Self::Own<V>),
-        kernel: &mut Lane<V>,
+        (kernel, _): &mut (Lane<V>, LaneVector<V, D>),
         j: Neighbour<'_, V, D>,
         (mass, _): &mut Self::Sums<V>,
     ) {
@@ -128,14 +133,15 @@ impl<const D: usize> Law<Kernels<'_, D>, D> for Summation<'_> {
     fn add_ghost<V: Vectors>(
         &self,
         _: (&Target<V, D>, &Self::Own<V>),
-        kernel: &mut Lane<V>,
+        (kernel, separation): &mut (Lane<V>, LaneVector<V, D>),
         j: Neighbour<'_, V, D>,
-        (_, share): &mut Self::Sums<V>,
+        (_, (share, fall)): &mut Self::Sums<V>,
     ) {
-        *share = kernel.mul_add(
-            Lane::broadcast(j.vectors, j.read.near[j.slot].volume),
-            *share,
-        );
+        let volume = Lane::broadcast(j.vectors, j.read.near[j.slot].volume);
+        let state = &j.read.state[j.slot];
+        let slope: LaneVector<V, D> = each(|k| Lane::broadcast(j.vectors, state.half_gradient[k]));
+        *fall = (*kernel * volume).mul_add(dot(&slope, separation), *fall);
+        *share = kernel.mul_add(volume, *share);
     }
 
     /// Masses and volumes are in the cubes of the records' lengths, kernels in those of the inverse.
@@ -145,8 +151,15 @@ impl<const D: usize> Law<Kernels<'_, D>, D> for Summation<'_> {
     }
 
     #[inline(always)]
-    fn finish(&self, _: (f64, f64), (mass, share): (f64, f64), (): &mut (), density: &mut f64) {
+    fn finish(
+        &self,
+        _: Self::Number,
+        (mass, (share, fall)): Self::Number,
+        (): &mut (),
+        density: &mut f64,
+    ) {
         let share = (share / self.lattice).min(LARGEST_WALL_SHARE);
+        let mass = (mass - 2.0 * fall).clamp(0.5 * mass, 2.0 * mass);
         *density = mass / self.lattice / (1.0 - share);
     }
 }

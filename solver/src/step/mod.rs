@@ -6,7 +6,7 @@ mod failure;
 mod stages;
 
 use super::Simulation;
-use super::evaluation::{Moment, evaluate, read_densities, sum_densities};
+use super::evaluation::{Moment, arrange, evaluate, read_densities, sum_densities};
 use super::iterative_shifting::even_out;
 use super::scheme::{Density, Integrator};
 use super::sides::closed;
@@ -119,6 +119,8 @@ impl<const D: usize> Simulation<D> {
             ahead: 0.0,
         };
         if problem.scheme.density == Density::Summation {
+            // Sums at walls go by what ghosts show.
+            arrange(problem, moment, fluid, buffers, walls, around);
             read_densities(problem, fluid, around);
         }
         evaluate(problem, moment, fluid, buffers, walls, around);

@@ -44,6 +44,7 @@ pub fn randomise<const D: usize>(solver: &mut Solver<D>) {
         point.energy_slope = random.vector::<D>() * 8.0;
         point.smoothness = 0.5 + 0.5 * random.next();
     });
+    solver.set_slope(&(random.vector() * 4.0));
 }
 
 /// All that is in the solver now.
@@ -187,6 +188,12 @@ pub fn agree_on_walls<const D: usize>(solver: &Solver<D>, expected: &[reference:
         "ghosts' strain",
         ghosts.iter().map(strain),
         expected.iter().map(strain),
+    );
+    let slope = |wall: &reference::Wall<D>| array(&wall.point.density_gradient);
+    agree(
+        "slope of the density at walls",
+        ghosts.iter().map(slope),
+        expected.iter().map(slope),
     );
 }
 

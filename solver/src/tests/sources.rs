@@ -150,6 +150,37 @@ fn particles_stand_under_their_weight() {
     }
 }
 
+/// Gas of one entropy under its weight. Its density is read off gas on one side alone in the rows at the walls, and would be 3.7e-3 off there on 50
+/// cells, to first order, were it taken for even.
+#[test]
+fn particles_at_walls_are_as_dense_as_their_pressure_says() {
+    for extrapolation in [Extrapolation::Wom, Extrapolation::Wm] {
+        let errors = [25, 50].map(|cells| {
+            let mut problem = column(cells);
+            problem.scheme.wall.extrapolation = extrapolation;
+            let warmth = |height: f64| 1.0 - WEIGHT / 3.5 * height;
+            problem.initial = Initial::Field(Field(Arc::new(move |place: &Vector<1>| State {
+                density: 1.4 * warmth(place[0]).powf(2.5),
+                velocity: Vector::zeros(),
+                pressure: warmth(place[0]).powf(3.5),
+            })));
+            let mut simulation = start(problem);
+            advance_to(&mut simulation, 1.0);
+            let each = simulation.fluid.iter();
+            each.map(|particle| {
+                let exact = 1.4 * warmth(particle.position[0]).powf(2.5);
+                (particle.density / exact - 1.0).abs()
+            })
+            .fold(0.0, f64::max)
+        });
+        let [coarse, fine] = errors;
+        assert!(
+            fine < 6e-5 && fine < 0.4 * coarse,
+            "{extrapolation:?}: {errors:?}"
+        );
+    }
+}
+
 /// Marched and settled.
 #[test]
 fn points_stand_under_their_weight() {

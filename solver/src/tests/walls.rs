@@ -1,3 +1,4 @@
+use super::seam::{Solver, instructions};
 use super::*;
 use crate::problem::Resolution;
 
@@ -62,6 +63,38 @@ fn a_fan_that_springs_from_a_side_undershoots_by_less_than_five_per_cent() {
         let least = densities.fold(f64::INFINITY, f64::min);
         let off = least / (1.4 * 0.875_f64.powi(5)) - 1.0;
         assert!((-0.05..-0.01).contains(&off), "{off} at {wall}");
+    }
+}
+
+/// Gas that leaves a wall at a speed that grows with the distance, as it does beside a bent wall and in a fan. Mirrored as Shepard's sum reads it, nearer to the wall than they are deep,
+/// ghosts would show the deeper ones three fifths of it.
+#[test]
+fn ghosts_show_what_goes_across_a_wall_as_deep_as_they_are() {
+    const RATE: f64 = 0.3;
+    for extrapolation in [Extrapolation::Wom, Extrapolation::Wm] {
+        let mut problem = cube::<2>(20, Side::Periodic);
+        problem.domain.sides[1] = [WALL, Side::Outlet];
+        problem.scheme.wall.extrapolation = extrapolation;
+        problem.initial = Initial::Field(Field(Arc::new(|place: &Vector<2>| State {
+            density: 1.4,
+            velocity: Vector::<2>::new(0.2, RATE * place[1]),
+            pressure: 1.0,
+        })));
+        let mut solver = Solver::new(problem, instructions()[0]);
+        solver.list();
+        // The rate of strain is that of the evaluation before.
+        solver.evaluate();
+        solver.evaluate();
+        // The deepest layer sees no gas.
+        for ghost in solver.ghosts().iter().filter(|ghost| ghost.depth < 0.4) {
+            let [along, across] = ghost.point.velocity.into();
+            let expected = -RATE * ghost.depth;
+            assert!((along - 0.2).abs() < 1e-12, "{extrapolation:?}: {along}");
+            assert!(
+                (across / expected - 1.0).abs() < 0.1,
+                "{extrapolation:?}: {across} for {expected}"
+            );
+        }
     }
 }
 

@@ -78,6 +78,8 @@ pub struct Shown<const D: usize> {
     pub energy: f64,
     /// Density, from the equation of state.
     pub density: f64,
+    /// Gradient of the gas's density across the layer at the wall, by what its pressure does there.
+    pub density_gradient: Vector<D>,
     /// Smoothing length.
     pub smoothing_length: f64,
     /// Share of the second gas.

@@ -7,10 +7,10 @@ use super::super::backend::Backend;
 use super::super::neighbours::GROWTH;
 use super::super::pairs::extrapolation::{Consistency, Interpolated, interpolate};
 use super::super::records::{Matrix, Records};
-use super::{Ghost, WallLists, Walls, mirror_seeker, seeker, shares, sticking};
+use super::{Ghost, WallLists, Walls, gliding, mirror_seeker, seeker, shares, sticking};
 use crate::gas::Gas;
 use crate::problem::WallKind;
-use crate::scheme::Extrapolation;
+use crate::scheme::{Extrapolation, WallTreatment};
 
 impl<const D: usize> Walls<D> {
     /// Gives every ghost the state of the gas nearby, mirrored at the wall [Villodi &
@@ -68,15 +68,7 @@ impl<const D: usize> Walls<D> {
                 let kind = bodies[ghost.body as usize].kind;
                 let added = added.map_or(Vector::zeros(), |added| added(&ghost.foot()));
                 let law = gases.mixed(ghost.shown.second);
-                show(
-                    ghost,
-                    &gas,
-                    arm,
-                    kind,
-                    treatment.keeps_entropy,
-                    &law,
-                    &added,
-                );
+                show(ghost, &gas, arm, kind, treatment, &law, &added);
                 if !treatment.constant_volume {
                     ghost.volume = ghost.reference_mass / ghost.shown.density;
                 }
@@ -113,27 +105,32 @@ fn show<const D: usize>(
     gas: &Interpolated<D>,
     arm: f64,
     kind: WallKind,
-    keeps_entropy: bool,
+    treatment: WallTreatment,
     law: &Gas,
     added: &Vector<D>,
 ) {
     let wall = ghost.wall.velocity;
     let slide = gas.velocity - wall;
     let across = slide.dot(&ghost.normal);
+    let along = slide - ghost.normal * across;
     ghost.shown.velocity = match kind {
         // Eqs 26-28 with the normal into the gas: the normal component relative to the wall turns round.
+        WallKind::Slip if treatment.slopes => {
+            let mirrored = gliding::across(ghost, gas, across, arm);
+            gas.velocity - ghost.normal * (across + mirrored)
+        }
         WallKind::Slip => gas.velocity - ghost.normal * (2.0 * across),
         WallKind::NoSlip(_) => sticking::velocity(ghost, gas, arm),
     };
     // Beyond a slip wall the flow is the mirror image; beyond the other kind it goes on.
     ghost.shown.strain = match kind {
-        WallKind::Slip => mirrored_strain(ghost, gas, &(slide - ghost.normal * across)),
+        WallKind::Slip => mirrored_strain(ghost, gas, &along),
         WallKind::NoSlip(_) => gas.strain,
     };
     // Eqs 29-30: dp/dn = -rho a.n, so a wall that accelerates into the gas raises the pressure, and so does what drives gas into the
     // wall; gas that slides along a bent wall is accelerated by its bend, and by the turn of a turning one.
     let slide = match kind {
-        WallKind::Slip => slide - ghost.normal * across,
+        WallKind::Slip => along,
         WallKind::NoSlip(_) => Vector::zeros(),
     };
     let density = law.density(gas.pressure, gas.energy);
@@ -148,11 +145,28 @@ fn show<const D: usize>(
         WallKind::Slip => gas.energy,
         WallKind::NoSlip(wall) => sticking::energy(ghost, gas, arm, wall.heat, law),
     };
-    if keeps_entropy && slope != 0.0 && !kind.conducts() {
-        // Pressure varies across the layer at the wall, entropy hardly [Dadone & Grossman 1994].
-        ghost.shown.energy = law.isentropic_energy(gas.energy, gas.pressure, ghost.shown.pressure);
+    // Pressure varies across the layer at the wall, entropy hardly [Dadone & Grossman 1994].
+    let keeps_entropy = treatment.keeps_entropy && slope != 0.0 && !kind.conducts();
+    let pressed = |pressure: f64| {
+        if keeps_entropy {
+            law.isentropic_energy(gas.energy, gas.pressure, pressure)
+        } else {
+            gas.energy
+        }
+    };
+    if keeps_entropy {
+        ghost.shown.energy = pressed(ghost.shown.pressure);
     }
     ghost.shown.density = law.density(ghost.shown.pressure, ghost.shown.energy);
+    let mut rise = 0.0;
+    if treatment.slopes && slope != 0.0 {
+        let surface = ghost.shown.wall_pressure;
+        let height = sticking::above(ghost, arm - ghost.depth);
+        rise = (density - law.density(surface, pressed(surface))) / height;
+    }
+    // A step that failed is tried again from here.
+    let rise = if rise.is_finite() { rise } else { 0.0 };
+    ghost.shown.density_gradient = ghost.normal * rise;
 }
 
 /// Rate of strain beyond a slip wall past which gas goes at `along`: `M E M - (n (x) S u + S u (x) n)`, `M` the mirror and
@@ -169,11 +183,14 @@ fn mirrored_strain<const D: usize>(
     mirror * gas.strain * mirror - (bend + bend.transpose())
 }
 
-/// A pressure over the least that rises by `rise` to first order, and stays positive where it falls.
+/// A pressure over the least that rises by `rise` to first order and as an exponential does to second, and stays positive where it falls.
 fn continued(pressure: f64, rise: f64) -> f64 {
-    if rise < 0.0 {
-        pressure * pressure / (pressure - rise)
+    let part = rise / pressure;
+    if rise == 0.0 {
+        pressure
+    } else if part < 0.0 {
+        pressure * part.exp()
     } else {
-        pressure + rise
+        pressure + rise * (1.0 + 0.5 * part)
     }
 }

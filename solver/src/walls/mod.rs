@@ -8,6 +8,7 @@ pub mod curvature;
 mod cut;
 mod free;
 mod ghost;
+mod gliding;
 mod joints;
 pub mod loads;
 mod mirror;
@@ -288,7 +289,7 @@ impl<const D: usize> Walls<D> {
                     &self.gases.mixed(ghost.shown.second),
                 );
                 state.strain = Symmetric::new(&ghost.shown.strain);
-                state.renormalise(&even, &Vector::zeros(), ghost.volume);
+                state.renormalise(&even, &ghost.shown.density_gradient, ghost.volume);
             });
         if records.are_two {
             let second = &mut records.second[slots];

@@ -130,6 +130,7 @@ fn blank<const D: usize>(
             wall_pressure: gas.pressure,
             energy: problem.gas.energy(gas.density, gas.pressure),
             density: gas.density,
+            density_gradient: Vector::zeros(),
             smoothing_length: SMOOTHING_RATIO * spacing,
             second: 0.0,
         },

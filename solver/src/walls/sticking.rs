@@ -19,10 +19,14 @@ const LEAST_HEIGHT: f64 = 0.1;
 /// A ghost's energy is at least this part of that of the gas or the wall, whichever is less.
 const LEAST_ENERGY: f64 = 0.1;
 
+/// The height above the wall at which gas was read, as far as slopes ask for it.
+pub fn above<const D: usize>(ghost: &Ghost<D>, height: f64) -> f64 {
+    height.max(LEAST_HEIGHT * ghost.shown.smoothing_length)
+}
+
 /// How far a straight line is drawn on: the depth of the ghost over the height above the wall at which gas was read, `arm` from it.
-pub fn stretch<const D: usize>(ghost: &Ghost<D>, arm: f64) -> f64 {
-    let least = LEAST_HEIGHT * ghost.shown.smoothing_length;
-    ghost.depth / (arm - ghost.depth).max(least)
+fn stretch<const D: usize>(ghost: &Ghost<D>, arm: f64) -> f64 {
+    ghost.depth / above(ghost, arm - ghost.depth)
 }
 
 /// Velocity of a ghost below a surface at which the gas has the wall's velocity.

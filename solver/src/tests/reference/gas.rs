@@ -6,8 +6,8 @@ use aero_geometry::Vector;
 use super::laws::{Pair, closing_speed, conduction, crowding, diffusion, sound, viscous_pressure};
 use super::{Laws, Matrix, Point, Rate, Transport, kernel};
 
-/// Density that is read off the particles: `sum m_j W_ij / (1 - sum V_g W_ig)`, where the ghosts' share is at most 0.7, over
-/// the same sum on a lattice.
+/// Density that is read off the particles: `[sum m_j W_ij + sum V_g s_g.r_gi W_ig] / (1 - sum V_g W_ig)`, with the slopes of the density at walls, where
+/// the ghosts' share is at most 0.7 and their slopes no more than halve or double the sum, over the same sum on a lattice.
 pub fn density<const D: usize>(i: &Point<D>, gas: &[Point<D>], ghosts: &[Point<D>]) -> f64 {
     let lattice = kernel::lattice::<D>().0;
     let weight = |j: &Point<D>| {
@@ -18,7 +18,9 @@ pub fn density<const D: usize>(i: &Point<D>, gas: &[Point<D>], ghosts: &[Point<D
     let mass = |j: &Point<D>| j.mass + i.unlike(j) * (i.mass - j.mass);
     let mass: f64 = gas.iter().map(|j| mass(j) * weight(j)).sum();
     let share: f64 = ghosts.iter().map(|j| j.volume * weight(j)).sum();
-    mass / (1.0 - share.min(0.7))
+    let rise = |j: &Point<D>| j.volume * j.density_gradient.dot(&(j.position - i.position));
+    let rise: f64 = ghosts.iter().map(|j| rise(j) * weight(j)).sum();
+    (mass + rise).clamp(0.5 * mass, 2.0 * mass) / (1.0 - share.min(0.7))
 }
 
 /// What the renormalisation pass finds.

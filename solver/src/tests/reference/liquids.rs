@@ -163,7 +163,7 @@ pub fn show<const D: usize>(
         density: density(pressure),
         energy: seen.energy,
         mass: density(pressure) * wall.point.volume,
-        ..mirrored(wall, &seen, height)
+        ..mirrored(wall, &seen, height, false)
     };
     Wall {
         point: shown,

@@ -124,16 +124,38 @@ pub fn look<const D: usize>(
     })
 }
 
-/// The ghost with the velocity and strain that the wall makes of what is seen at a height over the ghost.
-pub fn mirrored<const D: usize>(wall: &Wall<D>, seen: &Seen<D>, height: f64) -> Point<D> {
+/// The ghost with the velocity and strain that the wall makes of what is seen at a height over the ghost: below a wall that gas slides along what goes across it is turned round as it is
+/// seen, or, where it `grows` off the wall, as it is at the mirror point.
+pub fn mirrored<const D: usize>(
+    wall: &Wall<D>,
+    seen: &Seen<D>,
+    height: f64,
+    grows: bool,
+) -> Point<D> {
     let n = wall.normal;
     let relative = seen.velocity - wall.surface_velocity;
     if wall.slips {
         let mirror = Matrix::<D>::identity() - n * n.transpose() * 2.0;
         // Along a normal that turns, velocities beyond the wall go on as the gas's do.
         let bent = wall.curvature * (relative - n * relative.dot(&n));
+        let across = relative.dot(&n);
+        let above = height - wall.depth;
+        let own = n.dot(&(seen.strain * n));
+        let line = across / above.max(0.1 * wall.point.h);
+        let slope = if own > 0.0 && line > 0.0 {
+            own.min(line)
+        } else if own < 0.0 && line < 0.0 {
+            own.max(line)
+        } else {
+            0.0
+        };
+        let mirrored = if grows {
+            across + slope * (wall.depth - above)
+        } else {
+            across
+        };
         return Point {
-            velocity: seen.velocity - n * (2.0 * relative.dot(&n)),
+            velocity: seen.velocity - n * (across + mirrored),
             strain: mirror * seen.strain * mirror.transpose()
                 - n * bent.transpose()
                 - bent * n.transpose(),
@@ -177,10 +199,11 @@ fn share<const D: usize>(wall: &Wall<D>, gas: &[Point<D>]) -> Option<f64> {
 
 /// A pressure over the least there is that rises, or falls and stays above it.
 pub fn continued(pressure: f64, rise: f64) -> f64 {
+    let part = rise / pressure;
     if rise >= 0.0 {
-        pressure + rise
+        pressure * (1.0 + part + 0.5 * part * part)
     } else {
-        pressure / (1.0 - rise / pressure)
+        pressure * part.exp()
     }
 }
 
@@ -197,7 +220,7 @@ pub fn show<const D: usize>(
     let Some((seen, height)) = look(wall, gas, mirrors, 0.0) else {
         return *wall;
     };
-    let mut shown = mirrored(wall, &seen, height);
+    let mut shown = mirrored(wall, &seen, height, !laws.published);
     shown.second = share(wall, gas).unwrap_or(shown.second);
     let gamma = shown.gamma();
     let slope = seen.pressure / ((gamma - 1.0) * seen.energy) * normal_acceleration(wall, &seen);
@@ -215,14 +238,24 @@ pub fn show<const D: usize>(
         }
         _ => seen.energy,
     };
+    let surface_pressure = continued(seen.pressure, slope * (height - wall.depth));
+    // Where pressure varies across the layer at the wall, so does the density.
+    let mut surface_energy = seen.energy;
     if keeps_entropy {
         shown.energy *= (shown.pressure / seen.pressure).powf((gamma - 1.0) / gamma);
+        surface_energy *= (surface_pressure / seen.pressure).powf((gamma - 1.0) / gamma);
+    }
+    shown.density_gradient = Vector::zeros();
+    if !laws.published {
+        let fall = seen.pressure / seen.energy - surface_pressure / surface_energy;
+        let above = (height - wall.depth).max(0.1 * shown.h);
+        shown.density_gradient = wall.normal * (fall / ((gamma - 1.0) * above));
     }
     shown.density = shown.pressure / ((gamma - 1.0) * shown.energy);
     shown.mass = shown.density * shown.volume;
     Wall {
         point: shown,
-        surface_pressure: continued(seen.pressure, slope * (height - wall.depth)),
+        surface_pressure,
         ..*wall
     }
 }

@@ -9,6 +9,7 @@ use nalgebra::Vector3;
 use super::reference::{GAMMA, Heat, Point, Rate, SECOND, Wall};
 use crate::Simulation;
 use crate::evaluation::{Moment, evaluate, read_densities};
+use crate::fill::fill_ghosts;
 use crate::frame::{Load, Totals};
 use crate::iterative_shifting::move_apart;
 use crate::pairs::renormalisation::{Renormalisation, even_renormalisation};
@@ -79,7 +80,7 @@ impl<const D: usize> Solver<D> {
                     energy_slope: Vector::zeros(),
                     smoothness: 1.0,
                     renormalisation: even_renormalisation(),
-                    density_gradient: Vector::zeros(),
+                    density_gradient: ghost.shown.density_gradient,
                     shift: Vector::zeros(),
                     second: ghost.shown.second,
                 },
@@ -151,14 +152,23 @@ impl<const D: usize> Solver<D> {
         prepare(problem, (clock.time, 0.0), fluid, buffers, walls, around);
     }
 
+    /// Lets the density vary across the layers at all walls by this slope.
+    pub fn set_slope(&mut self, slope: &Vector<D>) {
+        for ghost in &mut self.0.walls.ghosts {
+            ghost.shown.density_gradient = *slope;
+        }
+    }
+
     /// Reads the density off the particles.
     pub fn read_densities(&mut self) {
         let Simulation {
             problem,
             fluid,
+            walls,
             around,
             ..
         } = &mut self.0;
+        fill_ghosts(walls, around);
         read_densities(problem, fluid, around);
     }
 
