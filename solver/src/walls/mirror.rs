@@ -12,6 +12,9 @@ use crate::gas::Gas;
 use crate::problem::WallKind;
 use crate::scheme::{Extrapolation, WallTreatment};
 
+/// Pressures fall by no more powers of e on the way to a ghost, so that none is lost in what numbers cannot hold where gas is faster than sound and a wall bends within a spacing.
+const LARGEST_FALL: f64 = 20.0;
+
 impl<const D: usize> Walls<D> {
     /// Gives every ghost the state of the gas nearby, mirrored at the wall [Villodi &
     /// Ramachandran 2024, section 3.4]. A ghost without gas in reach keeps its last state. `added` accelerates the gas at a point of the wall.
@@ -189,7 +192,7 @@ fn continued(pressure: f64, rise: f64) -> f64 {
     if rise == 0.0 {
         pressure
     } else if part < 0.0 {
-        pressure * part.exp()
+        pressure * part.max(-LARGEST_FALL).exp()
     } else {
         pressure + rise * (1.0 + 0.5 * part)
     }

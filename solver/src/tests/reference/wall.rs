@@ -203,7 +203,7 @@ pub fn continued(pressure: f64, rise: f64) -> f64 {
     if rise >= 0.0 {
         pressure * (1.0 + part + 0.5 * part * part)
     } else {
-        pressure * part.exp()
+        pressure * part.max(-20.0).exp()
     }
 }
 
