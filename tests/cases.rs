@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 56] = [
+const SMALL: [(&str, &[&str]); 57] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.002", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -33,6 +33,10 @@ const SMALL: [(&str, &[&str]); 56] = [
     ),
     ("couette", &["end_time=1e-9", "stop=end-time"]),
     ("couette-hot", &["end_time=2e-7", "stop=end-time"]),
+    (
+        "crossing",
+        &["end_time=0.2", "stop=end-time", "spacing=0.04"],
+    ),
     ("cylinder", &["end_time=0.2", "spacing=0.125"]),
     (
         "cylinder-shedding",

@@ -10,6 +10,7 @@ mod bump;
 mod comparison;
 pub mod cone;
 mod context;
+mod crossing;
 pub mod cylinder;
 mod diamond;
 pub mod double_mach;
@@ -67,7 +68,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 33] = [
+static CASES: [Case; 34] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -94,6 +95,7 @@ static CASES: [Case; 33] = [
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),
     ("diamond", &[&diamond::DIAMOND]),
+    ("crossing", &[&crossing::CROSSING]),
     ("aerofoil", &[&aerofoil::AEROFOIL]),
     ("transonic", &[&transonic::TRANSONIC]),
     (

@@ -16,11 +16,11 @@ const NEARLY: f64 = 0.95;
 /// Turn below which there is nothing but rounding in a shock, radians.
 const LEAST: f64 = 1e-3;
 
-/// Up to here from its bend, in spacings, a shock stands as it would if nothing but the bend were there.
-const NEAR: f64 = 96.0;
-
 /// No shock is looked for farther than this from its bend, in spacings.
 pub const FARTHEST: f64 = 128.0;
+
+/// Up to this part of how far it is looked for a shock stands as it would if nothing but the bend were there.
+const NEAR: f64 = 0.75;
 
 /// How far the energy behind a shock of a gas whose ratio of specific heats does not change may be off for another gas, in parts of it.
 const SAME: f64 = 1e-6;
@@ -33,7 +33,7 @@ pub struct AttachedShock<const D: usize> {
     /// Unit normal of the shock, to the gas in front.
     pub normal: [f64; D],
     /// Logarithm of the pressure behind over that in front.
-    strength: f64,
+    pub strength: f64,
     /// How much of it there is: from none of gas that is slower than sound, or whose shock stands ahead of the bend, to one.
     pub share: f64,
 }
@@ -61,8 +61,8 @@ pub fn share<G: EquationOfState, const D: usize>(
 }
 
 /// From one near a bend to zero so far from it, in spacings, that no shock is looked for.
-pub fn nearness(away: f64) -> f64 {
-    1.0 - rise(away, NEAR, FARTHEST)
+pub fn nearness(away: f64, farthest: f64) -> f64 {
+    1.0 - rise(away, NEAR * farthest, farthest)
 }
 
 impl<const D: usize> AttachedShock<D> {

@@ -3,7 +3,7 @@
 //!
 //! Where cells hold what they would by straight shocks, gas on both sides of a face is the same, part by part, and nothing but the shocks stands there.
 
-use super::attached::{AttachedShock, mean, nearness};
+use super::attached::{AttachedShock, FARTHEST, mean, nearness};
 use super::bent::{Layout, shifted};
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
@@ -17,11 +17,14 @@ use super::state::{Conserved, Primitive, dot};
 const SLOPES: f64 = 1.5;
 
 /// As many shocks stand at one place at most: those of a tip.
-const MOST: usize = 2;
+pub const MOST: usize = 2;
 
 /// What is behind a shock.
-struct Behind<const D: usize> {
-    shock: AttachedShock<D>,
+pub struct Behind<const D: usize> {
+    /// The shock.
+    pub shock: AttachedShock<D>,
+    /// How far it stands, in spacings.
+    pub reach: f64,
     /// Where it is.
     sector: Sector<D>,
     /// Which of the walls that lead away from the root bounds it.
@@ -31,21 +34,23 @@ struct Behind<const D: usize> {
 /// Shocks that stand at a bend or a tip, and what is around it.
 pub struct Cleaving<'a, const D: usize> {
     /// Gas in front of all of them.
-    front: Primitive<D>,
-    shocks: Vec<Behind<D>>,
-    root: &'a Root<D>,
+    pub front: Primitive<D>,
+    /// At most [`MOST`].
+    pub shocks: Vec<Behind<D>>,
+    /// What is around the place.
+    pub root: &'a Root<D>,
     /// The parts of each cell that are behind them.
-    parts: Vec<[f64; MOST]>,
+    pub parts: Vec<[f64; MOST]>,
 }
 
 /// The shocks that stand at the concave bends and the tips of a block.
 pub fn shocks<'a, G: EquationOfState, const D: usize>(
     gas: &G,
     block: &'a Block<D>,
-    flow: Flow<'_, D>,
+    states: &[Primitive<D>],
 ) -> Vec<Cleaving<'a, D>> {
     let stands = |root: &'a Root<D>| {
-        let front = root.bends[0].front(flow.states);
+        let front = root.bends[0].front(states);
         let shocks: Vec<Behind<D>> = (0..)
             .zip(&root.bends)
             .filter_map(|(wall, bend)| {
@@ -57,6 +62,7 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
                 };
                 Some(Behind {
                     shock,
+                    reach: FARTHEST,
                     sector,
                     wall,
                 })
@@ -191,15 +197,15 @@ impl<const D: usize> Cleaving<'_, D> {
             return None;
         }
         // Cells of first order are left alone.
-        let near = nearness(seen.away);
-        if near <= 0.0 || cells.iter().any(|&i| flow.slopes[i].calmness < 0.0) {
+        if cells.iter().any(|&i| flow.slopes[i].calmness < 0.0) {
             return None;
         }
         let own = cells.map(|i| &flow.states[i]);
         let known = seen.cells.map(|cell| self.known(gas, cell));
-        let mut weight = near;
-        for (number, Behind { shock, .. }) in self.shocks.iter().enumerate() {
+        let mut weight = 1.0_f64;
+        for (number, Behind { shock, reach, .. }) in self.shocks.iter().enumerate() {
             if parts.iter().any(|part| part[number] > 0.0) {
+                let near = nearness(seen.away, *reach);
                 let agreement = |k: usize| shock.agreement(own[k], &known[k]);
                 weight = weight.min(near * shock.share * agreement(0).min(agreement(1)));
             }
@@ -235,8 +241,8 @@ impl<const D: usize> Cleaving<'_, D> {
     ) -> Option<(f64, f64)> {
         // That before a bend is in front of the one shock there.
         let bounds = |behind: &&Behind<D>| seen.behind.is_none_or(|wall| wall == behind.wall);
-        let shock = &self.shocks.iter().find(bounds)?.shock;
-        let near = nearness(seen.away);
+        let Behind { shock, reach, .. } = self.shocks.iter().find(bounds)?;
+        let near = nearness(seen.away, *reach);
         let cell = &self.root.cells[seen.cell as usize];
         // Farther from the shock slopes know nothing of it.
         let reach = cell.radius + SLOPES * self.root.bends[0].unit;

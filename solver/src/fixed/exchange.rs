@@ -3,7 +3,7 @@
 use aero_geometry::Vector;
 
 use super::bent::{Layout, fans, press, turn};
-use super::cloven::{self, shocks};
+use super::cloven::{self, Cleaving};
 use super::energy::EnergyFlux;
 use super::equation_of_state::EquationOfState;
 use super::fluxes::{Passed, Through};
@@ -32,6 +32,8 @@ pub struct Exchange<'a, G, const D: usize> {
     pub block: &'a Block<D>,
     /// The flow.
     pub flow: Flow<'a, D>,
+    /// Shocks that stand at bends and tips.
+    pub shocks: &'a [Cleaving<'a, D>],
     /// Pressure on each wall of the block.
     pub pressures: &'a mut [f64],
     /// Of viscous gas.
@@ -51,6 +53,7 @@ impl<'a, G, const D: usize> Exchange<'a, G, D> {
             least_mach: self.least_mach,
             block: self.block,
             flow: self.flow,
+            shocks: self.shocks,
             pressures: self.pressures,
             rubbing: self.rubbing,
             shares: self.shares,
@@ -67,17 +70,16 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             points,
             block,
             flow,
+            shocks,
             pressures,
             rubbing,
             shares,
             ..
         } = self;
         let start = block.cells.start;
-        // Gas that rubs sticks to walls: no fan and no shock stands at their bends.
-        let stand = rubbing
-            .is_none()
-            .then(|| (fans(gas, block, flow), shocks(gas, block, flow)));
-        let (fans, shocks) = stand.unwrap_or_default();
+        // Gas that rubs sticks to walls: no fan stands at their bends.
+        let fans = rubbing.is_none().then(|| fans(gas, block, flow));
+        let fans = fans.unwrap_or_default();
         let Passed { mut cells, fluxes } = dispatch(
             arch,
             Through {
@@ -93,7 +95,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
         );
         let layout = Layout { net, block, points };
         turn(gas, &fans, layout, flow, &mut cells, &fluxes);
-        cloven::part(gas, &shocks, layout, flow, &mut cells, &fluxes);
+        cloven::part(gas, shocks, layout, flow, &mut cells, &fluxes);
         let rubbed = rubbing.map(|rubbing| {
             let mut gains = Gains::nothing(cells.len());
             rubbing.add(net, block, flow, &mut gains, shares);
@@ -106,7 +108,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             *pressure = wall.pressure(gas, &flow.states[i], along, *calmness);
         }
         press(gas, &fans, layout, flow, pressures);
-        cloven::press(gas, &shocks, block, flow, pressures);
+        cloven::press(gas, shocks, block, flow, pressures);
         if rubbed.is_none() {
             hold(gas, block, flow, pressures);
         }
@@ -125,7 +127,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             boundary = boundary.plus(-side.image.size, &flux);
             cells[i - start] = cells[i - start].plus(-side.image.size, &flux);
         }
-        boundary = boundary.plus(1.0, &cloven::reflect(gas, &shocks, block, flow, &mut cells));
+        boundary = boundary.plus(1.0, &cloven::reflect(gas, shocks, block, flow, &mut cells));
         // Rings press outwards on the gas that goes around with them.
         if D > 1 {
             for (cell, i) in cells.iter_mut().zip(block.cells.clone()) {

@@ -67,6 +67,7 @@ mod poles;
 mod polytope;
 mod prandtl_meyer;
 mod quiet;
+mod reach;
 mod real;
 mod rebuild;
 mod reconstruction;

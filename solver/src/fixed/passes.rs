@@ -2,6 +2,7 @@
 
 use aero_geometry::parallel::prelude::*;
 
+use super::cloven::{Cleaving, shocks};
 use super::columns::Columns;
 use super::energy::EnergyFlux;
 use super::equation_of_state::AnyGas;
@@ -10,6 +11,7 @@ use super::gains::Gains;
 use super::gradients::slopes;
 use super::net::{BLOCK, Net};
 use super::quiet::Quiet;
+use super::reach::bound;
 use super::slopes::Flow;
 use super::slopes::Slopes;
 use super::slow::least_mach;
@@ -146,46 +148,64 @@ impl<const D: usize> FixedSimulation<D> {
             points,
             is_axisymmetric,
         });
+        // Gas that rubs sticks to walls: no shock stands at their bends.
+        let mut standing: Vec<Vec<Cleaving<'_, D>>> = net
+            .blocks
+            .par_iter()
+            .zip(&quiet.blocks)
+            .map(|(block, quiet)| {
+                if quiet.is_awake && rubbing.is_none() {
+                    shocks(gas, block, states)
+                } else {
+                    Vec::new()
+                }
+            })
+            .collect();
+        bound(gas, &mut standing, states);
         net.blocks
             .par_iter()
             .zip(held.par_chunks_mut(BLOCK))
             .zip(before.par_chunks_mut(BLOCK))
             .zip(pressures.par_iter_mut())
             .zip(shares.par_iter_mut())
+            .zip(&standing)
             .zip(&quiet.blocks)
-            .map(|(((((block, held), before), pressures), shares), quiet)| {
-                if !quiet.is_awake {
-                    return quiet.boundary;
-                }
-                let exchange = Exchange {
-                    gas: &*gas,
-                    net: &*net,
-                    points,
-                    energy,
-                    least_mach,
-                    block,
-                    flow,
-                    pressures: pressures.as_mut_slice(),
-                    rubbing,
-                    shares,
-                };
-                let gains = match &*gas {
-                    AnyGas::Ideal(gas) => exchange.of(gas).gains(*arch),
-                    AnyGas::Air(gas) => exchange.of(gas).gains(*arch),
-                };
-                let boundary = gains.boundary;
-                let start = block.cells.start;
-                apply(
-                    net,
-                    Part {
-                        start,
-                        held,
-                        before,
-                    },
-                    &gains,
-                );
-                boundary
-            })
+            .map(
+                |((((((block, held), before), pressures), shares), shocks), quiet)| {
+                    if !quiet.is_awake {
+                        return quiet.boundary;
+                    }
+                    let exchange = Exchange {
+                        gas: &*gas,
+                        net: &*net,
+                        points,
+                        energy,
+                        least_mach,
+                        block,
+                        flow,
+                        shocks,
+                        pressures: pressures.as_mut_slice(),
+                        rubbing,
+                        shares,
+                    };
+                    let gains = match &*gas {
+                        AnyGas::Ideal(gas) => exchange.of(gas).gains(*arch),
+                        AnyGas::Air(gas) => exchange.of(gas).gains(*arch),
+                    };
+                    let boundary = gains.boundary;
+                    let start = block.cells.start;
+                    apply(
+                        net,
+                        Part {
+                            start,
+                            held,
+                            before,
+                        },
+                        &gains,
+                    );
+                    boundary
+                },
+            )
             .collect()
     }
 

@@ -17,6 +17,8 @@ pub struct Piece<const D: usize> {
 /// The outline of a cell, as seen from the root.
 #[derive(Clone, Debug)]
 pub struct Plan<const D: usize> {
+    /// The cell's number.
+    pub cell: u32,
     /// Its point.
     pub point: [f64; D],
     /// No end of a piece is farther from the point.
@@ -61,6 +63,8 @@ pub struct Sector<const D: usize> {
 /// What of a block lies around a sharp concave bend that is met from one side, or around a tip.
 #[derive(Clone, Debug)]
 pub struct Root<const D: usize> {
+    /// The same for what of other blocks lies around this place.
+    pub number: u32,
     /// The bend; the two that gas meets at a tip, which parts it.
     pub bends: Vec<Bend<D>>,
     /// Cells.
@@ -119,8 +123,8 @@ impl<const D: usize> Piece<D> {
 }
 
 impl<const D: usize> Plan<D> {
-    /// Of a cell with its point and `pieces`, where these close.
-    pub fn new(point: Vector<D>, pieces: Vec<Piece<D>>) -> Option<Self> {
+    /// Of a `cell` with its point and `pieces`, where these close.
+    pub fn new(cell: u32, point: Vector<D>, pieces: Vec<Piece<D>>) -> Option<Self> {
         /// What is left open, in parts of all around.
         const OPEN: f64 = 1e-6;
         let (mut open, mut around, mut radius) = (Vector::zeros(), 0.0, 0.0_f64);
@@ -133,6 +137,7 @@ impl<const D: usize> Plan<D> {
             }
         }
         (open.norm() < OPEN * around).then(|| Self {
+            cell,
             point: point.into(),
             radius,
             pieces,
@@ -188,7 +193,7 @@ mod tests {
             let length = 2.0 * (half[0] * normal[1].abs() + half[1] * normal[0].abs());
             Piece::new(&(middle + normal.component_mul(&half)), &normal, length)
         });
-        Plan::new(middle, pieces.to_vec()).unwrap()
+        Plan::new(0, middle, pieces.to_vec()).unwrap()
     }
 
     /// A line of 45 degrees through the bend cuts a half, an eighth, or nothing off squares that lie before it.
@@ -212,6 +217,6 @@ mod tests {
     fn an_outline_with_a_gap_is_none() {
         let mut pieces = rectangle([1.0, 1.0], [2.0, 2.0]).pieces;
         pieces.pop();
-        assert!(Plan::new(Vector::<2>::from([1.5, 1.5]), pieces).is_none());
+        assert!(Plan::new(0, Vector::<2>::from([1.5, 1.5]), pieces).is_none());
     }
 }

@@ -29,7 +29,7 @@ impl<const D: usize> Net<D> {
         let around = |middle: &Vector<D>| if is_axisymmetric { middle[RADIAL] } else { 1.0 };
         let concave = bends.into_iter().map(|bend| (bend.clone(), vec![bend]));
         let tips = tips.into_iter().map(|tip| (tip.around, tip.bends.into()));
-        for (around_it, bends) in concave.chain(tips) {
+        for (number, (around_it, bends)) in (0..).zip(concave.chain(tips)) {
             let walls = self.blocks.iter().flat_map(|block| &block.walls);
             let sight = Sight::new(&around_it, walls, FARTHEST);
             let bend = &bends[0];
@@ -45,13 +45,14 @@ impl<const D: usize> Net<D> {
                 .into_iter()
                 .filter_map(|(i, pieces)| {
                     let point = cells.points[i as usize] - at;
-                    Some((i, Plan::new(point, pieces)?))
+                    Some((i, Plan::new(i, point, pieces)?))
                 })
                 .collect();
-            for number in 0..self.blocks.len() {
-                let root = self.root(number, &bends, &plans, cells, around);
+            for block in 0..self.blocks.len() {
+                let mut root = self.root(block, &bends, &plans, cells, around);
+                root.number = number;
                 if !root.cells.is_empty() {
-                    self.blocks[number].roots.push(root);
+                    self.blocks[block].roots.push(root);
                 }
             }
         }
@@ -118,6 +119,7 @@ impl<const D: usize> Net<D> {
         let block = &self.blocks[number];
         let (at, unit) = (Vector::from(bends[0].at), bends[0].unit);
         let mut root = Root {
+            number: 0,
             bends: bends.to_vec(),
             cells: Vec::new(),
             faces: Vec::new(),

@@ -10,6 +10,7 @@ pub mod billig;
 pub mod channel;
 pub mod cone;
 pub mod couette;
+pub mod crossing;
 pub mod diamond;
 pub mod fay_riddell;
 pub mod flat_plate;

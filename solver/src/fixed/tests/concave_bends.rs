@@ -218,3 +218,51 @@ fn flows_whose_shock_is_not_at_the_bend_know_nothing_of_it() {
         assert_eq!(gains(true), gains(false), "Mach {mach}, {degrees} degrees");
     }
 }
+
+/// Two wedges, of 10 degrees below and 16 above, whose shocks cross some fifty spacings from their bends [pressures by NACA Report 1135 (1953), eqs 128 and 150]:
+/// behind the crossing each goes another way than its bend says, and the gas ahead of it knows nothing of that.
+#[test]
+fn shocks_that_cross_leave_the_gas_ahead_of_them_as_it_is() {
+    const FINE: f64 = 0.5 * DX;
+    let walls = [
+        [
+            [-1.0, -0.5],
+            [3.0, -0.5],
+            [3.0, 0.528_981],
+            [0.0, 0.0],
+            [-1.0, 0.0],
+        ],
+        [
+            [-1.0, 1.5],
+            [3.0, 1.5],
+            [3.0, 0.139_764],
+            [0.0, 1.0],
+            [-1.0, 1.0],
+        ],
+    ];
+    let bodies = walls.map(|points| -> Arc<dyn Shape<2>> {
+        Arc::new(bodies::polygon(&points.map(Vector::from)).unwrap())
+    });
+    let mut problem = stream(3.0, [[-0.28, 0.0], [1.2, 1.0]], FINE, bodies.to_vec());
+    problem.domain.sides[1] = [Side::Body, Side::Body];
+    let mut flow = FixedSimulation::new(problem).unwrap();
+    assert!(flow.settle(400).unwrap().is_settled);
+    // Between the crossing, at (0.851, 0.441), and the walls, three spacings ahead of shocks that go on at 27.86 and 19.78 degrees.
+    let ahead = |place: &Vector<2>| {
+        let (x, y) = (place[0] - 0.851, place[1] - 0.441);
+        let [below, above] = [(-27.86_f64, -1.0), (19.78, 1.0)].map(|(degrees, side)| {
+            let (sine, cosine) = degrees.to_radians().sin_cos();
+            side * (y * cosine - x * sine) > 3.0 * FINE
+        });
+        (x > 4.0 * FINE && (below || above)).then_some(usize::from(above))
+    };
+    let mut counts = [0; 2];
+    for (place, state) in flow.points.iter().zip(&flow.columns.states) {
+        if let Some(side) = ahead(place) {
+            let ratio = 1.4 * state.pressure / [2.054_47, 2.996_44][side];
+            assert!((ratio - 1.0).abs() < 0.01, "{place} {ratio}");
+            counts[side] += 1;
+        }
+    }
+    assert!(counts.iter().all(|&count| count > 20), "{counts:?}");
+}

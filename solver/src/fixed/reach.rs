@@ -1,0 +1,173 @@
+//! How far from its bend or tip a shock stands straight, between the gas that the bend tells of: up to where gas beside it is another.
+//!
+//! A wave that comes from elsewhere bends a shock, and what a shock that is taken for straight there does to the gas it does not do. Cells that the shock
+//! runs through, or that are next to it, cannot tell: as long as it is held they are as it wants them. Those some spacings ahead of it do, and
+//! those some spacings behind it, which a captured shock leaves as they are too.
+
+use aero_geometry::parallel::prelude::*;
+
+use super::attached::{AttachedShock, FARTHEST};
+use super::cloven::{Cleaving, MOST};
+use super::equation_of_state::EquationOfState;
+use super::fan::rise;
+use super::root::Plan;
+use super::state::{Primitive, dot};
+
+/// From here to there from a shock, in spacings, cells ahead of it are looked at.
+const AHEAD: [f64; 2] = [2.5, 6.5];
+
+/// From here to there from a shock, in spacings, cells behind it are looked at.
+const BEHIND: [f64; 2] = [3.0, 6.5];
+
+/// Part of what a shock changes by which gas ahead of it may be another than at its bend.
+const OFF_AHEAD: f64 = 0.02;
+
+/// The same behind it, where a captured shock leaves some noise.
+const OFF_BEHIND: f64 = 0.1;
+
+/// Near the bend gas may be as far off as gas that has yet to find its shock: so far from there, in spacings, by all of what the shock changes, and from there on
+/// by the inverse square of the distance.
+const BEGINNING: [f64; 2] = [6.0, 12.0];
+
+/// Bounds how far the shocks of all blocks stand by the gas beside them.
+pub fn bound<G: EquationOfState, const D: usize>(
+    gas: &G,
+    blocks: &mut [Vec<Cleaving<'_, D>>],
+    states: &[Primitive<D>],
+) {
+    let numbers = blocks.iter().flatten().map(|cleaving| cleaving.root.number);
+    let Some(last) = numbers.max() else {
+        return;
+    };
+    let each: Vec<Vec<[f64; MOST]>> = blocks
+        .par_iter()
+        .map(|block| block.iter().map(|one| one.reaches(gas, states)).collect())
+        .collect();
+    let mut reaches = vec![[FARTHEST; MOST]; last as usize + 1];
+    for (cleaving, found) in blocks.iter().flatten().zip(each.iter().flatten()) {
+        let reaches = &mut reaches[cleaving.root.number as usize];
+        for (reach, found) in reaches.iter_mut().zip(found) {
+            *reach = reach.min(*found);
+        }
+    }
+    for cleaving in blocks.iter_mut().flatten() {
+        let reaches = &reaches[cleaving.root.number as usize];
+        for (behind, reach) in cleaving.shocks.iter_mut().zip(reaches) {
+            behind.reach = *reach;
+        }
+    }
+}
+
+impl<const D: usize> Cleaving<'_, D> {
+    /// How far each shock stands by the cells around it, in spacings.
+    fn reaches<G: EquationOfState>(&self, gas: &G, states: &[Primitive<D>]) -> [f64; MOST] {
+        let unit = self.root.bends[0].unit;
+        let mut reaches = [FARTHEST; MOST];
+        for (number, behind) in self.shocks.iter().enumerate() {
+            let course = Course::new(gas, &behind.shock, &self.front, unit);
+            for (cell, parts) in self.root.cells.iter().zip(&self.parts) {
+                let all = parts.iter().sum::<f64>();
+                let known = if all <= 0.0 {
+                    &self.front
+                } else if parts[number] >= 1.0 {
+                    &behind.shock.rear
+                } else {
+                    continue;
+                };
+                let own = &states[cell.cell as usize];
+                reaches[number] = reaches[number].min(course.reach(cell, own, known, all > 0.0));
+            }
+        }
+        reaches
+    }
+}
+
+/// A shock, and which way it goes from its bend.
+struct Course<'a, const D: usize> {
+    shock: &'a AttachedShock<D>,
+    along: [f64; D],
+    unit: f64,
+    /// Logarithm of the density behind over that in front.
+    thickening: f64,
+    /// By how much it slows the gas.
+    slowing: f64,
+    /// How much farther along the shock than across it a sound from behind comes to it.
+    lag: f64,
+}
+
+impl<'a, const D: usize> Course<'a, D> {
+    fn new<G: EquationOfState>(
+        gas: &G,
+        shock: &'a AttachedShock<D>,
+        front: &Primitive<D>,
+        unit: f64,
+    ) -> Self {
+        let across = dot(&front.velocity, &shock.normal);
+        let mut along = front.velocity;
+        let mut slowing = 0.0;
+        for k in 0..D {
+            along[k] -= across * shock.normal[k];
+            slowing += (shock.rear.velocity[k] - front.velocity[k]).powi(2);
+        }
+        let size = dot(&along, &along).sqrt();
+        Self {
+            shock,
+            along: along.map(|part| part / size),
+            unit,
+            thickening: (shock.rear.density / front.density).ln(),
+            slowing: slowing.sqrt(),
+            lag: lag(gas, shock),
+        }
+    }
+
+    /// How far the shock stands, in spacings, by a cell in the state `own` where it would be `known`.
+    fn reach(
+        &self,
+        cell: &Plan<D>,
+        own: &Primitive<D>,
+        known: &Primitive<D>,
+        is_behind: bool,
+    ) -> f64 {
+        let ahead = dot(&cell.point, &self.shock.normal) / self.unit;
+        let height = if is_behind { -ahead } else { ahead };
+        let beside = dot(&cell.point, &self.along) / self.unit;
+        let ([from, to], least, beginning, away) = if is_behind {
+            let felt = beside + self.lag * height;
+            (BEHIND, OFF_BEHIND, BEGINNING[1], felt)
+        } else {
+            (AHEAD, OFF_AHEAD, BEGINNING[0], beside)
+        };
+        if beside <= 0.0 || !(from..to).contains(&height) {
+            return FARTHEST;
+        }
+        let least = least.max((beginning / away).powi(2));
+        let agrees = 1.0 - rise(self.off(own, known, is_behind), least, 2.0 * least);
+        away + agrees * (FARTHEST - away).max(0.0)
+    }
+
+    /// How far a state is off, in parts of what the shock changes. Behind it density may be another along a wall.
+    fn off(&self, own: &Primitive<D>, known: &Primitive<D>, is_behind: bool) -> f64 {
+        let mut speed = 0.0;
+        for k in 0..D {
+            speed += (own.velocity[k] - known.velocity[k]).powi(2);
+        }
+        let pressure = (own.pressure / known.pressure).ln().abs() / self.shock.strength;
+        let off = pressure.max(speed.sqrt() / self.slowing);
+        if is_behind {
+            return off;
+        }
+        off.max((own.density / known.density).ln().abs() / self.thickening)
+    }
+}
+
+/// Cotangent of the angle between a shock and the Mach lines that come to it from behind: zero where gas is slower than sound there.
+fn lag<G: EquationOfState, const D: usize>(gas: &G, shock: &AttachedShock<D>) -> f64 {
+    let rear = &shock.rear;
+    let square = dot(&rear.velocity, &rear.velocity);
+    let mach = (square / gas.sound_square(rear.density, rear.pressure)).sqrt();
+    if mach <= 1.0 {
+        return 0.0;
+    }
+    let elevation = (dot(&rear.velocity, &shock.normal).abs() / square.sqrt()).asin();
+    1.0 / ((1.0 / mach).asin() - elevation).tan()
+}
