@@ -3,7 +3,7 @@
 use crate::support::Workplace;
 
 /// Each scene with what makes it small.
-const SMALL: [(&str, &[&str]); 57] = [
+const SMALL: [(&str, &[&str]); 58] = [
     ("aerofoil", &["end_time=0.03", "stop=end-time"]),
     ("apollo", &["end_time=0.002", "spacing=0.5"]),
     ("apollo-axisymmetric", &["end_time=0.005", "spacing=0.4"]),
@@ -92,6 +92,7 @@ const SMALL: [(&str, &[&str]); 57] = [
     ("hot-shock", &["end_time=1e-4", "spacing=0.02"]),
     ("intake", &["end_time=0.2", "spacing=0.125"]),
     ("jet", &["end_time=0.2", "spacing=0.1"]),
+    ("jet-underexpanded", &["end_time=0.4", "spacing=0.1"]),
     ("mms", &["end_time=0.05"]),
     ("mms-3d", &["spacing=0.1"]),
     (

@@ -22,6 +22,7 @@ mod fly;
 mod free;
 mod inclined_cone;
 mod intake;
+mod jet;
 mod mms;
 mod mms_walls;
 mod nozzle;
@@ -68,7 +69,7 @@ pub use variant::{Motion, Scheme};
 type Case = (&'static str, &'static [&'static dyn Compare]);
 
 /// The cases that run where none is named, in this order.
-static CASES: [Case; 34] = [
+static CASES: [Case; 35] = [
     ("wedge", &[&wedge::WEDGE]),
     ("sod", &[&sod::SOD]),
     ("cylinder", &[&cylinder::CYLINDER]),
@@ -77,6 +78,7 @@ static CASES: [Case; 34] = [
     ("duct", &[&duct::DUCT]),
     ("bump", &[&bump::BUMP]),
     ("intake", &[&intake::INTAKE]),
+    ("jet", &[&jet::JET]),
     ("sound", &[&sound::SOUND]),
     ("mms", &[&mms::MANUFACTURED]),
     ("mms-walls", &[&mms_walls::WALLS]),

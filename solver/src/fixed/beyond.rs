@@ -20,10 +20,10 @@ pub enum Beyond<const D: usize> {
     OneWay,
     /// The mirror image.
     Mirror,
-    /// Gas that answers to the cell.
-    Answers(Answering),
-    /// Gas that a wave comes from which changes in time.
-    Rides(Riding),
+    /// Gas that answers to the cell, and moves along the side at this velocity.
+    Answers(Answering, [f64; D]),
+    /// Gas that a wave comes from which changes in time, and that moves along the side at this velocity.
+    Rides(Riding, [f64; D]),
 }
 
 impl<const D: usize> Beyond<D> {
@@ -50,9 +50,16 @@ impl<const D: usize> Beyond<D> {
             }),
             SideKind::Symmetry | SideKind::Axis => Ok(Self::Mirror),
             side => Answering::of(problem, side, place)
-                .map(|answering| match answering {
-                    Answering::Held(held) if held.relaxes() => Self::Rides(Riding::new(held)),
-                    answering => Self::Answers(answering),
+                .map(|answering| {
+                    let mut drift = stream.velocity;
+                    drift[axis] = 0.0;
+                    match answering {
+                        Answering::Held(held) if held.relaxes() => {
+                            Self::Rides(Riding::new(held), drift)
+                        }
+                        Answering::Held(_) => Self::Answers(answering, drift),
+                        Answering::Reservoir(_) => Self::Answers(answering, [0.0; D]),
+                    }
                 })
                 .ok_or_else(|| {
                     format!("side {end} of axis {axis} is {side:?} and should have no open faces")
@@ -65,8 +72,8 @@ impl<const D: usize> Beyond<D> {
     pub fn at(self, given: &State<D>) -> Self {
         match self {
             Self::Stream(_) | Self::Total(_) => self.with_stream(Primitive::of(given)),
-            Self::Answers(answering) => Self::Answers(answering.at(given)),
-            Self::Rides(riding) => Self::Rides(riding.at(given.pressure)),
+            Self::Answers(answering, drift) => Self::Answers(answering.at(given), drift),
+            Self::Rides(riding, drift) => Self::Rides(riding.at(given.pressure), drift),
             Self::Same | Self::OneWay | Self::Mirror => self,
         }
     }

@@ -110,7 +110,7 @@ impl<const D: usize> Stream<D> {
             || block
                 .sides
                 .iter()
-                .any(|s| matches!(s.beyond, Beyond::Answers(_) | Beyond::Rides(_)))
+                .any(|s| matches!(s.beyond, Beyond::Answers(..) | Beyond::Rides(..)))
             || walls
                 .map(|wall| &wall.image)
                 .chain(mirrors.map(|side| &side.image))

@@ -13,7 +13,7 @@ impl<const D: usize> FixedSimulation<D> {
     fn riding(&self) -> impl Iterator<Item = (&Side<D>, &Riding)> {
         let sides = self.net.blocks.iter().flat_map(|block| &block.sides);
         sides.filter_map(|side| match &side.beyond {
-            Beyond::Rides(riding) => Some((side, riding)),
+            Beyond::Rides(riding, _) => Some((side, riding)),
             _ => None,
         })
     }
@@ -25,7 +25,7 @@ impl<const D: usize> FixedSimulation<D> {
         sides.filter_map(|side| {
             let way = Vector::from(side.way());
             match &mut side.beyond {
-                Beyond::Rides(riding) => Some((points[side.i as usize] + way, riding)),
+                Beyond::Rides(riding, _) => Some((points[side.i as usize] + way, riding)),
                 _ => None,
             }
         })
@@ -35,12 +35,12 @@ impl<const D: usize> FixedSimulation<D> {
     pub(super) fn ride(&mut self, step: f64) {
         let Self { net, columns, .. } = self;
         for side in net.blocks.iter_mut().flat_map(|block| &mut block.sides) {
-            if let Beyond::Rides(mut riding) = side.beyond {
+            if let Beyond::Rides(mut riding, drift) = side.beyond {
                 let i = side.i as usize;
                 let slopes = &columns.slopes[i];
                 let gas = side.reaching(&columns.states[i], slopes);
                 riding.go_on(&gas, side.parting(slopes), step);
-                side.beyond = Beyond::Rides(riding);
+                side.beyond = Beyond::Rides(riding, drift);
             }
         }
     }

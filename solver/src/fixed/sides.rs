@@ -57,7 +57,7 @@ impl<const D: usize> Side<D> {
             Beyond::Stream(state) => Some(mach_lines::beyond(gas, cell, state, &self.image.normal)),
             Beyond::Total(state) => Some(total::beyond(gas, cell, state, &self.image.normal)),
             Beyond::Mirror => Some(cell.mirrored(&self.image.normal)),
-            Beyond::Same | Beyond::OneWay | Beyond::Answers(_) | Beyond::Rides(_) => None,
+            Beyond::Same | Beyond::OneWay | Beyond::Answers(..) | Beyond::Rides(..) => None,
         }
     }
 
@@ -73,7 +73,7 @@ impl<const D: usize> Side<D> {
         let drawn = match (&self.beyond, rubbed) {
             (Beyond::Same | Beyond::OneWay, Some(_)) => self.leaving(cell, slopes),
             (Beyond::Same | Beyond::OneWay, None) => self.outrunning(gas, cell, slopes),
-            (Beyond::Answers(_) | Beyond::Rides(_), _) => drawn_out(cell, slopes, &self.way()),
+            (Beyond::Answers(..) | Beyond::Rides(..), _) => drawn_out(cell, slopes, &self.way()),
             _ => *cell,
         };
         let other = match &self.beyond {
@@ -95,16 +95,14 @@ impl<const D: usize> Side<D> {
                 let pressure = gas.wall_pressure(inner.density, inner.pressure, speed);
                 return pushed(pressure, &normal);
             }
-            Beyond::Answers(answering) => {
+            Beyond::Answers(answering, drift) => {
                 let inside = along(&drawn, &normal);
                 let mean = along(&drawn_out(cell, slopes, &self.aside), &normal);
                 let outside = answering.beyond(&inside, &mean, self.image.distance);
-                let beside = (!answering.is_straight()).then_some(&drawn);
-                entering(&outside, &inside, beside, &normal)
+                entering(&outside, drift, &normal)
             }
-            Beyond::Rides(riding) => {
-                let inside = along(&drawn, &normal);
-                entering(&riding.beyond(&inside), &inside, Some(&drawn), &normal)
+            Beyond::Rides(riding, drift) => {
+                entering(&riding.beyond(&along(&drawn, &normal)), drift, &normal)
             }
         };
         Jump::new(gas, drawn, other, normal).hllc()
@@ -182,19 +180,12 @@ pub fn pushed<const D: usize>(pressure: f64, normal: &[f64; D]) -> Conserved<D> 
     }
 }
 
-/// Gas that is `outside` where the cell's is `inside`; along the side it moves as that of `beside` does, or not at all.
-fn entering<const D: usize>(
-    outside: &Along,
-    inside: &Along,
-    beside: Option<&Primitive<D>>,
-    normal: &[f64; D],
-) -> Primitive<D> {
+/// Gas that is `outside`, and moves along the side with this `drift`: what leaves takes its own along, what comes back in has none of that of the gas
+/// in front of it, or it would go faster and faster along the side.
+fn entering<const D: usize>(outside: &Along, drift: &[f64; D], normal: &[f64; D]) -> Primitive<D> {
     let mut velocity = normal.map(|n| outside.speed * n);
-    if let Some(beside) = beside {
-        velocity = beside.velocity;
-        for (u, n) in velocity.iter_mut().zip(normal) {
-            *u += (outside.speed - inside.speed) * n;
-        }
+    for (u, along) in velocity.iter_mut().zip(drift) {
+        *u += along;
     }
     Primitive {
         density: outside.density,
@@ -331,7 +322,7 @@ mod tests {
             ..FixedPoints::default()
         });
         let beyond = Beyond::of(&problem, held, Place::whole(&problem.domain, 0, 1)).unwrap();
-        assert!(matches!(beyond, Beyond::Answers(_)));
+        assert!(matches!(beyond, Beyond::Answers(..)));
         let cell = Primitive {
             density: 1.3,
             velocity: [0.4, 0.2],
@@ -344,5 +335,61 @@ mod tests {
         assert!((flux.mass - 1.3 * 0.37).abs() < 1e-14, "{flux:?}");
         let through = 1.3 * 0.37 * 0.37 + 0.8;
         assert!((flux.momentum[0] - through).abs() < 1e-14, "{flux:?}");
+    }
+
+    /// What comes back in through an outlet goes along the side as the stream does, and has the stream's total enthalpy; what leaves takes its own
+    /// speed along.
+    #[test]
+    fn gas_that_comes_back_in_has_nothing_of_what_slides_along_the_side() {
+        let held = SideKind::HeldOutlet {
+            pressure: 0.8,
+            relaxation: 0.25,
+        };
+        for time in [Time::Accurate, Time::Settle] {
+            let mut problem = problem([10, 10], 0.1, [[SideKind::Symmetry, held]; 2]);
+            problem.free_stream.velocity = [0.0, 0.3].into();
+            problem.method = Method::Fixed(FixedPoints {
+                time,
+                ..FixedPoints::default()
+            });
+            let gamma = problem.gas.ratio_at(1.0, 1.0);
+            let stream = &problem.free_stream;
+            let heat = gamma / (gamma - 1.0) * stream.pressure / stream.density;
+            let total = heat + 0.5 * stream.velocity.norm_squared();
+            let place = Place::whole(&problem.domain, 0, 1);
+            let fresh = Beyond::of(&problem, held, place).unwrap();
+            let mut beyond = fresh;
+            // As it comes in from rest at the pressure.
+            let sound = gamma * stream.pressure / stream.density;
+            let cooled = 1.0 - 0.5 * (gamma - 1.0) * 0.2 * 0.2 / sound;
+            let pressure = 0.8 * cooled.powf(gamma / (gamma - 1.0));
+            let density = gamma * pressure / (sound * cooled);
+            let along = |speed: f64, beyond: Beyond<2>| {
+                let slides = Primitive {
+                    density,
+                    velocity: [speed, 2.0],
+                    pressure,
+                };
+                side(beyond).flux(&GAS, &slides, &Slopes::LEVEL, None)
+            };
+            if let Beyond::Rides(riding, _) = &mut beyond {
+                let own = Along {
+                    density,
+                    speed: -0.2,
+                    pressure,
+                };
+                riding.go_on(&own, 0.0, 0.01);
+            }
+            let back = along(-0.2, beyond);
+            assert!(back.mass < 0.0);
+            let [speed, enthalpy] = [back.momentum[1], back.energy].map(|flux| flux / back.mass);
+            assert!((speed - 0.3).abs() < 1e-12, "{time:?} {speed}");
+            assert!(
+                (enthalpy / total - 1.0).abs() < 0.02,
+                "{time:?} {enthalpy} {total}"
+            );
+            let out = along(0.2, fresh);
+            assert!((out.momentum[1] / out.mass - 2.0).abs() < 1e-12);
+        }
     }
 }

@@ -45,6 +45,25 @@ impl<const D: usize> Domain<D> {
         self.sides.iter().flatten().any(|side| is_sought(*side)) || parts.any(is_sought)
     }
 
+    /// True of a place beyond a mirror, or beyond a plane wall at rest.
+    pub fn is_walled_off(&self, place: &Vector<D>) -> bool {
+        (0..D).any(|axis| {
+            let out = [
+                self.bounds.min[axis] - place[axis],
+                place[axis] - self.bounds.max[axis],
+            ];
+            let is_shut = |side: &Side| match side {
+                Side::Wall {
+                    velocity,
+                    acceleration,
+                    ..
+                } => *velocity == 0.0 && *acceleration == 0.0,
+                side => side.is_mirror(),
+            };
+            (0..2).any(|end| out[end] > 0.0 && is_shut(&self.sides[axis][end]))
+        })
+    }
+
     /// Parts of the side at `end` of `axis`.
     pub fn parts(&self, axis: usize, end: usize) -> impl Iterator<Item = &Opening<D>> {
         let is_own = move |opening: &&Opening<D>| {

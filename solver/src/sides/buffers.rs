@@ -23,16 +23,16 @@ use crate::problem::{Problem, State};
 pub struct Buffers<const D: usize> {
     /// The sides.
     pub sides: OpenSides<D>,
-    contents: Contents<D>,
+    pub(super) contents: Contents<D>,
 }
 
 /// What a checkpoint keeps of the buffers.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Contents<const D: usize> {
-    particles: Vec<OpenParticle<D>>,
+    pub(super) particles: Vec<OpenParticle<D>>,
     streams: Vec<Stream<D>>,
     /// The first number that no particle can have yet.
-    ids: u64,
+    pub(super) ids: u64,
 }
 
 /// Gas that enters through one or more sides: a lattice that moves on.
@@ -137,6 +137,7 @@ impl<const D: usize> Buffers<D> {
         // What leaves in this step has gone through it with the flow inside, and is seen at the middle of the next.
         let all = self.contents.particles.len();
         self.go_on(problem, fluid, gone..all, [0.5 * (before + now), now]);
+        self.fill_up(problem, now);
         for particle in entering {
             books.cross(&particle, 1.0);
             fluid.add(particle);
@@ -200,8 +201,10 @@ impl<const D: usize> Buffers<D> {
                 open.particle.position = sides.rows.position(index, &streams[own].drift);
             }
             match sides.zone(&open.particle.position) {
+                // What has gone round the rim of its side is behind the rest of it, or behind a side next to it.
                 Zone::Interior
-                    if sides.is_behind(usize::from(open.side), &open.particle.position) =>
+                    if sides.is_behind(usize::from(open.side), &open.particle.position)
+                        || problem.domain.is_walled_off(&open.particle.position) =>
                 {
                     false
                 }

@@ -7,8 +7,7 @@
 //! `p - p_held` falls as `exp(-sigma (1 - M^2) c t / 2 L)`. The wave has a life of its own, a face's where points stay, handed down from
 //! what left before where the gas moves: told from the gas inside, from what flows along the side there, it would be off the pressure for
 //! good where a duct widens, or swing about it.
-//! Faster than sound nothing comes in but, where points stay, the shock of a pressure that the gas cannot pass; particles that left
-//! faster than sound take none back.
+//! Faster than sound nothing comes in but the shock of a pressure that the gas cannot pass.
 
 use super::incoming::Incoming;
 use super::model::Place;
@@ -47,7 +46,7 @@ impl Held {
             pressure,
             strength: relaxation.map(|sigma| sigma / problem.domain.bounds.size()[place.axis]),
             gamma: problem.gas.ratio_at(stream.density, stream.pressure),
-            plenum: Plenum::of_stream(problem).at(pressure),
+            plenum: Plenum::before(problem, place.axis).at(pressure),
         }
     }
 
@@ -71,7 +70,7 @@ impl Held {
 
     /// What is behind the shock that runs into gas in this state, faster than sound and out of the domain, from the pressure
     /// held; none of a pressure that the gas carries out with it (Rankine-Hugoniot, e.g. Toro 2009, section 3.1.3).
-    fn shocked(&self, gas: &Along) -> Option<Along> {
+    pub fn shocked(&self, gas: &Along) -> Option<Along> {
         let gamma = self.gamma;
         let sound = gas.sound(gamma);
         let (mach, rise) = (gas.speed / sound, self.pressure / gas.pressure);
@@ -147,15 +146,16 @@ impl Held {
         self.forced(gas).unwrap_or_else(|| self.met(gas))
     }
 
-    /// What is beyond gas that no wave decides on. What comes back in comes from gas at rest at the pressure, as hot as the free
+    /// Gas that comes back in against the wave `ahead` on its way out, its speed out of the domain.
+    pub fn returning(&self, ahead: f64) -> Along {
+        self.plenum.entering(-ahead).turned()
+    }
+
+    /// What is beyond gas that no wave decides on. What comes back in comes from gas at rest across the side at the pressure, as hot as the free
     /// stream's; gas faster than sound leaves as it is, unless a shock comes in.
     fn forced(&self, gas: &Along) -> Option<Along> {
         if gas.speed < 0.0 {
-            let back = self.plenum.entering(-gas.waves(self.gamma).ahead);
-            return Some(Along {
-                speed: -back.speed,
-                ..back
-            });
+            return Some(self.returning(gas.waves(self.gamma).ahead));
         }
         let is_fast = gas.speed >= gas.sound(self.gamma);
         self.shocked(gas).or_else(|| is_fast.then_some(*gas))

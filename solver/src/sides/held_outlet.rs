@@ -2,6 +2,7 @@
 
 use aero_geometry::Vector;
 
+use super::come_back::come_back;
 use super::held::Held;
 use super::incoming::Incoming;
 use super::model::OpenModel;
@@ -46,6 +47,17 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
 
     fn goes_on(&self) -> bool {
         true
+    }
+
+    /// Gas comes back in from rest at the pressure, as through a face of points, and along the side as the free stream goes.
+    fn come_back(
+        &self,
+        problem: &Problem<D>,
+        gone: &[OpenParticle<D>],
+        places: &[Vector<D>],
+        now: f64,
+    ) -> Vec<Option<State<D>>> {
+        come_back(problem, |place| self.at(place, now), gone, places)
     }
 
     /// The wave on its way out goes through the particles, `dR+/dt = -c (du/dn + dp/dn / (rho c) + div_t v)`, which is `dR+/dn` of gas of one entropy, with what the flow along the side takes off it [after
@@ -96,6 +108,10 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             let parting = parting(axis, &open.gradients) + rings.growth(particle);
             let parting = gas.sound(gamma) * parting;
             if gas.speed >= gas.sound(gamma) {
+                // A pressure that it cannot pass sends a shock in.
+                if let Some(behind) = held.shocked(&gas) {
+                    set(particle, &behind, gamma, outward * behind.speed, axis);
+                }
                 continue;
             }
             let ahead = waves.ahead - step * (gas.sound(gamma) * slope + parting);
@@ -119,13 +135,23 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
             .state(gamma) else {
                 continue;
             };
-            let wider = (particle.density / next.density).powf(1.0 / D as f64);
-            particle.smoothing_length *= wider;
-            particle.density = next.density;
-            particle.energy = next.pressure / ((gamma - 1.0) * next.density);
-            particle.velocity[axis] = outward * next.speed;
+            set(particle, &next, gamma, outward * next.speed, axis);
         }
     }
+}
+
+/// Brings a particle into the state `gas`, its `speed` along `axis`.
+fn set<const D: usize>(
+    particle: &mut Particle<D>,
+    gas: &Along,
+    gamma: f64,
+    speed: f64,
+    axis: usize,
+) {
+    particle.smoothing_length *= (particle.density / gas.density).powf(1.0 / D as f64);
+    particle.density = gas.density;
+    particle.energy = gas.pressure / ((gamma - 1.0) * gas.density);
+    particle.velocity[axis] = speed;
 }
 
 /// How fast gas parts across `axis` by its gradients.
@@ -168,17 +194,41 @@ mod tests {
             pressure: (GAMMA - 1.0) * particle.density * particle.energy,
         };
         let before = gas(&particle);
-        let place = Place {
-            axis: 0,
-            end: 1,
-            face: 1.0,
-            part: None,
-        };
-        let held = Held::new(&problem, place, 1.0, Some(0.25));
+        let held = Held::new(&problem, place(), 1.0, Some(0.25));
         HeldOutlet::new(held, None).go_on(&problem, &[], &mut gone, &[], [0.0, 0.01]);
         let after = gas(&gone[0].particle).waves(GAMMA).ahead;
         let change = (after - before.waves(GAMMA).ahead) / 0.01;
         assert_relative_eq!(change, -0.3 * before.sound(GAMMA), epsilon = 1e-12);
+    }
+
+    fn place() -> Place {
+        Place {
+            axis: 0,
+            end: 1,
+            face: 1.0,
+            part: None,
+        }
+    }
+
+    /// A shock runs into gas that left faster than sound, from a pressure that it cannot pass; any other lets it go.
+    #[test]
+    fn gas_that_left_faster_than_sound_meets_the_shock_of_a_pressure_it_cannot_pass() {
+        let problem = cube::<2>(8, Side::Outlet);
+        let mut particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
+        let inside = problem.gas.pressure(particle.density, particle.energy);
+        let sound = (GAMMA * inside / particle.density).sqrt();
+        particle.velocity = [1.2 * sound, 0.1].into();
+        // Behind a normal shock at Mach 1.2: 1.513 (NACA 1135, 1953, eq. 93).
+        for (rise, is_slower) in [(1.5, false), (1.6, true)] {
+            let held = Held::new(&problem, place(), rise * inside, Some(0.25));
+            let mut gone = [OpenParticle::of_lattice(particle, 1, None)];
+            HeldOutlet::new(held, None).go_on(&problem, &[], &mut gone, &[], [0.0, 0.01]);
+            let after = &gone[0].particle;
+            let pressure = problem.gas.pressure(after.density, after.energy);
+            let expected = if is_slower { rise } else { 1.0 };
+            assert_relative_eq!(pressure, expected * inside, max_relative = 1e-12);
+            assert_eq!(after.velocity[0] < particle.velocity[0], is_slower);
+        }
     }
 
     /// Light gas behind dense gas at one pressure and speed goes out without a sound.
@@ -189,13 +239,7 @@ mod tests {
         let mut particle = fluid[0];
         particle.velocity = [0.4, 0.0].into();
         let pressure = (GAMMA - 1.0) * particle.density * particle.energy;
-        let place = Place {
-            axis: 0,
-            end: 1,
-            face: 1.0,
-            part: None,
-        };
-        let outlet = HeldOutlet::new(Held::new(&problem, place, pressure, Some(0.25)), None);
+        let outlet = HeldOutlet::new(Held::new(&problem, place(), pressure, Some(0.25)), None);
         let behind = [0.85, 0.95].map(|x| {
             let mut other = particle;
             other.position = [x, 0.4].into();
@@ -234,14 +278,8 @@ mod tests {
             other.density *= part.powf(2.0 / (GAMMA - 1.0));
             other
         });
-        let place = Place {
-            axis: 0,
-            end: 1,
-            face: 1.0,
-            part: None,
-        };
         let before = gas(&particle);
-        let outlet = HeldOutlet::new(Held::new(&problem, place, 1.0, Some(0.25)), None);
+        let outlet = HeldOutlet::new(Held::new(&problem, place(), 1.0, Some(0.25)), None);
         let mut gone = [OpenParticle::of_lattice(particle, 1, None)];
         outlet.go_on(&problem, &behind, &mut gone, &[], [0.0, 0.01]);
         let after = gas(&gone[0].particle).waves(GAMMA).ahead;
@@ -257,13 +295,7 @@ mod tests {
         let problem = cube::<2>(8, Side::Outlet);
         let mut particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
         let pressure = (GAMMA - 1.0) * particle.density * particle.energy;
-        let place = Place {
-            axis: 0,
-            end: 1,
-            face: 1.0,
-            part: None,
-        };
-        let outlet = HeldOutlet::new(Held::new(&problem, place, pressure, Some(0.25)), None);
+        let outlet = HeldOutlet::new(Held::new(&problem, place(), pressure, Some(0.25)), None);
         let back = |particle: &Particle<2>| {
             let gas = Along {
                 density: particle.density,

@@ -6,6 +6,8 @@
 
 mod buffers;
 pub mod closed;
+mod come_back;
+mod fill_up;
 mod held;
 mod held_outlet;
 mod incoming;
@@ -113,10 +115,5 @@ impl Answering {
             Self::Held(held) => Self::Held(held.at(given.pressure)),
             Self::Reservoir(_) => self,
         }
-    }
-
-    /// True where gas comes straight in; otherwise it slides along the side as that in the cell does.
-    pub fn is_straight(&self) -> bool {
-        matches!(self, Self::Reservoir(_))
     }
 }

@@ -136,4 +136,16 @@ pub trait OpenModel<const D: usize>: Debug + Send + Sync {
     fn goes_on(&self) -> bool {
         false
     }
+
+    /// The state in which gas comes back in at each of some `places` at the outer end of the buffer, where it does and nothing is there yet; `gone` is
+    /// what has left the domain here.
+    fn come_back(
+        &self,
+        _problem: &Problem<D>,
+        _gone: &[OpenParticle<D>],
+        places: &[Vector<D>],
+        _now: f64,
+    ) -> Vec<Option<State<D>>> {
+        vec![None; places.len()]
+    }
 }

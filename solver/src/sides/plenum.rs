@@ -17,12 +17,22 @@ pub struct Plenum {
 impl Plenum {
     /// At the stagnation state of the free stream of `problem`.
     pub fn of_stream<const D: usize>(problem: &Problem<D>) -> Self {
+        Self::of(problem, problem.free_stream.velocity.norm_squared())
+    }
+
+    /// Where the free stream comes to rest across `axis` and goes on along the side as it is.
+    pub fn before<const D: usize>(problem: &Problem<D>, axis: usize) -> Self {
+        Self::of(problem, problem.free_stream.velocity[axis].powi(2))
+    }
+
+    /// Where gas of the free stream's state has lost this square of a speed.
+    fn of<const D: usize>(problem: &Problem<D>, square: f64) -> Self {
         let gas = &problem.free_stream;
         let gamma = problem.gas.ratio_at(gas.density, gas.pressure);
         let heat = gamma - 1.0;
         let sound_square = gamma * gas.pressure / gas.density;
         // NACA Report 1135 (1953), eqs 43 and 44.
-        let rise = 1.0 + 0.5 * heat * gas.velocity.norm_squared() / sound_square;
+        let rise = 1.0 + 0.5 * heat * square / sound_square;
         Self {
             pressure: gas.pressure * rise.powf(gamma / heat),
             sound_square: sound_square * rise,

@@ -85,6 +85,12 @@ impl<const D: usize, const N: usize> Upstream<D, N> {
         (total > 0.0).then(|| sums.map(|sum| sum / total))
     }
 
+    /// How far the nearest of them is from `position`, as a part of how far it looks; none where none is near.
+    pub fn nearest(&self, position: &Vector<D>) -> Option<f64> {
+        let parts = self.about(position).map(|(_, part, _)| part.sqrt());
+        parts.min_by(f64::total_cmp)
+    }
+
     /// Slopes out of the domain at `position`, where the values are `own`: of the planes that fit them and the values before them
     /// best. None where there are too few of them.
     pub fn slopes(&self, position: &Vector<D>, own: [f64; N]) -> [f64; N] {
