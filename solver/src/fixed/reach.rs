@@ -171,3 +171,115 @@ fn lag<G: EquationOfState, const D: usize>(gas: &G, shock: &AttachedShock<D>) ->
     let elevation = (dot(&rear.velocity, &shock.normal).abs() / square.sqrt()).asin();
     1.0 / ((1.0 / mach).asin() - elevation).tan()
 }
+
+#[cfg(test)]
+mod tests {
+    use aero_geometry::Vector;
+    use approx::assert_relative_eq;
+
+    use super::super::bend::Bend;
+    use super::*;
+    use crate::gas::IdealGas;
+
+    const AIR: IdealGas = IdealGas::new(1.4);
+
+    fn front() -> Primitive<2> {
+        Primitive {
+            density: 1.4,
+            velocity: [3.0, 0.0],
+            pressure: 1.0,
+        }
+    }
+
+    fn shock() -> AttachedShock<2> {
+        let (sine, cosine) = f64::to_radians(15.0).sin_cos();
+        let bend = Bend {
+            at: [0.0; 2],
+            edge: [0.0; 2],
+            donors: Vec::new(),
+            along: [cosine, sine],
+            before: [1.0, 0.0],
+            up: [0.0, 1.0],
+            unit: 0.1,
+        };
+        AttachedShock::new(&AIR, &front(), &bend).unwrap()
+    }
+
+    /// How far the shock stands by a cell so far along it and ahead of it, in spacings.
+    fn reach(along: f64, ahead: f64, own: &Primitive<2>) -> f64 {
+        let shock = shock();
+        let front = front();
+        let course = Course::new(&AIR, &shock, &front, 0.1);
+        let place = Vector::from(course.along) * along + Vector::from(shock.normal) * ahead;
+        let cell = Plan {
+            cell: 0,
+            point: (place * 0.1).into(),
+            radius: 0.07,
+            pieces: Vec::new(),
+        };
+        let is_behind = ahead < 0.0;
+        let known = if is_behind { &shock.rear } else { &front };
+        course.reach(&cell, own, known, is_behind)
+    }
+
+    /// NACA Report 1135 (1953), charts 2 and 3: at Mach 3 and 15 degrees the shock rises by 32.24, and gas is at Mach 2.255 behind it, where Mach lines rise by
+    /// 26.33 degrees over the wall and the shock by 17.24.
+    #[test]
+    fn a_shock_runs_along_the_gas_and_feels_what_is_behind_it_along_mach_lines() {
+        let (shock, front) = (shock(), front());
+        let course = Course::new(&AIR, &shock, &front, 0.1);
+        let rise = course.along[1].atan2(course.along[0]).to_degrees();
+        assert_relative_eq!(rise, 32.24, epsilon = 0.01);
+        let cotangent = 1.0 / f64::to_radians(26.33 - 17.24).tan();
+        assert_relative_eq!(course.lag, cotangent, max_relative = 0.01);
+    }
+
+    #[test]
+    fn a_shock_stands_as_far_as_the_gas_ahead_of_it_is_that_of_its_bend() {
+        let strength = shock().strength;
+        let off = |part: f64| Primitive {
+            pressure: (part * strength).exp(),
+            ..front()
+        };
+        assert_eq!(reach(60.0, 4.0, &front()), FARTHEST);
+        assert_eq!(reach(60.0, 4.0, &off(0.015)), FARTHEST);
+        assert_relative_eq!(reach(60.0, 4.0, &off(0.05)), 60.0);
+        let half = reach(60.0, 4.0, &off(0.03));
+        assert_relative_eq!(half, 94.0, epsilon = 1e-6);
+        // Near the bend, in the shock and far from it nothing is told by that.
+        for (along, ahead) in [(12.0, 4.0), (60.0, 1.0), (60.0, 9.0), (-20.0, 4.0)] {
+            assert_eq!(reach(along, ahead, &off(0.05)), FARTHEST);
+        }
+        let shears = Primitive {
+            velocity: [2.8, 0.0],
+            ..front()
+        };
+        let is_light = Primitive {
+            density: 1.2,
+            ..front()
+        };
+        assert_relative_eq!(reach(60.0, 4.0, &shears), 60.0);
+        assert_relative_eq!(reach(60.0, 4.0, &is_light), 60.0);
+    }
+
+    #[test]
+    fn gas_behind_a_shock_counts_where_its_sound_comes_to_it() {
+        let shock = shock();
+        let lag = Course::new(&AIR, &shock, &front(), 0.1).lag;
+        let is_pressed = Primitive {
+            pressure: shock.rear.pressure * (0.3 * shock.strength).exp(),
+            ..shock.rear
+        };
+        assert_relative_eq!(
+            reach(60.0, -4.0, &is_pressed),
+            60.0 + 4.0 * lag,
+            epsilon = 1e-9
+        );
+        // A layer along the wall is of another density for good.
+        let is_light = Primitive {
+            density: 0.7 * shock.rear.density,
+            ..shock.rear
+        };
+        assert_eq!(reach(60.0, -4.0, &is_light), FARTHEST);
+    }
+}

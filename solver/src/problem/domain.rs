@@ -126,3 +126,23 @@ impl<const D: usize> Domain<D> {
         ends.map(|(axis, end)| (axis, end, self.sides[axis][end], self.face(axis, end)))
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::problem::WallKind;
+
+    #[test]
+    fn mirrors_and_walls_at_rest_shut_what_is_beyond_them_off() {
+        let moving = Side::Wall {
+            kind: WallKind::Slip,
+            velocity: 0.1,
+            acceleration: 0.0,
+        };
+        let bounds = Bounds::new([0.0, 0.0].into(), [1.0, 2.0].into());
+        let domain = Domain::new(bounds, [[Side::WALL, moving], [Side::Axis, Side::Outlet]]);
+        let is_off = |x: f64, y: f64| domain.is_walled_off(&[x, y].into());
+        assert!(is_off(-0.1, 1.0) && is_off(-0.1, 2.1) && is_off(0.5, -0.1));
+        assert!(!is_off(0.5, 1.0) && !is_off(1.1, 1.0) && !is_off(0.5, 2.1));
+    }
+}
