@@ -93,8 +93,8 @@ mod tests {
         assert_relative_eq!(crossing.first[0].pressure_ratio, 2.0545, epsilon = 1e-4);
         assert_relative_eq!(crossing.second[0].pressure_ratio, 1.8656, epsilon = 1e-3);
         let [below, above] = crossing.beyond().map(f64::to_degrees);
-        assert_relative_eq!(below, -21.83, epsilon = 0.02);
-        assert_relative_eq!(above, 21.83, epsilon = 0.02);
+        assert_relative_eq!(below, 10.0 - 31.8, epsilon = 0.02);
+        assert_relative_eq!(above, 31.8 - 10.0, epsilon = 0.02);
     }
 
     /// What is behind has one pressure and one direction, by whichever way gas comes there.
