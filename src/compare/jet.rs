@@ -46,7 +46,7 @@ pub const JET: Comparison = Comparison {
     together: None,
 };
 
-fn rows(flow: &Flow<'_>) -> [Row; 3] {
+fn rows(flow: &Flow<'_>) -> [Row; 4] {
     let is_of_points = flow.variant.scheme.is_of_points();
     let frames = &flow.outcome.history.frames;
     let mean =
@@ -73,7 +73,13 @@ fn rows(flow: &Flow<'_>) -> [Row; 3] {
         mean(&|frame| fastest(frame, flow.spacing)),
         1.0,
     );
-    [disc, air.by_points(is_of_points, 5.0), fastest]
+    let most = Row::at_most(
+        "highest pressure along the outlet beside the jet / that held, mean of the second half",
+        "no spots",
+        mean(&|frame| most(frame, flow.spacing)),
+        if is_of_points { 1.2 } else { 1.4 },
+    );
+    [disc, air.by_points(is_of_points, 5.0), most, fastest]
 }
 
 /// Where on the axis the pressure comes back to half of that of the air, having been below it.
@@ -98,10 +104,20 @@ fn air(frame: &Frame) -> f64 {
     sums.0 / sums.1
 }
 
-/// The largest speed along the side in the two rows at the outlet beside the jet.
+/// The highest pressure in the two rows at the outlet beside the jet, over that of the air.
+fn most(frame: &Frame, spacing: f64) -> f64 {
+    let pressures = beside(frame, spacing).map(|i| GAMMA * frame.pressure[i]);
+    pressures.fold(0.0, f64::max)
+}
+
+/// The largest speed along the side in the same rows.
 fn fastest(frame: &Frame, spacing: f64) -> f64 {
-    let rows = gas(frame).filter(|&i| frame.position[i][1].abs() > 3.0 - 2.0 * spacing);
-    rows.map(|i| frame.velocity[i][0].abs()).fold(0.0, f64::max)
+    let speeds = beside(frame, spacing).map(|i| frame.velocity[i][0].abs());
+    speeds.fold(0.0, f64::max)
+}
+
+fn beside(frame: &Frame, spacing: f64) -> impl Iterator<Item = usize> {
+    gas(frame).filter(move |&i| frame.position[i][1].abs() > 3.0 - 2.0 * spacing)
 }
 
 fn gas(frame: &Frame) -> impl Iterator<Item = usize> {

@@ -137,6 +137,7 @@ impl<const D: usize> Buffers<D> {
         // What leaves in this step has gone through it with the flow inside, and is seen at the middle of the next.
         let all = self.contents.particles.len();
         self.go_on(problem, fluid, gone..all, [0.5 * (before + now), now]);
+        self.thin_out(problem);
         self.fill_up(problem, now);
         for particle in entering {
             books.cross(&particle, 1.0);

@@ -1,6 +1,7 @@
 //! Outlets of particles that hold a pressure, see [`super::held`].
 
 use aero_geometry::Vector;
+use aero_geometry::parallel::prelude::*;
 
 use super::come_back::come_back;
 use super::held::Held;
@@ -62,7 +63,8 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
 
     /// The wave on its way out goes through the particles, `dR+/dt = -c (du/dn + dp/dn / (rho c) + div_t v)`, which is `dR+/dn` of gas of one entropy, with what the flow along the side takes off it [after
     /// Yoo & Im 2007, Combust. Theory Model. 11, 259-286]; entropy and the velocity along the side ride with them. The wave that comes in is
-    /// the same all along their way, and who leaves takes on that of those who left there before.
+    /// the same all along their way: who leaves takes on that of those who left there before, and who comes back that of all who do about it, which
+    /// left at other times and from other places.
     fn go_on(
         &self,
         problem: &Problem<D>,
@@ -90,42 +92,43 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
         }
         upstream.sort();
         let mut known = Upstream::new(place, problem.resolution.lattice());
-        for open in older {
+        let is_drawn_in = |open: &&OpenParticle<D>| along(&open.particle).speed < 0.0;
+        for open in older.iter().chain(gone.iter().filter(is_drawn_in)) {
             let Incoming { back, entropy, .. } = self.held.own(&along(&open.particle));
             known.add(open.particle.position, [back, entropy]);
         }
         known.sort();
-        for open in gone {
+        gone.par_iter_mut().for_each(|open| {
             let particle = &mut open.particle;
             let gas = along(particle);
             let held = self.at(&particle.position, now);
             let waves = gas.waves(gamma);
             let own = gas.speed_and_rise(gamma);
-            let [faster, risen] = upstream.slopes(&particle.position, own);
+            let sound = gas.sound(gamma);
+            let [faster, risen] = upstream.before(&particle.position, own, sound * step);
             // Gas of another entropy at the same pressure sends no sound.
-            let slope = faster + (waves.ahead - gas.speed) / own[1] * risen;
+            let more = faster - own[0] + (waves.ahead - gas.speed) * (risen / own[1] - 1.0);
             // Rings grow, whichever way they leave.
             let parting = parting(axis, &open.gradients) + rings.growth(particle);
-            let parting = gas.sound(gamma) * parting;
-            if gas.speed >= gas.sound(gamma) {
+            if gas.speed >= sound {
                 // A pressure that it cannot pass sends a shock in.
                 if let Some(behind) = held.shocked(&gas) {
                     set(particle, &behind, gamma, outward * behind.speed, axis);
                 }
-                continue;
+                return;
             }
-            let ahead = waves.ahead - step * (gas.sound(gamma) * slope + parting);
+            let ahead = waves.ahead + more - step * sound * parting;
             let Some(gas) = (Waves { ahead, ..waves }).state(gamma) else {
-                continue;
+                return;
             };
-            let handed_down =
-                known
-                    .mean(&particle.position)
-                    .map_or(held.own(&gas), |[back, entropy]| Incoming {
-                        back,
-                        entropy,
-                        parting: 0.0,
-                    });
+            // Those who have left keep the wave that they have.
+            let there = known.mean(&particle.position);
+            let there = there.filter(|_| !older.is_empty() || own[0] < 0.0);
+            let handed_down = there.map_or(held.own(&gas), |[back, entropy]| Incoming {
+                back,
+                entropy,
+                parting: 0.0,
+            });
             let back = held.later(&handed_down, &gas, 0.0, step).back;
             let Some(next) = (Waves {
                 ahead,
@@ -133,10 +136,10 @@ impl<const D: usize> OpenModel<D> for HeldOutlet<D> {
                 ..waves
             })
             .state(gamma) else {
-                continue;
+                return;
             };
             set(particle, &next, gamma, outward * next.speed, axis);
-        }
+        });
     }
 }
 
@@ -169,6 +172,14 @@ mod tests {
 
     const GAMMA: f64 = 1.4;
 
+    fn gas(particle: &Particle<2>) -> Along {
+        Along {
+            density: particle.density,
+            speed: particle.velocity[0],
+            pressure: (GAMMA - 1.0) * particle.density * particle.energy,
+        }
+    }
+
     #[test]
     fn gas_parts_across_the_side_alone() {
         let mut gradients = Gradients::<3>::zeros();
@@ -188,11 +199,6 @@ mod tests {
         particle.velocity = [0.5, 0.1].into();
         let mut gone = [OpenParticle::of_lattice(particle, 1, None)];
         gone[0].gradients.velocity[(1, 1)] = 0.3;
-        let gas = |particle: &Particle<2>| Along {
-            density: particle.density,
-            speed: particle.velocity[0],
-            pressure: (GAMMA - 1.0) * particle.density * particle.energy,
-        };
         let before = gas(&particle);
         let held = Held::new(&problem, place(), 1.0, Some(0.25));
         HeldOutlet::new(held, None).go_on(&problem, &[], &mut gone, &[], [0.0, 0.01]);
@@ -264,11 +270,6 @@ mod tests {
         let mut particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
         particle.position = [1.02, 0.4].into();
         particle.velocity = [0.4, 0.0].into();
-        let gas = |particle: &Particle<2>| Along {
-            density: particle.density,
-            speed: particle.velocity[0],
-            pressure: (GAMMA - 1.0) * particle.density * particle.energy,
-        };
         let behind = [0.85, 0.95].map(|x| {
             let mut other = particle;
             other.position = [x, 0.4].into();
@@ -289,6 +290,28 @@ mod tests {
         assert_relative_eq!(change, expected, max_relative = 1e-9);
     }
 
+    /// Particles that come back left at other times, each with the wave of then; those on their way out keep theirs.
+    #[test]
+    fn those_who_come_back_take_on_each_others_wave() {
+        let problem = cube::<2>(8, Side::Outlet);
+        let particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
+        let pressure = (GAMMA - 1.0) * particle.density * particle.energy;
+        let outlet = HeldOutlet::new(Held::new(&problem, place(), pressure, Some(0.25)), None);
+        let apart = |speed: f64| {
+            let mut gone = [(0.4, 0.0), (0.45, 0.1)].map(|(y, more)| {
+                let mut other = particle;
+                other.position = [1.05, y].into();
+                other.velocity[0] = speed + more;
+                OpenParticle::of_lattice(other, 1, None)
+            });
+            outlet.go_on(&problem, &[], &mut gone, &[], [0.0, 1e-9]);
+            let [one, other] = gone.map(|open| outlet.held.own(&gas(&open.particle)).back);
+            other - one
+        };
+        assert_relative_eq!(apart(0.2), 0.1, epsilon = 1e-6);
+        assert!(apart(-0.4) < 0.05, "{}", apart(-0.4));
+    }
+
     /// Who leaves brings another speed at the pressure that is held; what comes in is what came in there before, and goes on from that.
     #[test]
     fn who_leaves_takes_on_the_wave_of_those_who_left_before() {
@@ -296,14 +319,7 @@ mod tests {
         let mut particle = crate::Simulation::new(problem.clone()).unwrap().fluid[0];
         let pressure = (GAMMA - 1.0) * particle.density * particle.energy;
         let outlet = HeldOutlet::new(Held::new(&problem, place(), pressure, Some(0.25)), None);
-        let back = |particle: &Particle<2>| {
-            let gas = Along {
-                density: particle.density,
-                speed: particle.velocity[0],
-                pressure: (GAMMA - 1.0) * particle.density * particle.energy,
-            };
-            outlet.held.own(&gas).back
-        };
+        let back = |particle: &Particle<2>| outlet.held.own(&gas(particle)).back;
         particle.position = [1.02, 0.4].into();
         particle.velocity = [0.5, 0.0].into();
         let older = [0.35, 0.45].map(|y| {

@@ -54,16 +54,19 @@ impl<const D: usize, const N: usize> Upstream<D, N> {
     fn about(&self, position: &Vector<D>) -> impl Iterator<Item = (Vector<D>, f64, &[f64; N])> {
         let position = *position;
         let home = self.cell(&position);
-        (0..3_i64.pow(D as u32)).flat_map(move |offset| {
+        // Cells next to each other along the last axis follow each other.
+        (0..3_i64.pow(D as u32 - 1)).flat_map(move |offset| {
             let mut rest = offset;
-            let cell = home.map(|k| {
-                let k = k + rest % 3 - 1;
+            let mut first = home.map(|k| k - 1);
+            for k in &mut first[..D - 1] {
+                *k += rest % 3;
                 rest /= 3;
-                k
-            });
-            let first = self.values.partition_point(|(other, ..)| *other < cell);
-            let there = self.values[first..].iter();
-            let there = there.take_while(move |(other, ..)| *other == cell);
+            }
+            let mut last = first;
+            last[D - 1] += 2;
+            let start = self.values.partition_point(|(cell, ..)| *cell < first);
+            let there = self.values[start..].iter();
+            let there = there.take_while(move |(cell, ..)| *cell <= last);
             there.filter_map(move |(_, place, values)| {
                 let apart = place - position;
                 let part = apart.norm_squared() / (self.reach * self.reach);
@@ -85,38 +88,60 @@ impl<const D: usize, const N: usize> Upstream<D, N> {
         (total > 0.0).then(|| sums.map(|sum| sum / total))
     }
 
+    /// True if there is one of `which` nearer to `position` than this.
+    pub fn has(&self, position: &Vector<D>, near: f64, which: impl Fn(&[f64; N]) -> bool) -> bool {
+        let mut about = self.about(position);
+        about.any(|(apart, _, values)| apart.norm_squared() < near * near && which(values))
+    }
+
     /// How far the nearest of them is from `position`, as a part of how far it looks; none where none is near.
     pub fn nearest(&self, position: &Vector<D>) -> Option<f64> {
         let parts = self.about(position).map(|(_, part, _)| part.sqrt());
         parts.min_by(f64::total_cmp)
     }
 
-    /// Slopes out of the domain at `position`, where the values are `own`: of the planes that fit them and the values before them
-    /// best. None where there are too few of them.
-    pub fn slopes(&self, position: &Vector<D>, own: [f64; N]) -> [f64; N] {
+    /// The values so far before `position`, into the domain, where they are `own`: by the planes that fit them and the values before
+    /// them best, and `own` where there are too few of them; what lies beside a place says nothing of a slope across it. Within
+    /// the range of what is before it and its own, so that nothing grows on its way out: particles nearer to each other than a wave goes in a
+    /// step, or all but in a row, would make a burst of a ripple.
+    pub fn before(&self, position: &Vector<D>, own: [f64; N], distance: f64) -> [f64; N] {
         let axis = self.place.axis;
+        let inward = self.place.inward();
         let mut moment = SMatrix::<f64, D, D>::zeros();
         let mut rises = [Vector::zeros(); N];
+        let (mut square, mut steep) = (0.0, [0.0; N]);
+        let (mut least, mut most) = (own, own);
         for (apart, part, values) in self.about(position) {
-            if self.place.inward() * apart[axis] > 0.0 {
-                let weight = (1.0 - part) * (1.0 - part);
-                moment += apart * apart.transpose() * weight;
-                for n in 0..N {
-                    rises[n] += apart * ((values[n] - own[n]) * weight);
-                }
+            let across = apart[axis];
+            if inward * across <= 0.0 {
+                continue;
             }
-        }
-        let outward = -self.place.inward();
-        let square = moment[(axis, axis)];
-        if square <= 0.0 {
-            return [0.0; N];
+            let weight = (1.0 - part) * (1.0 - part);
+            moment += apart * apart.transpose() * weight;
+            let is_ahead = 2.0 * across * across >= apart.norm_squared();
+            if is_ahead {
+                square += weight * across * across;
+            }
+            for n in 0..N {
+                let rise = weight * (values[n] - own[n]);
+                rises[n] += apart * rise;
+                if is_ahead {
+                    steep[n] += across * rise;
+                }
+                least[n] = least[n].min(values[n]);
+                most[n] = most[n].max(values[n]);
+            }
         }
         // A plane where neighbours fix one, a line across the side where they do not.
         let plane = moment
             .try_inverse()
             .filter(|inverse| moment.norm() * inverse.norm() < FLAT);
-        rises.map(|rise| {
-            outward * plane.map_or(rise[axis] / square, |inverse| (inverse * rise)[axis])
+        std::array::from_fn(|n| {
+            let line = if square > 0.0 { steep[n] / square } else { 0.0 };
+            let slope = plane.map_or(line, |inverse| (inverse * rises[n])[axis]);
+            (own[n] + inward * distance * slope)
+                .max(least[n])
+                .min(most[n])
         })
     }
 }
@@ -137,7 +162,7 @@ mod tests {
     }
 
     #[test]
-    fn the_slope_of_a_plane_is_found_from_one_side_of_it() {
+    fn what_is_before_a_place_is_found_by_a_plane_from_one_side_of_it() {
         let place = side(0, 1);
         let value = |x: &Vector<2>| [2.0 - 3.0 * x[0] + 0.7 * x[1], 1.0 + x[0] + 4.0 * x[1]];
         let mut upstream = Upstream::new(place, 0.1);
@@ -151,22 +176,37 @@ mod tests {
         }
         upstream.sort();
         let at = Vector::<2>::new(0.0, 0.03);
-        let [first, second] = upstream.slopes(&at, value(&at));
-        assert_relative_eq!(first, -3.0, epsilon = 1e-12);
-        assert_relative_eq!(second, 1.0, epsilon = 1e-12);
+        let [first, second] = upstream.before(&at, value(&at), 0.04);
+        let [there, other] = value(&Vector::<2>::new(-0.04, 0.03));
+        assert_relative_eq!(first, there, epsilon = 1e-12);
+        assert_relative_eq!(second, other, epsilon = 1e-12);
     }
 
     #[test]
-    fn a_row_alone_has_a_slope_along_itself_and_nothing_has_none() {
+    fn a_row_alone_makes_a_line_along_itself_and_nothing_leaves_all_as_it_is() {
         let place = side(1, 0);
         let mut upstream = Upstream::<2, 2>::new(place, 0.1);
         let here = Vector::<2>::zeros();
-        assert_eq!(upstream.slopes(&here, [1.0; 2]), [0.0; 2]);
+        assert_eq!(upstream.before(&here, [1.0; 2], 0.03), [1.0; 2]);
         upstream.add(Vector::<2>::new(0.0, 0.1), [2.0, 1.0]);
         upstream.sort();
-        let [first, second] = upstream.slopes(&here, [1.0; 2]);
-        assert_relative_eq!(first, -10.0, epsilon = 1e-12);
-        assert_eq!(second, 0.0);
+        let [first, second] = upstream.before(&here, [1.0; 2], 0.03);
+        assert_relative_eq!(first, 1.3, epsilon = 1e-12);
+        assert_eq!(second, 1.0);
+    }
+
+    /// What lies beside a place, or nearer than a wave goes in a step, has no part in making more of a difference than it is.
+    #[test]
+    fn no_difference_grows_on_its_way_out() {
+        let here = Vector::<2>::zeros();
+        let before = |x: f64, y: f64| {
+            let mut upstream = Upstream::<2, 1>::new(side(0, 1), 0.1);
+            upstream.add(Vector::<2>::new(x, y), [2.0]);
+            upstream.sort();
+            upstream.before(&here, [1.0], 0.03)[0]
+        };
+        assert_eq!(before(-1e-9, 0.1), 1.0);
+        assert_eq!(before(-0.001, 0.0), 2.0);
     }
 
     #[test]
