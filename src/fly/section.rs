@@ -6,7 +6,7 @@ use aero_validation::pictures::{schlieren, viridis};
 
 use super::canvas::Picture;
 use super::read::Points;
-use crate::sample::{self, Cloud, Raster, Solids, View};
+use crate::sample::{self, Cloud, Raster, Sample, Solids, View};
 
 /// Parts of all values between which colours range.
 const NEARLY_ALL: [f64; 2] = [0.002, 0.998];
@@ -112,7 +112,11 @@ impl Plane {
             let found = near
                 .found
                 .map(|found| [found.values[0], found.slopes[1].norm()]);
-            (found.unwrap_or([f64::NAN; 2]), !near.is_solid)
+            Sample {
+                values: found.unwrap_or([f64::NAN; 2]),
+                is_gas: !near.is_solid,
+                clear: near.clear,
+            }
         };
         let [values, slopes] = self.view().rasters(at);
         Field { values, slopes }

@@ -143,9 +143,9 @@ fn read<const D: usize>(flow: &Flow<D>, places: &[Vector<D>]) -> Vec<Option<Stat
     let frame = flow.frame_within(&bounds.grown(AROUND * problem.resolution.lattice()));
     let solids = Solids::new(&problem.bodies, |number| flow.pose(number));
     let gas = Gas::new(&frame, problem, &solids);
-    let at = |place: &Vector<D>| match gas.at(place) {
-        (state, true) => state,
-        _ => None,
+    let at = |place: &Vector<D>| {
+        let spot = gas.at(place);
+        spot.state.filter(|_| spot.is_gas)
     };
     places.par_iter().map(at).collect()
 }

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 
 use crate::case::{OutputPlan, RunPlan, Stretch};
 use crate::output::{self, Caption, Collection, Mirrors, OutputError, Reference};
-use crate::sample::{Field, Gas, Solids};
+use crate::sample::{Field, Gas, Sample, Solids};
 use aero_solver::Flow;
 use aero_solver::frame::Frame;
 
@@ -72,8 +72,8 @@ impl<const D: usize> Views<D> {
         let solids = Solids::new(&problem.bodies, |number| flow.pose(number));
         let gas = Gas::new(&flow.frame(), problem, &solids);
         let gradient = |place: &[f64; 3]| {
-            let (found, _) = gas.at(&Vector::from_fn(|k, _| place[k]));
-            found.map_or([0.0; 3], |state| state.density_gradient)
+            let spot = gas.at(&Vector::from_fn(|k, _| place[k]));
+            spot.state.map_or([0.0; 3], |state| state.density_gradient)
         };
         shown.position.par_iter().map(gradient).collect()
     }
@@ -99,9 +99,15 @@ impl<const D: usize> Views<D> {
         let (path, range) = (self.folder.join(picture_name(number)), plan.range);
         let scale = self.reference.scale();
         let value = |place: [f64; 3]| {
-            let (found, is_gas) = gas.at(&Vector::from_fn(|k, _| place[k]));
-            let value = found.and_then(|state| scale.value(plan.quantity, &state));
-            ([value.unwrap_or(f64::NAN)], is_gas)
+            let spot = gas.at(&Vector::from_fn(|k, _| place[k]));
+            let value = spot
+                .state
+                .and_then(|state| scale.value(plan.quantity, &state));
+            Sample {
+                values: [value.unwrap_or(f64::NAN)],
+                is_gas: spot.is_gas,
+                clear: spot.clear,
+            }
         };
         match &plan.stretch {
             Stretch::Plane(view) => {
@@ -114,7 +120,7 @@ impl<const D: usize> Views<D> {
             Stretch::Line([from, to]) => {
                 let place = |n: usize| from + n as f64 / SAMPLES as f64 * (to - from);
                 let points = (0..=SAMPLES).map(|n| {
-                    let ([value], _) = value([place(n), 0.0, 0.0]);
+                    let [value] = value([place(n), 0.0, 0.0]).values;
                     [place(n), value]
                 });
                 let points = points.collect();

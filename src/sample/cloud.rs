@@ -12,6 +12,9 @@ const WIDTH: f64 = 0.62;
 /// Widths beyond which it counts nothing.
 const REACH: f64 = 2.6;
 
+/// Widths around a place within which values are as good as on a straight line: what weights leave is no finer.
+const STRAIGHT: f64 = 0.6;
+
 /// How much further is looked where too little lies within reach; and from bodies into which the gas is carried on.
 const FURTHER: f64 = 2.0;
 const FURTHEST: f64 = 64.0;
@@ -23,6 +26,8 @@ pub struct Near<const D: usize, const N: usize> {
     pub found: Option<Found<D, N>>,
     /// The place lies in a body.
     pub is_solid: bool,
+    /// How far around the place values are as good as on a straight line, and no body is.
+    pub clear: f64,
 }
 
 /// A point of the gas.
@@ -132,7 +137,14 @@ impl<'a, const D: usize, const N: usize> Cloud<'a, D, N> {
         if let Some(found) = found.as_mut().filter(|_| is_solid) {
             found.values = found.means;
         }
-        Near { found, is_solid }
+        let free = contact.map_or(f64::INFINITY, |contact| contact.distance.max(0.0));
+        let plane = found.filter(|found| found.is_plane);
+        let clear = plane.map_or(0.0, |found| free.min(STRAIGHT * found.width));
+        Near {
+            found,
+            is_solid,
+            clear,
+        }
     }
 }
 

@@ -25,8 +25,9 @@ impl Field {
     /// The gas on `lattice`. Each point is found by itself: any number of threads finds the same bits.
     pub fn new<const D: usize>(gas: &Gas<'_, D>, lattice: &Lattice<D>) -> Self {
         let at = |number: usize| {
-            let (found, is_gas) = gas.at(&lattice.place(number));
-            (found.unwrap_or(gas.stream()), is_gas && found.is_some())
+            let spot = gas.at(&lattice.place(number));
+            let state = spot.state.unwrap_or(gas.stream());
+            (state, spot.is_gas && spot.state.is_some())
         };
         let found: Vec<(State, bool)> = (0..lattice.count()).into_par_iter().map(at).collect();
         let pad = |vector: &Vector<D>, other: f64| {

@@ -14,6 +14,8 @@ pub struct Found<const D: usize, const N: usize> {
     pub means: [f64; N],
     /// They are those of a plane, not of the mean alone.
     pub is_plane: bool,
+    /// Width of the weights, in the mean of squares.
+    pub width: f64,
 }
 
 /// Sums of `a + b . d` fitted by least squares to the values at offsets `d` from a place, each with its weight [Lancaster &
@@ -79,6 +81,7 @@ impl<const D: usize, const N: usize> Fit<D, N> {
             slopes: [Vector::zeros(); N],
             means: std::array::from_fn(|n| self.base[n] + means[n]),
             is_plane: false,
+            width: (self.widths * part).sqrt(),
         };
         let least = SPREAD * self.widths * part;
         // The product of all that is left over at each pivot is the determinant.

@@ -21,6 +21,17 @@ pub struct Gas<'a, const D: usize> {
     stream: State,
 }
 
+/// What there is at a place.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct Spot {
+    /// The gas; none where no gas is near.
+    pub state: Option<State>,
+    /// The place lies outside of bodies.
+    pub is_gas: bool,
+    /// How far around the place values are as good as on a straight line, and no body is.
+    pub clear: f64,
+}
+
 /// The gas at a place.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct State {
@@ -90,8 +101,8 @@ impl<'a, const D: usize> Gas<'a, D> {
         self.stream
     }
 
-    /// The gas at a place, none where no gas is near; and whether the place lies outside of bodies.
-    pub fn at(&self, place: &Vector<D>) -> (Option<State>, bool) {
+    /// What there is at a place.
+    pub fn at(&self, place: &Vector<D>) -> Spot {
         let mut place = *place;
         let mut signs = [1.0; 3];
         for &(axis, end, face) in &self.mirrors {
@@ -109,7 +120,11 @@ impl<'a, const D: usize> Gas<'a, D> {
             }
             state
         });
-        (state, !near.is_solid)
+        Spot {
+            state,
+            is_gas: !near.is_solid,
+            clear: near.clear,
+        }
     }
 }
 

@@ -12,8 +12,8 @@ mod view;
 
 pub use cloud::{Cloud, Near};
 pub use field::Field;
-pub use gas::{Gas, State};
+pub use gas::{Gas, Spot, State};
 pub use lattice::Lattice;
 pub use quantity::{Quantity, Scale};
 pub use solids::{Contact, Solids};
-pub use view::{Raster, View, range};
+pub use view::{Raster, Sample, View, range};

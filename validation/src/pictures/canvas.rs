@@ -14,6 +14,7 @@ use plotters::style::text_anchor::{HPos, Pos, VPos};
 use plotters::style::{Color as _, FontTransform, ShapeStyle, TextStyle};
 use std::fs::File;
 use std::io::BufWriter;
+use std::ops::Range;
 use std::path::Path;
 
 /// A picture that can draw itself on paper of its own choice of size.
@@ -46,6 +47,8 @@ pub(super) struct Stroke {
 pub(super) struct Pen<'a, DB: DrawingBackend> {
     area: &'a DrawingArea<DB, Shift>,
     format: Format,
+    /// Fine rows that are drawn.
+    shown: Range<u32>,
 }
 
 /// Draws a picture into a PNG or SVG file.
@@ -63,7 +66,7 @@ pub(super) fn save(drawing: &impl Drawing, path: &Path) -> Result<(), PictureErr
             let mut text = String::new();
             {
                 let area = SVGBackend::with_string(&mut text, fine).into_drawing_area();
-                draw_on(&area, drawing, format).map_err(failed)?;
+                draw_on(&area, drawing, format, 0..fine.1).map_err(failed)?;
             }
             // The view box keeps the fine coordinates; only the size on the page is reduced.
             let fine_size = format!("width=\"{}\" height=\"{}\"", fine.0, fine.1);
@@ -94,8 +97,9 @@ fn paint(
     let mut pixels = Vec::with_capacity(3 * width as usize * height as usize);
     for top in (0..height).step_by(rows) {
         let bottom = height.min(top + rows as u32);
-        let area = Band::new(size, FINE * top..FINE * bottom, &mut fine).into_drawing_area();
-        draw_on(&area, drawing, Format::Png)?;
+        let shown = FINE * top..FINE * bottom;
+        let area = Band::new(size, shown.clone(), &mut fine).into_drawing_area();
+        draw_on(&area, drawing, Format::Png, shown)?;
         drop(area);
         reduce(&fine, [width, bottom - top], &mut pixels);
     }
@@ -121,9 +125,14 @@ fn draw_on<DB: DrawingBackend>(
     area: &DrawingArea<DB, Shift>,
     drawing: &impl Drawing,
     format: Format,
+    shown: Range<u32>,
 ) -> Result<(), String> {
     area.fill(&rgb(WHITE)).map_err(|e| e.to_string())?;
-    drawing.draw(&Pen { area, format })?;
+    drawing.draw(&Pen {
+        area,
+        format,
+        shown,
+    })?;
     area.present().map_err(|e| e.to_string())
 }
 
@@ -205,10 +214,19 @@ impl<DB: DrawingBackend> Pen<'_, DB> {
         let n = FINE as usize;
         let [x, y] = corner;
         for (k, row) in colours.chunks(columns.max(1)).enumerate() {
-            let line = row.iter().flat_map(|c| std::iter::repeat_n(*c, n));
-            let line: Vec<u8> = line.flatten().collect();
-            let (place, size) = ([x, y + k as f64], ((n * columns) as u32, FINE));
-            let bitmap = BitMapElement::with_owned_buffer(fine(&place), size, line.repeat(n));
+            let place = fine(&[x, y + k as f64]);
+            let rows = i64::from(place.1)..i64::from(place.1) + i64::from(FINE);
+            if rows.end <= i64::from(self.shown.start) || i64::from(self.shown.end) <= rows.start {
+                continue;
+            }
+            let mut line = Vec::with_capacity(3 * n * columns);
+            for colour in row {
+                for _ in 0..n {
+                    line.extend_from_slice(colour);
+                }
+            }
+            let size = ((n * columns) as u32, FINE);
+            let bitmap = BitMapElement::with_owned_buffer(place, size, line.repeat(n));
             let bitmap = bitmap.ok_or("the pixels do not fill the picture")?;
             self.area.draw(&bitmap).map_err(|e| e.to_string())?;
         }
