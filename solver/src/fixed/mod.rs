@@ -14,6 +14,7 @@ mod beyond;
 mod brinks;
 mod build;
 mod calmness;
+mod cancel;
 mod carry;
 mod cell_shapes;
 mod cells;

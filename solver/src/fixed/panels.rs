@@ -4,6 +4,7 @@ use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 
 use super::FixedSimulation;
+use super::cancel::cancel;
 use super::equation_of_state::EquationOfState;
 use super::pieces::{Nearby, Piece};
 use super::state::dot;
@@ -44,8 +45,11 @@ impl<const D: usize> FixedSimulation<D> {
             .collect();
         let extents = extents(&self.problem, panels, &pieces, &walls);
         let around = Around::new(&nearby, &self.problem.domain);
-        let patches: Vec<Patch<D>> = (walls.par_iter().zip(&extents))
-            .map(|((wall, _), extent)| Patch::new(&around, wall, extent))
+        let reach = unshown::REACH * self.problem.resolution.lattice();
+        let beyond = beyond(&walls, &extents, reach);
+        let each = walls.par_iter().zip(&extents).zip(&beyond);
+        let patches: Vec<Patch<D>> = each
+            .map(|(((wall, _), extent), beyond)| Patch::new(&around, wall, extent, *beyond))
             .collect();
         let mut pressed: Vec<Pressed<D>> = (panels.all().par_iter().zip(&pieces))
             .map(|(panel, pieces)| self.pressed(panel, pieces, &walls, &patches))
@@ -140,6 +144,7 @@ impl<const D: usize> FixedSimulation<D> {
             theirs.push(pressed);
         }
         let spacing = self.problem.resolution.lattice();
+        cancel(&mut left, unshown::REACH * spacing);
         let rest = unshown::spread(&left, &shown, spacing, &mut theirs);
         if self.fluid.viscous.is_some() {
             return Vec::new();
@@ -218,14 +223,34 @@ fn extents<const D: usize>(
     extents
 }
 
+/// By how much each wall is larger than what belongs to it, less what walls around it are smaller by.
+fn beyond<const D: usize>(
+    walls: &[(&Wall<D>, f64)],
+    extents: &[Extent<D>],
+    reach: f64,
+) -> Vec<f64> {
+    let normal = |wall: &Wall<D>| Vector::from(wall.image.normal);
+    let each = walls.iter().zip(extents);
+    let mut left: Vec<Left<'_, D>> = each
+        .map(|(&(wall, _), extent)| Left {
+            wall,
+            force: normal(wall) * (wall.image.share - extent.size),
+        })
+        .collect();
+    cancel(&mut left, reach);
+    let left = left.iter();
+    left.map(|left| left.force.dot(&normal(left.wall)))
+        .collect()
+}
+
 impl<const D: usize> Patch<D> {
-    fn new(around: &Around<'_, D>, wall: &Wall<D>, extent: &Extent<D>) -> Self {
+    fn new(around: &Around<'_, D>, wall: &Wall<D>, extent: &Extent<D>, beyond: f64) -> Self {
         let middle = if extent.size > 0.0 {
             extent.moment / extent.size
         } else {
             wall.foot
         };
-        let ratio = wall.image.share / extent.size;
+        let ratio = 1.0 + beyond / extent.size;
         Self {
             middle,
             ratio: if (ratio - 1.0).abs() < UNLIKE {

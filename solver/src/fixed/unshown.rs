@@ -13,7 +13,7 @@ use super::walls::Wall;
 use crate::panels::{Panel, Pressed};
 
 /// What a wall is pressed with is shown no farther than this from its foot, in spacings of the lattice, which panels are as long as.
-const REACH: f64 = 2.0;
+pub const REACH: f64 = 2.0;
 
 /// Cosine below which panels face another way than a wall.
 const ASKEW: f64 = 0.2;
