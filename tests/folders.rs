@@ -15,9 +15,19 @@ fn what_another_scene_has_left_is_not_written_over_unasked() {
     place
         .aero(&other)
         .refuses(&["results", "another run", "--overwrite"]);
+    let frames = || {
+        let names = std::fs::read_dir(place.path("results")).expect("results");
+        let names = names.map(|entry| entry.expect("a file").file_name());
+        names
+            .filter(|name| name.to_string_lossy().starts_with("frame-"))
+            .count()
+    };
+    let before = frames();
     place
-        .aero(&[&other[..], &["--overwrite"]].concat())
+        .aero(&[&other[..], &["--set", "output.frames=1", "--overwrite"]].concat())
         .succeeds();
+    // None of a longer run is taken for one of the shorter.
+    assert!(before > 2 && frames() == 2, "{before} {}", frames());
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod cells;
 mod check_picture;
 mod checkpoint;
 mod draft;
+mod earlier;
 mod error;
 mod field;
 mod ghosts;
@@ -37,6 +38,7 @@ pub use checkpoint::{
     remove_checkpoints, reopen_checkpoint,
 };
 pub use draft::Drafts;
+pub use earlier::remove_frames;
 pub use error::{OutputError, make_folder};
 pub use field::write_field;
 pub use history::{History, HistoryRow};

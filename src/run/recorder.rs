@@ -95,7 +95,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
     /// is called after every step.
     ///
     /// # Errors
-    /// When the folder takes no files. A checkpoint of an earlier run is gone afterwards.
+    /// When the folder takes no files. Frames and a checkpoint of an earlier run are gone afterwards.
     pub(super) fn create(
         folder: &Path,
         case: &Case<D>,
@@ -103,6 +103,7 @@ impl<'a, const D: usize> FileRecorder<'a, D> {
         watch: &'a mut dyn FnMut(Progress) -> ControlFlow<()>,
     ) -> Result<Self, OutputError> {
         output::remove_checkpoints(folder)?;
+        output::remove_frames(folder)?;
         let names = load_names(case);
         let bodies = case.problem.bodies.len();
         let free: Vec<String> = (case.problem.bodies.iter())
