@@ -18,8 +18,8 @@ const FRAMES: [(&str, &str); 6] = [
 /// Files that list these.
 const LISTS: [&str; 4] = ["run.pvd", "surface.pvd", "cells.pvd", "field.pvd"];
 
-/// Removes the frames in `folder`: viewers take all numbered files of a name for one series: those beyond the last of a shorter run would be
-/// shown as that run's.
+/// Removes the frames in `folder`. Viewers take all numbered files of a name for one series, and would show those beyond the last of a shorter run as
+/// that run's.
 ///
 /// # Errors
 /// A file that cannot be removed.

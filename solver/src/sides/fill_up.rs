@@ -1,6 +1,7 @@
 //! Gas that comes back in at the outer end of outlets' buffers, see [`super::come_back`].
 
 use aero_geometry::Vector;
+use aero_geometry::kernel::SMOOTHING_RATIO;
 
 use super::buffers::{Buffers, Contents};
 use super::particle::OpenParticle;
@@ -8,16 +9,16 @@ use super::upstream::Upstream;
 use super::zone::Zone;
 use crate::lattice;
 use crate::layers::BUFFER;
+use crate::particles::Particle;
 use crate::problem::Problem;
 
-/// So near to each other, in spacings, gas that comes back does not stay.
+/// So near to each other, in spacings of the gas itself, gas that comes back does not stay.
 const CROWDED: f64 = 0.5;
 
 impl<const D: usize> Buffers<D> {
     /// Takes out what other gas that comes back has run into. Nothing keeps the particles of a buffer apart; inside, two at one place would be taken
     /// for gas twice as dense.
     pub(super) fn thin_out(&mut self, problem: &Problem<D>) {
-        let close = CROWDED * problem.resolution.lattice();
         for (number, side) in self.sides.iter().enumerate() {
             let place = side.model.goes_on().then_some(side.place);
             let Some(place) = place else { continue };
@@ -32,9 +33,9 @@ impl<const D: usize> Buffers<D> {
             }
             there.sort();
             particles.retain(|open| {
-                let id = open.particle.id as f64;
-                !comes_back(open)
-                    || !there.has(&open.particle.position, close, |[other]| *other < id)
+                let Particle { id, position, .. } = &open.particle;
+                let close = CROWDED * open.particle.smoothing_length / SMOOTHING_RATIO;
+                !comes_back(open) || !there.has(position, close, |[other]| *other < *id as f64)
             });
         }
     }
