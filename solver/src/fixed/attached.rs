@@ -162,16 +162,7 @@ mod tests {
     const AIR: IdealGas = IdealGas::new(1.4);
 
     fn bend(degrees: f64) -> Bend<2> {
-        let (sine, cosine) = degrees.to_radians().sin_cos();
-        Bend {
-            at: [0.0; 2],
-            edge: [0.0; 2],
-            donors: Vec::new(),
-            along: [cosine, sine],
-            before: [1.0, 0.0],
-            up: [0.0, 1.0],
-            unit: 1.0,
-        }
+        Bend::ramp(degrees, 1.0)
     }
 
     /// A stream at this Mach number and temperature, in kelvins of air.

@@ -129,28 +129,35 @@ pub fn turned<const D: usize>(vector: &Vector<D>) -> Vector<D> {
 }
 
 #[cfg(test)]
+impl Bend<2> {
+    /// Where a wall along the first axis bends up by so much at the origin, in gas of this spacing.
+    pub fn ramp(degrees: f64, unit: f64) -> Self {
+        let (sine, cosine) = degrees.to_radians().sin_cos();
+        Self {
+            at: [0.0; 2],
+            edge: [0.0; 2],
+            donors: Vec::new(),
+            along: [cosine, sine],
+            before: [1.0, 0.0],
+            up: [0.0, 1.0],
+            unit,
+        }
+    }
+}
+
+#[cfg(test)]
 mod tests {
     use super::*;
 
     /// Behind a convex bend gas may lie behind the one wall or the other, at a concave one behind neither.
     #[test]
     fn gas_lies_in_front_of_its_walls() {
-        let opens = |sine: f64, place: [f64; 2]| {
-            let bend = Bend::<2> {
-                at: [0.0; 2],
-                edge: [0.0; 2],
-                donors: Vec::new(),
-                along: [(1.0 - sine * sine).sqrt(), sine],
-                before: [1.0, 0.0],
-                up: [0.0, 1.0],
-                unit: 0.1,
-            };
-            bend.opens_to(&place.into())
-        };
-        for sine in [-0.5, 0.5] {
-            assert!(opens(sine, [1.0, 1.0]) && opens(sine, [-1.0, 0.5]));
-            assert!(!opens(sine, [-1.0, -2.0]));
+        let opens =
+            |degrees: f64, place: [f64; 2]| Bend::ramp(degrees, 0.1).opens_to(&place.into());
+        for degrees in [-30.0, 30.0] {
+            assert!(opens(degrees, [1.0, 1.0]) && opens(degrees, [-1.0, 0.5]));
+            assert!(!opens(degrees, [-1.0, -2.0]));
         }
-        assert!(opens(-0.5, [1.0, -0.4]) && !opens(0.5, [1.0, 0.4]));
+        assert!(opens(-30.0, [1.0, -0.4]) && !opens(30.0, [1.0, 0.4]));
     }
 }

@@ -192,16 +192,7 @@ mod tests {
     }
 
     fn shock() -> AttachedShock<2> {
-        let (sine, cosine) = f64::to_radians(15.0).sin_cos();
-        let bend = Bend {
-            at: [0.0; 2],
-            edge: [0.0; 2],
-            donors: Vec::new(),
-            along: [cosine, sine],
-            before: [1.0, 0.0],
-            up: [0.0, 1.0],
-            unit: 0.1,
-        };
+        let bend = Bend::ramp(15.0, 0.1);
         AttachedShock::new(&AIR, &front(), &bend).unwrap()
     }
 
