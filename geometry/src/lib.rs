@@ -5,6 +5,7 @@
 
 pub mod bodies;
 mod bounds;
+mod crease;
 mod error;
 pub mod files;
 pub mod kernel;
@@ -17,13 +18,13 @@ mod pencils;
 mod placement;
 mod real;
 mod revolution;
-mod ridge;
 mod shape;
 pub mod stl;
 mod tessellate;
 mod watch;
 
 pub use bounds::Bounds;
+pub use crease::Crease;
 pub use error::GeometryError;
 pub use mending::{Mending, Solid};
 pub use mesh::{Mesh, Sheet};
@@ -33,7 +34,6 @@ pub use pencils::Pencils;
 pub use placement::{Placed, Placement};
 pub use real::Real;
 pub use revolution::Revolution;
-pub use ridge::Ridge;
 pub use shape::{Closest, Shape};
 pub use watch::Watch;
 

@@ -18,8 +18,8 @@ mod openings;
 mod orient;
 mod patches;
 mod pinches;
-mod ridges;
 mod rims;
+mod sharp;
 mod sheet;
 mod slivers;
 mod smooth;
@@ -43,7 +43,7 @@ use triangle::{Feature, OnTriangle, closest_on, normal};
 use winding::winding_number;
 
 use crate::stl::Facet;
-use crate::{Bounds, Closest, Ridge, Shape, Vector};
+use crate::{Bounds, Closest, Crease, Shape, Vector};
 
 /// Sine of the angle between the way to the closest point and the normal above which that point is
 /// on a border.
@@ -296,8 +296,8 @@ impl Shape<3> for Mesh {
         self.surface().for_each(visit);
     }
 
-    fn ridges(&self, _: f64, region: &Bounds<3>) -> Vec<Ridge<3>> {
-        self.convex_creases(region)
+    fn creases(&self, _: f64, region: &Bounds<3>) -> Vec<Crease<3>> {
+        self.sharp_edges(region)
     }
 
     fn measure(&self) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! Placing a body: scale, then turn, then move.
 
 use crate::error::GeometryError;
-use crate::{Bounds, Closest, Ridge, Shape, Vector};
+use crate::{Bounds, Closest, Crease, Shape, Vector};
 
 type Matrix<const D: usize> = nalgebra::SMatrix<f64, D, D>;
 
@@ -241,14 +241,14 @@ impl<S: Shape<D>, const D: usize> Shape<D> for Placed<S, D> {
             .for_each_facet(size / placement.scale, &region, &mut place);
     }
 
-    fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {
+    fn creases(&self, size: f64, region: &Bounds<D>) -> Vec<Crease<D>> {
         let region = self.region_back(region);
-        let mut ridges = self.shape.ridges(size / self.placement.scale, &region);
-        for Ridge { ends, normals } in &mut ridges {
+        let mut creases = self.shape.creases(size / self.placement.scale, &region);
+        for Crease { ends, normals, .. } in &mut creases {
             *ends = ends.map(|end| self.placement.point(&end));
             *normals = normals.map(|normal| self.placement.direction(&normal));
         }
-        ridges
+        creases
     }
 
     fn measure(&self) -> Option<f64> {

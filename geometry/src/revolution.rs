@@ -5,7 +5,7 @@ mod rims;
 use std::f64::consts::{PI, TAU};
 
 use crate::outline::Piece;
-use crate::{Bounds, Closest, GeometryError, Outline, Ridge, Shape, Vector};
+use crate::{Bounds, Closest, Crease, GeometryError, Outline, Shape, Vector};
 
 /// The solid that a curve in the half plane `(x, r)`, `r >= 0`, sweeps about the x axis.
 #[derive(Clone, Debug)]
@@ -137,7 +137,7 @@ impl Shape<3> for Revolution {
         crate::tessellate::cover(self, size, region)
     }
 
-    fn ridges(&self, size: f64, region: &Bounds<3>) -> Vec<Ridge<3>> {
+    fn creases(&self, size: f64, region: &Bounds<3>) -> Vec<Crease<3>> {
         self.rims(size, region)
     }
 

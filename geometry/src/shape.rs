@@ -1,6 +1,6 @@
 //! What every body offers, whether analytic or read from a file.
 
-use crate::{Bounds, Outline, Ridge, Vector};
+use crate::{Bounds, Crease, Outline, Vector};
 
 /// The answer to "where is the surface from here?".
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -59,9 +59,9 @@ pub trait Shape<const D: usize>: Send + Sync + std::fmt::Debug {
         self.facets(size, region).into_iter().for_each(visit);
     }
 
-    /// Sharp convex edges (3D) of the surface where it meets `region`, round ones in pieces about `size` long at most; parts
+    /// Sharp edges (3D) of the surface where it meets `region`, round ones in pieces about `size` long at most; parts
     /// that lie inside of the body or beyond the region may be among them. Empty for a shape that cannot tell.
-    fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {
+    fn creases(&self, size: f64, region: &Bounds<D>) -> Vec<Crease<D>> {
         let _ = (size, region);
         Vec::new()
     }
@@ -113,8 +113,8 @@ macro_rules! forward {
                 (**self).for_each_facet(size, region, visit);
             }
 
-            fn ridges(&self, size: f64, region: &Bounds<D>) -> Vec<Ridge<D>> {
-                (**self).ridges(size, region)
+            fn creases(&self, size: f64, region: &Bounds<D>) -> Vec<Crease<D>> {
+                (**self).creases(size, region)
             }
 
             fn measure(&self) -> Option<f64> {

@@ -1,7 +1,7 @@
 //! Sharp convex bends of walls in a stream faster than sound, of particles, at the end of a run: a fan stands at one, which kernels smear and
 //! which rings, so that pressures behind it are wrong over a number of spacings, however small these are.
 
-use aero_geometry::{Bounds, Ridge, Vector};
+use aero_geometry::{Bounds, Crease, Vector};
 use aero_packer::{About, Warning};
 use aero_solver::frame::PanelFrame;
 use aero_solver::problem::Problem;
@@ -58,8 +58,9 @@ fn in_space<const D: usize>(problem: &Problem<D>, panels: &PanelFrame) -> Option
     let resting = problem.bodies.iter().enumerate();
     let resting = resting.filter(|(_, body)| !body.motion.is_moving());
     let edges = resting.flat_map(|(n, body)| {
-        let ridges = body.shape.ridges(problem.resolution.lattice(), &domain);
-        ridges.into_iter().map(move |ridge| (n as u32, ridge))
+        let creases = body.shape.creases(problem.resolution.lattice(), &domain);
+        let ridges = creases.into_iter().filter(|crease| crease.is_convex);
+        ridges.map(move |ridge| (n as u32, ridge))
     });
     let fastest = panels.mach.iter().copied().fold(0.0, f64::max);
     let mut told = edges.filter(|(_, ridge)| is_told_of(ridge.turn().to_degrees()));
@@ -109,7 +110,7 @@ fn part_in<const D: usize>(ends: &[Vector<D>; 2], bounds: &Bounds<D>) -> Option<
 }
 
 /// The part of the velocity of gas that follows the stream on the side of an edge with this normal that is across the edge.
-fn crossing<const D: usize>(ridge: &Ridge<D>, normal: &Vector<D>, stream: &Vector<D>) -> f64 {
+fn crossing<const D: usize>(ridge: &Crease<D>, normal: &Vector<D>, stream: &Vector<D>) -> f64 {
     let along = (ridge.ends[1] - ridge.ends[0]).normalize();
     let flow = (stream - normal * normal.dot(stream)).normalize();
     (flow - along * along.dot(&flow)).norm()
@@ -214,9 +215,10 @@ mod tests {
     #[test]
     fn gas_crosses_edges_by_how_they_are_swept() {
         let (s, c) = (-15_f64).to_radians().sin_cos();
-        let ridge = Ridge {
+        let ridge = Crease {
             ends: [Vector::<3>::zeros(), Vector::z()],
             normals: [Vector::y(), Vector::<3>::new(-s, c, 0.0)],
+            is_convex: true,
         };
         let across = |stream: [f64; 3]| {
             let stream = Vector::from(stream);

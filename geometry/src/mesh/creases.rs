@@ -220,8 +220,10 @@ mod tests {
     /// Length of the edges that bulge by less than 60 degrees.
     fn ridges(mesh: &Mesh) -> f64 {
         let all = Bounds::new(Vector::repeat(-99.0), Vector::repeat(99.0));
-        let ridges = mesh.ridges(0.1, &all);
-        let shallow = ridges.iter().filter(|ridge| ridge.turn() < 1.0);
+        let ridges = mesh.creases(0.1, &all);
+        let shallow = ridges
+            .iter()
+            .filter(|ridge| ridge.is_convex && ridge.turn() < 1.0);
         shallow
             .map(|ridge| (ridge.ends[1] - ridge.ends[0]).norm())
             .sum()

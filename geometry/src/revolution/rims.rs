@@ -1,21 +1,21 @@
-//! Rims: what the convex corners of a meridian sweep about the axis.
+//! Rims: what the corners of a meridian sweep about the axis.
 
 use std::f64::consts::{PI, TAU};
 
 use super::Revolution;
 use crate::outline::piece::right_of;
-use crate::{Bounds, Ridge, Vector};
+use crate::{Bounds, Crease, Vector};
 
 /// Least number of pieces of a rim.
 const FEWEST: f64 = 16.0;
 
 impl Revolution {
     /// The rims, in pieces about `size` long at most that are as far within the circle in their middle as beyond it at their ends.
-    pub(super) fn rims(&self, size: f64, region: &Bounds<3>) -> Vec<Ridge<3>> {
+    pub(super) fn rims(&self, size: f64, region: &Bounds<3>) -> Vec<Crease<3>> {
         let mut rims = Vec::new();
         for corner in self.meridian.corners() {
             let (x, radius) = (corner.point.x, corner.point.y);
-            if corner.interior_angle >= PI || radius <= 0.0 {
+            if radius <= 0.0 {
                 continue;
             }
             let [before, after] = corner.pieces.map(|number| &self.meridian.pieces()[number]);
@@ -43,7 +43,11 @@ impl Revolution {
                     let flat = right_of(&tangent);
                     Vector::<3>::new(flat.x, flat.y * cosine, flat.y * sine)
                 });
-                rims.push(Ridge { ends, normals });
+                rims.push(Crease {
+                    ends,
+                    normals,
+                    is_convex: corner.interior_angle < PI,
+                });
             }
         }
         rims
@@ -72,7 +76,7 @@ mod tests {
     #[test]
     fn rims_go_around_the_axis_and_turn_as_the_meridian() {
         let rise = f64::to_radians(15.0).tan();
-        let rims = shoulder().ridges(0.05, &everywhere());
+        let rims = shoulder().creases(0.05, &everywhere());
         let at_shoulder: Vec<_> = rims.iter().filter(|rim| rim.ends[0].x < 1.5).collect();
         assert_eq!(2 * at_shoulder.len(), rims.len());
         let mut around = 0.0;
@@ -100,8 +104,8 @@ mod tests {
             .moved(Vector::<3>::new(5.0, 0.0, 0.0));
         let placed = Placed::new(shoulder(), place);
         let upper = Bounds::new(Vector::<3>::new(2.0, 0.0, 0.0), Vector::repeat(9.0));
-        let rims = placed.ridges(0.1, &upper);
-        let all = placed.ridges(0.1, &everywhere());
+        let rims = placed.creases(0.1, &upper);
+        let all = placed.creases(0.1, &everywhere());
         assert!(rims.len() < all.len() / 4 && rims.len() > all.len() / 9);
         for rim in rims {
             let [a, b] = rim.normals;
@@ -118,11 +122,11 @@ mod tests {
         assert!(
             bodies::sphere(0.3)
                 .unwrap()
-                .ridges(0.1, &everywhere())
+                .creases(0.1, &everywhere())
                 .is_empty()
         );
         // The tip of a cone is none, its base is one.
-        let rims = bodies::cone(15.0, 1.0).unwrap().ridges(0.1, &everywhere());
+        let rims = bodies::cone(15.0, 1.0).unwrap().creases(0.1, &everywhere());
         assert!(
             rims.iter()
                 .all(|rim| rim.ends[0].x == 1.0 && rim.turn() > 1.5)

@@ -6,6 +6,7 @@ use aero_geometry::parallel::prelude::*;
 use super::build::{Beside, Builder};
 use super::cells::{Cells, SideFace, WallFace, WallOwner};
 use super::cloud::NOBODY;
+use super::cornered::cornered;
 use super::cut_cell::CutCell;
 use super::face_list::{FaceFiller, ordered, settled};
 use super::folding::{folded_sides, folded_walls};
@@ -88,6 +89,7 @@ impl<const D: usize> Builder<'_, D> {
             faces: all.faces.list().folded(self.plot.spacing),
             walls: folded_walls(all.walls, self.about_axis),
             sides: folded_sides(all.sides),
+            cornered: cornered(cut, &targets.of_parts),
             lost: targets.lost,
             open: 0.0,
         };

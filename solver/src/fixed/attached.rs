@@ -16,8 +16,13 @@ const NEARLY: f64 = 0.95;
 /// Turn below which there is nothing but rounding in a shock, radians.
 const LEAST: f64 = 1e-3;
 
-/// No shock is looked for farther than this from its bend, in spacings.
-pub const FARTHEST: f64 = 128.0;
+/// No shock is looked for farther than this from its bend, in spacings: in the plane, and in space, where much more lies within it.
+const FARTHEST: [f64; 2] = [128.0, 32.0];
+
+/// The same in `D` dimensions.
+pub const fn farthest<const D: usize>() -> f64 {
+    FARTHEST[(D > 2) as usize]
+}
 
 /// Up to this part of how far it is looked for a shock stands as it would if nothing but the bend were there.
 const NEAR: f64 = 0.75;
@@ -38,26 +43,33 @@ pub struct AttachedShock<const D: usize> {
     pub share: f64,
 }
 
-/// How far gas in the state `front` meets a bend from a wall along `before` to one along `along` without knowing of it: from not at all,
-/// where it is slower than sound or its shock stands ahead of the bend, to one.
+/// How far gas in the state `front`, of which `across` goes across the edge, meets a bend from a wall along `before` to one along `along` without
+/// knowing of it: from not at all, where it is slower than sound or its shock stands ahead of the bend, to one.
 pub fn share<G: EquationOfState, const D: usize>(
     gas: &G,
     front: &Primitive<D>,
+    across: &[f64; D],
     before: &[f64; D],
     along: &[f64; D],
 ) -> f64 {
     let sound = gas.sound_square(front.density, front.pressure);
     let gamma = sound * front.density / front.pressure;
-    let towards = dot(&front.velocity, before);
+    let towards = dot(across, before);
     if towards <= 0.0 {
         return 0.0;
     }
     let fast = rise(towards * towards / sound, SONIC, SUPERSONIC);
-    let speed = dot(&front.velocity, &front.velocity);
-    let cosine = dot(&front.velocity, along) / speed.sqrt();
+    let speed = dot(across, across);
+    let cosine = dot(across, along) / speed.sqrt();
     let turn = cosine.clamp(-1.0, 1.0).acos();
     let largest = largest_turn(speed / sound, gamma);
     fast * (1.0 - rise(turn, NEARLY * largest, largest))
+}
+
+/// What of a velocity does not go along an edge in space, which shocks leave as it is.
+pub fn across<const D: usize>(velocity: &[f64; D], edge: &[f64; D]) -> [f64; D] {
+    let slide = dot(velocity, edge);
+    std::array::from_fn(|k| velocity[k] - slide * edge[k])
 }
 
 /// From one near a bend to zero so far from it, in spacings, that no shock is looked for.
@@ -68,15 +80,16 @@ pub fn nearness(away: f64, farthest: f64) -> f64 {
 impl<const D: usize> AttachedShock<D> {
     /// The shock at `bend` of gas in the state `front` ahead of it, if one stands there.
     pub fn new<G: EquationOfState>(gas: &G, front: &Primitive<D>, bend: &Bend<D>) -> Option<Self> {
-        let share = share(gas, front, &bend.before, &bend.along);
+        let across = across(&front.velocity, &bend.edge);
+        let share = share(gas, front, &across, &bend.before, &bend.along);
         if share <= 0.0 {
             return None;
         }
         let sound = gas.sound_square(front.density, front.pressure);
         let gamma = sound * front.density / front.pressure;
-        let square = dot(&front.velocity, &front.velocity);
+        let square = dot(&across, &across);
         let speed = square.sqrt();
-        let onwards = front.velocity.map(|u| u / speed);
+        let onwards = across.map(|u| u / speed);
         let rising = dot(&bend.up, &onwards);
         let mut aside = bend.up;
         for k in 0..D {

@@ -79,6 +79,8 @@ pub struct Kink<const D: usize> {
     pub pressed: Option<Wall<D>>,
     /// Direction of the wall, towards the bend.
     pub before: [f64; D],
+    /// Direction of the edge in space; zero in the plane.
+    pub edge: [f64; D],
     /// Direction of the wall behind a concave bend, away from it; none of an edge that no gas follows.
     pub along: Option<[f64; D]>,
 }
@@ -95,8 +97,7 @@ impl<const D: usize> Bend<D> {
     pub fn opens_to(&self, arm: &Vector<D>) -> bool {
         /// So far behind, in spacings, faces that the walls cut may lie.
         const BEHIND: f64 = 0.5;
-        let [along, before, up] = [self.along, self.before, self.up].map(Vector::from);
-        let behind = up * along.dot(&before) - before * along.dot(&up);
+        let [along, up, behind] = [self.along, self.up, self.up_behind()].map(Vector::from);
         let least = -BEHIND * self.unit;
         let (is_before, is_behind) = (arm.dot(&up) > least, arm.dot(&behind) > least);
         if along.dot(&up) > 0.0 {
@@ -104,6 +105,18 @@ impl<const D: usize> Bend<D> {
         } else {
             is_before || is_behind
         }
+    }
+
+    /// Normal of the wall behind it, into the gas, where it is none of a tip.
+    pub fn up_behind(&self) -> [f64; D] {
+        let [along, before, up] = [self.along, self.before, self.up].map(Vector::from);
+        (up * along.dot(&before) - before * along.dot(&up)).into()
+    }
+
+    /// Unit normal, into its gas, of the line, in space the plane, that goes on from it as the gas comes: at a tip the middle of the body.
+    pub fn over(&self) -> [f64; D] {
+        let [before, up] = [self.before, self.up].map(Vector::from);
+        (up - before * before.dot(&up)).normalize().into()
     }
 
     /// The gas before it.

@@ -24,11 +24,14 @@ impl<const D: usize> Net<D> {
         match D {
             2 => self.add_bends_in_plane(cells, problem),
             3 => {
-                let found =
-                    Ridges::of(self, cells, problem).map(|ridges| ridges.around(self, cells));
-                for (block, bends) in self.blocks.iter_mut().zip(found.into_iter().flatten()) {
+                let Some(ridges) = Ridges::of(self, cells, problem) else {
+                    return;
+                };
+                let found = ridges.around(self, cells);
+                for (block, bends) in self.blocks.iter_mut().zip(found) {
                     block.bends = bends;
                 }
+                self.add_crests(cells, &ridges);
             }
             _ => {}
         }

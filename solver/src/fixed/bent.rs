@@ -56,14 +56,14 @@ pub struct Layout<'a, const D: usize> {
     pub points: &'a [Vector<D>],
 }
 
-/// Adds to what the cells of a block gain what the faces around its bends let through more than the `usual` flux, face by face.
+/// Adds to what the cells of a block gain what the faces around its bends let through more than the `fluxes` so far, face by face, and to these.
 pub fn turn<G: EquationOfState, const D: usize>(
     gas: &G,
     fans: &[Standing<'_, D>],
     Layout { net, block, points }: Layout<'_, D>,
     flow: Flow<'_, D>,
     cells: &mut [Conserved<D>],
-    usual: &[Conserved<D>],
+    fluxes: &mut [Conserved<D>],
 ) {
     let start = block.cells.start;
     for standing in fans {
@@ -71,10 +71,11 @@ pub fn turn<G: EquationOfState, const D: usize>(
             let face = &block.faces[number as usize];
             let shape = &net.face_shapes[face.shape as usize];
             let bent = standing.bend.face(points, face, shape);
-            let usual = &usual[number as usize];
-            let Some(more) = standing.more(gas, &bent, (face, shape), flow, usual) else {
+            let flux = &mut fluxes[number as usize];
+            let Some(more) = standing.more(gas, &bent, (face, shape), flow, flux) else {
                 continue;
             };
+            *flux = flux.plus(1.0, &more);
             for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
                 if let Some(cell) = cells.get_mut((i as usize).wrapping_sub(start)) {
                     *cell = cell.plus(sign, &more);

@@ -1,10 +1,11 @@
 //! The walls beside a sharp edge in space: how fine cells are there, and where the gas is that comes to it.
 
-use aero_geometry::{Pencils, Ridge, Vector};
+use std::cell::OnceCell;
+
+use aero_geometry::{Crease, Pencils, Vector};
 
 use super::bend::Bend;
 use super::cells::Cells;
-use super::fan::farthest;
 use super::net::Net;
 use super::polytope::cross;
 use super::walls::Wall;
@@ -27,21 +28,44 @@ const ROUND: f64 = 0.2;
 /// Walls that are farther off a plane than this, in spacings, do not lie in it.
 const OFF: f64 = 0.5;
 
+/// Least turn of an edge that parts gas, radians: both walls go back from it, which those of a box do not.
+pub const PARTING: f64 = 1.6;
+
+/// So far ahead of an edge that parts it, in spacings, gas has not met it yet.
+const CLEAR: f64 = 1.5;
+
+/// What gas does at an edge.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum Kind {
+    /// It turns away round it.
+    Ridge,
+    /// It turns into a wall there.
+    Hollow,
+    /// It parts there.
+    Tip,
+}
+
 /// A straight piece of an edge.
 #[derive(Clone, Debug)]
 pub struct Piece<const D: usize> {
+    /// What the edge is to gas.
+    pub kind: Kind,
     /// Its ends.
     pub ends: [Vector<D>; 2],
-    /// The edge as gas meets it from either side, where it can.
+    /// The edge as gas meets it from either side, where it can; of a tip, as gas on either side of it does.
     pub bends: Vec<Bend<D>>,
+    /// How its walls lie: one of the bends, but of a tip both walls as one convex bend.
+    pub walls: Bend<D>,
     /// Whether the edge goes on beyond each end.
     pub goes_on: [bool; 2],
+    /// The same number for all pieces of one edge.
+    pub edge: usize,
 }
 
 impl<const D: usize> Piece<D> {
-    /// Square of the distance of a place, and whether that is neither too far across the edge nor beyond an end of it.
-    pub fn sees(&self, place: &Vector<D>) -> (f64, bool) {
-        let unit = self.bends[0].unit;
+    /// Square of the distance of a place, and whether that is neither farther across the edge than `farthest`, in spacings, nor beyond an end of it.
+    pub fn sees(&self, place: &Vector<D>, farthest: f64) -> (f64, bool) {
+        let unit = self.walls.unit;
         let [from, to] = self.ends;
         let half = 0.5 * (to - from).norm();
         let way = (to - from) / (2.0 * half);
@@ -50,9 +74,8 @@ impl<const D: usize> Piece<D> {
         let beyond = (along.abs() - half).max(0.0);
         let across = (arm - way * along).norm();
         let is_beside = beyond <= 1e-6 * unit || self.goes_on[usize::from(along > 0.0)];
-        let is_near = across < farthest::<D>() * unit;
-        let from_here = place - Vector::from(self.bends[0].at);
-        let is_open = self.bends.iter().any(|bend| bend.opens_to(&from_here));
+        let is_near = across < farthest * unit;
+        let is_open = self.walls.opens_to(&(place - Vector::from(self.walls.at)));
         (
             across * across + beyond * beyond,
             is_beside && is_near && is_open,
@@ -67,6 +90,8 @@ pub struct Beside<'a, const D: usize> {
     /// Spacing of the points there, wall by wall.
     units: Vec<f64>,
     by_foot: Pencils<D>,
+    /// Points of all cells, where edges part gas.
+    by_point: OnceCell<Pencils<D>>,
     /// Least and largest spacing.
     range: [f64; 2],
 }
@@ -88,6 +113,7 @@ impl<'a, const D: usize> Beside<'a, D> {
         Some(Self {
             cells,
             by_foot: Pencils::new(&feet, LONGEST * range[0].max(1e-3 * range[1])),
+            by_point: OnceCell::new(),
             walls,
             units,
             range,
@@ -136,10 +162,10 @@ impl<'a, const D: usize> Beside<'a, D> {
         None
     }
 
-    /// The pieces of an edge of body `owner` that gas can meet.
-    pub fn pieces(&self, owner: u32, ridge: &Ridge<D>) -> Vec<Piece<D>> {
+    /// The pieces of an edge of body `owner` that gas can meet in a `stream`.
+    pub fn pieces(&self, owner: u32, crease: &Crease<D>, stream: &Vector<D>) -> Vec<Piece<D>> {
         let mut found = Vec::new();
-        let mut left = vec![ridge.ends];
+        let mut left = vec![crease.ends];
         while let Some(ends) = left.pop() {
             let [from, to] = ends;
             let middle = 0.5 * (from + to);
@@ -151,50 +177,106 @@ impl<'a, const D: usize> Beside<'a, D> {
             let Some(unit) = unit else {
                 continue;
             };
-            let [a, b] = ridge.normals;
-            let sides = [[a, b], [b, a]].into_iter();
-            let bends: Vec<Bend<D>> = sides
-                .filter_map(|normals| self.bend(owner, ends, normals, unit))
-                .collect();
-            if !bends.is_empty() {
-                found.push(Piece {
-                    ends,
-                    bends,
-                    goes_on: [false; 2],
-                });
-            }
+            let piece = Crease { ends, ..*crease };
+            found.extend(if crease.is_convex && crease.turn() > PARTING {
+                self.tip(owner, &piece, unit, stream)
+            } else {
+                self.bent(owner, &piece, unit)
+            });
         }
         found
     }
 
-    /// A piece of an edge as gas meets it that comes along the wall of the first normal and leaves along that of the second.
-    fn bend(
+    /// A piece of an edge that gas turns at.
+    fn bent(&self, owner: u32, piece: &Crease<D>, unit: f64) -> Option<Piece<D>> {
+        let [a, b] = piece.normals;
+        let bend = |normals: [Vector<D>; 2]| {
+            let bend = lying(piece, normals, unit);
+            let donors = self.donors(owner, piece, &bend);
+            let way = turned_back(&bend);
+            (!donors.is_empty() && !self.donors(owner, piece, &way).is_empty())
+                .then_some(Bend { donors, ..bend })
+        };
+        let bends: Vec<Bend<D>> = [[a, b], [b, a]].into_iter().filter_map(bend).collect();
+        let kind = if piece.is_convex {
+            Kind::Ridge
+        } else {
+            Kind::Hollow
+        };
+        Some(Piece {
+            kind,
+            ends: piece.ends,
+            walls: bends.first()?.clone(),
+            bends,
+            goes_on: [false; 2],
+            edge: 0,
+        })
+    }
+
+    /// A piece of an edge that parts a `stream`: what it leaves, as a trailing edge, parts nothing.
+    fn tip(
         &self,
         owner: u32,
-        [from, to]: [Vector<D>; 2],
-        [up, beyond]: [Vector<D>; 2],
+        piece: &Crease<D>,
         unit: f64,
-    ) -> Option<Bend<D>> {
-        let (cosine, at) = (up.dot(&beyond), 0.5 * (from + to));
-        let before = (beyond - up * cosine).normalize();
-        let along = (before * cosine - up * before.dot(&beyond)).normalize();
-        let edge = cross(&up, &before);
-        let half = 0.5 * (to - from).norm() + LOOK * unit;
-        let donors = self.lying(owner, &at, unit, half, [&edge, &before, &up]);
-        let away = -along;
-        let leaving = self.lying(owner, &at, unit, half, [&edge, &away, &beyond]);
-        if donors.is_empty() || leaving.is_empty() {
+        stream: &Vector<D>,
+    ) -> Option<Piece<D>> {
+        let [a, b] = piece.normals;
+        let walls = lying(piece, [a, b], unit);
+        let (to, from) = (Vector::from(walls.before), Vector::from(walls.along));
+        let before = (from - to).normalize();
+        let both = [&walls, &turned_back(&walls)];
+        let has_both = both
+            .iter()
+            .all(|wall| !self.donors(owner, piece, wall).is_empty());
+        if !has_both || stream.dot(&before) < 0.0 {
             return None;
         }
-        Some(Bend {
-            at: at.into(),
-            edge: edge.into(),
-            donors,
+        let at = Vector::from(walls.at);
+        let donors = self.gas_at(&(at - before * (CLEAR * unit)), unit)?;
+        let bend = |along: Vector<D>, up: Vector<D>| Bend {
+            donors: donors.clone(),
             along: along.into(),
             before: before.into(),
             up: up.into(),
-            unit,
+            ..walls.clone()
+        };
+        Some(Piece {
+            kind: Kind::Tip,
+            ends: piece.ends,
+            bends: vec![bend(-to, a), bend(from, b)],
+            walls,
+            goes_on: [false; 2],
+            edge: 0,
         })
+    }
+
+    /// The cell with the nearest point to a place, no farther off than this; in equal parts all that are as near.
+    fn gas_at(&self, place: &Vector<D>, farthest: f64) -> Option<Vec<(u32, f64)>> {
+        const ALIKE: f64 = 1e-6;
+        let points = &self.cells.points;
+        let by_point = self
+            .by_point
+            .get_or_init(|| Pencils::new(points, LONGEST * self.range[0]));
+        let mut near: Vec<(f64, u32)> = Vec::new();
+        by_point.for_each_run_near(place, place, farthest, |run| {
+            let numbers = by_point.order()[run].iter();
+            near.extend(numbers.map(|&i| ((points[i as usize] - place).norm(), i)));
+        });
+        let least = near.iter().fold(farthest, |least, near| near.0.min(least));
+        near.retain(|(away, _)| *away < farthest && *away <= least + ALIKE * farthest);
+        near.sort_by_key(|(_, i)| *i);
+        let part = 1.0 / near.len() as f64;
+        (!near.is_empty()).then(|| near.into_iter().map(|(_, i)| (i, part)).collect())
+    }
+
+    /// The cells that gas comes from which meets a piece of an edge as `bend` has it.
+    fn donors(&self, owner: u32, piece: &Crease<D>, bend: &Bend<D>) -> Vec<(u32, f64)> {
+        let [from, to] = piece.ends;
+        let half = 0.5 * (to - from).norm() + LOOK * bend.unit;
+        let at = Vector::from(bend.at);
+        let [edge, before, up] = [bend.edge, bend.before, bend.up].map(Vector::from);
+        self.lying(owner, &at, bend.unit, half, [&edge, &before, &up])
     }
 
     /// Cells on the wall of the normal `up` that goes `towards` the `edge`, and what each counts, in all one: those next to the
@@ -230,5 +312,35 @@ impl<'a, const D: usize> Beside<'a, D> {
             .into_iter()
             .map(|(_, i, part)| (i, part / sum))
             .collect()
+    }
+}
+
+/// How the walls of a piece of an edge lie for gas that comes along that of the first normal and leaves along that of the second.
+fn lying<const D: usize>(piece: &Crease<D>, [up, beyond]: [Vector<D>; 2], unit: f64) -> Bend<D> {
+    let [from, to] = piece.ends;
+    let cosine = up.dot(&beyond);
+    let way = if piece.is_convex { 1.0 } else { -1.0 };
+    let before = (beyond - up * cosine).normalize() * way;
+    let along = (before * cosine - up * before.dot(&beyond)).normalize();
+    Bend {
+        at: (0.5 * (from + to)).into(),
+        edge: cross(&up, &before).into(),
+        donors: Vec::new(),
+        along: along.into(),
+        before: before.into(),
+        up: up.into(),
+        unit,
+    }
+}
+
+/// A bend as it is met from behind.
+fn turned_back<const D: usize>(bend: &Bend<D>) -> Bend<D> {
+    let back = |way: &[f64; D]| way.map(|part| -part);
+    Bend {
+        donors: Vec::new(),
+        along: back(&bend.before),
+        before: back(&bend.along),
+        up: bend.up_behind(),
+        ..*bend
     }
 }

@@ -87,6 +87,7 @@ pub fn brinks<const D: usize>(net: &Net<D>, cells: &Cells<D>) -> Vec<(usize, Kin
                     donor: donor.i,
                     pressed: Some(*donor),
                     before: (*before).into(),
+                    edge: [0.0; D],
                     along: None,
                 };
                 found.push((number, kink));

@@ -55,7 +55,7 @@ impl<'a, const D: usize> Builder<'a, D> {
             cloud,
             about_axis: plot.domain.is_axisymmetric(),
             is_plain: Vec::new(),
-            keeps_rings: false,
+            keeps_rings: D == 3,
         };
         builder.is_plain = (0..cloud.places.len())
             .into_par_iter()
@@ -118,7 +118,7 @@ impl<'a, const D: usize> Builder<'a, D> {
             && parts(site).all(|part| self.cloud.at(&part).is_none())
     }
 
-    /// The same, with the pieces' outlines kept.
+    /// The same, with the pieces' outlines kept in the plane, too.
     #[must_use]
     pub fn keeping_rings(mut self) -> Self {
         self.keeps_rings = true;

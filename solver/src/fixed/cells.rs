@@ -3,6 +3,7 @@
 use aero_geometry::Vector;
 use nalgebra::SMatrix;
 
+use super::cornered::Rings;
 use super::face_list::FaceList;
 
 /// Axis in the meridian plane along which the radius is measured.
@@ -24,6 +25,8 @@ pub struct Cells<const D: usize> {
     pub walls: Vec<WallFace<D>>,
     /// On the other sides of the domain.
     pub sides: Vec<SideFace<D>>,
+    /// What bounds the cells in space whose faces do not say it.
+    pub cornered: Rings<D>,
     /// Pieces behind thin parts that nobody could take.
     pub lost: usize,
     /// Largest part of a cell's faces that did not close before its wall took it, in spacings to their power.

@@ -190,6 +190,7 @@ impl<'a, const D: usize> Chain<'a, D> {
                     donor: self.walls[next].i,
                     pressed: None,
                     before: (self.way(wall) * way).into(),
+                    edge: [0.0; D],
                     along: Some((self.way(to) * way).into()),
                 };
                 return held.into_iter().map(|wall| (wall, kink(wall))).collect();

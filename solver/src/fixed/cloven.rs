@@ -3,7 +3,7 @@
 //!
 //! Where cells hold what they would by straight shocks, gas on both sides of a face is the same, part by part, and nothing but the shocks stands there.
 
-use super::attached::{AttachedShock, FARTHEST, mean, nearness};
+use super::attached::{AttachedShock, farthest, mean, nearness};
 use super::bent::{Layout, shifted};
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
@@ -56,13 +56,18 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
             .filter_map(|(wall, bend)| {
                 let shock = AttachedShock::new(gas, &front, bend)?;
                 let rearwards = shock.normal.map(|part| -part);
-                let over = if root.is_tip() { bend.up } else { rearwards };
+                // Walls may lie off those that meet in a tip, by rounding or as they bend: the middle of the body parts its sides.
+                let over = if root.is_tip() {
+                    bend.over()
+                } else {
+                    rearwards
+                };
                 let sector = Sector {
                     sides: [rearwards, over],
                 };
                 Some(Behind {
                     shock,
-                    reach: FARTHEST,
+                    reach: farthest::<D>(),
                     sector,
                     wall,
                 })
@@ -89,25 +94,26 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
     block.roots.iter().filter_map(stands).collect()
 }
 
-/// Adds to what the cells of a block gain what the faces around its concave bends and tips let through more than the `usual` flux, face by face.
+/// Adds to what the cells of a block gain what the faces around its concave bends and tips let through more than the `fluxes` so far, face by face, and to these.
 pub fn part<G: EquationOfState, const D: usize>(
     gas: &G,
     shocks: &[Cleaving<'_, D>],
     Layout { net, block, .. }: Layout<'_, D>,
     flow: Flow<'_, D>,
     cells: &mut [Conserved<D>],
-    usual: &[Conserved<D>],
+    fluxes: &mut [Conserved<D>],
 ) {
     let start = block.cells.start;
     for cleaving in shocks {
         for seen in &cleaving.root.faces {
             let face = &block.faces[seen.number as usize];
             let size = net.face_shapes[face.shape as usize].size;
-            let usual = &usual[seen.number as usize];
+            let flux = &mut fluxes[seen.number as usize];
             let pair = [face.i as usize, face.j as usize];
-            let Some(more) = cleaving.more(gas, seen, pair, size, flow, usual) else {
+            let Some(more) = cleaving.more(gas, seen, pair, size, flow, flux) else {
                 continue;
             };
+            *flux = flux.plus(1.0, &more);
             for (i, sign) in [(face.i, -1.0), (face.j, 1.0)] {
                 if let Some(cell) = cells.get_mut((i as usize).wrapping_sub(start)) {
                     *cell = cell.plus(sign, &more);
@@ -184,7 +190,7 @@ impl<const D: usize> Cleaving<'_, D> {
     fn more<G: EquationOfState>(
         &self,
         gas: &G,
-        seen: &RootFace<D>,
+        seen: &RootFace,
         cells: [usize; 2],
         size: f64,
         flow: Flow<'_, D>,
@@ -213,16 +219,18 @@ impl<const D: usize> Cleaving<'_, D> {
         if weight <= 0.0 {
             return None;
         }
+        let first = &self.root.cells[seen.cells[0] as usize];
+        let piece = &first.pieces[seen.facet as usize];
         let (mut flux, mut ahead) = (Conserved::ZERO, 1.0);
         let mut let_through = |there: &Primitive<D>, part: f64| {
             if part > 0.0 {
                 let [left, right] = [0, 1].map(|k| shifted(own[k], &known[k], there));
-                let jump = Jump::new(gas, left, right, seen.piece.normal);
+                let jump = Jump::new(gas, left, right, piece.normal);
                 flux = flux.plus(part * size, &jump.hllc());
             }
         };
         for Behind { shock, sector, .. } in &self.shocks {
-            let part = seen.piece.part(sector);
+            let part = piece.part(sector, &first.from);
             let_through(&shock.rear, part);
             ahead -= part;
         }

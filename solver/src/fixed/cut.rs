@@ -179,7 +179,8 @@ impl<const D: usize> Whole<'_, D> {
     }
 
     fn apex(&self, solids: &Solids<D>, rim: &[Stretch<D>]) -> Vector<D> {
-        const PULL: f64 = 1e-3;
+        // Enough to hold the point where nothing else does, little beside what two walls do that turn by a degree.
+        const PULL: f64 = 1e-5;
         const FAR: f64 = 1.5;
         let total: f64 = rim.iter().map(Stretch::length).sum();
         let mean = rim.iter().fold(Vector::<D>::zeros(), |sum, stretch| {

@@ -80,7 +80,10 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
         // Gas that rubs sticks to walls: no fan stands at their bends.
         let fans = rubbing.is_none().then(|| fans(gas, block, flow));
         let fans = fans.unwrap_or_default();
-        let Passed { mut cells, fluxes } = dispatch(
+        let Passed {
+            mut cells,
+            mut fluxes,
+        } = dispatch(
             arch,
             Through {
                 gas,
@@ -94,8 +97,8 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             },
         );
         let layout = Layout { net, block, points };
-        turn(gas, &fans, layout, flow, &mut cells, &fluxes);
-        cloven::part(gas, shocks, layout, flow, &mut cells, &fluxes);
+        turn(gas, &fans, layout, flow, &mut cells, &mut fluxes);
+        cloven::part(gas, shocks, layout, flow, &mut cells, &mut fluxes);
         let rubbed = rubbing.map(|rubbing| {
             let mut gains = Gains::nothing(cells.len());
             rubbing.add(net, block, flow, &mut gains, shares);

@@ -16,7 +16,8 @@ impl<const D: usize> Kink<D> {
     /// ahead of the bend, to one.
     fn share<G: EquationOfState>(&self, gas: &G, front: &Primitive<D>) -> f64 {
         if let Some(along) = &self.along {
-            return attached::share(gas, front, &self.before, along);
+            let across = attached::across(&front.velocity, &self.edge);
+            return attached::share(gas, front, &across, &self.before, along);
         }
         let sound = gas.sound_square(front.density, front.pressure);
         let towards = dot(&front.velocity, &self.before).max(0.0);
@@ -66,6 +67,7 @@ mod tests {
             donor: 0,
             pressed: None,
             before: [1.0, 0.0],
+            edge: [0.0; 2],
             along: Some([cosine, sine]),
         };
         let front = Primitive {

@@ -6,7 +6,8 @@
 
 use aero_geometry::parallel::prelude::*;
 
-use super::attached::{AttachedShock, FARTHEST};
+use super::attached::{AttachedShock, across, farthest};
+use super::bend::Bend;
 use super::cloven::{Cleaving, MOST};
 use super::equation_of_state::EquationOfState;
 use super::fan::rise;
@@ -43,7 +44,7 @@ pub fn bound<G: EquationOfState, const D: usize>(
         .par_iter()
         .map(|block| block.iter().map(|one| one.reaches(gas, states)).collect())
         .collect();
-    let mut reaches = vec![[FARTHEST; MOST]; last as usize + 1];
+    let mut reaches = vec![[farthest::<D>(); MOST]; last as usize + 1];
     for (cleaving, found) in blocks.iter().flatten().zip(each.iter().flatten()) {
         let reaches = &mut reaches[cleaving.root.number as usize];
         for (reach, found) in reaches.iter_mut().zip(found) {
@@ -61,10 +62,10 @@ pub fn bound<G: EquationOfState, const D: usize>(
 impl<const D: usize> Cleaving<'_, D> {
     /// How far each shock stands by the cells around it, in spacings.
     fn reaches<G: EquationOfState>(&self, gas: &G, states: &[Primitive<D>]) -> [f64; MOST] {
-        let unit = self.root.bends[0].unit;
-        let mut reaches = [FARTHEST; MOST];
+        let bend = &self.root.bends[0];
+        let mut reaches = [farthest::<D>(); MOST];
         for (number, behind) in self.shocks.iter().enumerate() {
-            let course = Course::new(gas, &behind.shock, &self.front, unit);
+            let course = Course::new(gas, &behind.shock, &self.front, bend);
             for (cell, parts) in self.root.cells.iter().zip(&self.parts) {
                 let all = parts.iter().sum::<f64>();
                 let known = if all <= 0.0 {
@@ -100,10 +101,10 @@ impl<'a, const D: usize> Course<'a, D> {
         gas: &G,
         shock: &'a AttachedShock<D>,
         front: &Primitive<D>,
-        unit: f64,
+        bend: &Bend<D>,
     ) -> Self {
+        let mut along = across(&front.velocity, &bend.edge);
         let across = dot(&front.velocity, &shock.normal);
-        let mut along = front.velocity;
         let mut slowing = 0.0;
         for k in 0..D {
             along[k] -= across * shock.normal[k];
@@ -113,10 +114,10 @@ impl<'a, const D: usize> Course<'a, D> {
         Self {
             shock,
             along: along.map(|part| part / size),
-            unit,
+            unit: bend.unit,
             thickening: (shock.rear.density / front.density).ln(),
             slowing: slowing.sqrt(),
-            lag: lag(gas, shock),
+            lag: lag(gas, shock, &bend.edge),
         }
     }
 
@@ -138,11 +139,11 @@ impl<'a, const D: usize> Course<'a, D> {
             (AHEAD, OFF_AHEAD, BEGINNING[0], beside)
         };
         if beside <= 0.0 || !(from..to).contains(&height) {
-            return FARTHEST;
+            return farthest::<D>();
         }
         let least = least.max((beginning / away).powi(2));
         let agrees = 1.0 - rise(self.off(own, known, is_behind), least, 2.0 * least);
-        away + agrees * (FARTHEST - away).max(0.0)
+        away + agrees * (farthest::<D>() - away).max(0.0)
     }
 
     /// How far a state is off, in parts of what the shock changes. Behind it density may be another along a wall.
@@ -161,23 +162,29 @@ impl<'a, const D: usize> Course<'a, D> {
 }
 
 /// Cotangent of the angle between a shock and the Mach lines that come to it from behind: zero where gas is slower than sound there.
-fn lag<G: EquationOfState, const D: usize>(gas: &G, shock: &AttachedShock<D>) -> f64 {
+fn lag<G: EquationOfState, const D: usize>(
+    gas: &G,
+    shock: &AttachedShock<D>,
+    edge: &[f64; D],
+) -> f64 {
     let rear = &shock.rear;
-    let square = dot(&rear.velocity, &rear.velocity);
+    let across = across(&rear.velocity, edge);
+    let square = dot(&across, &across);
     let mach = (square / gas.sound_square(rear.density, rear.pressure)).sqrt();
     if mach <= 1.0 {
         return 0.0;
     }
-    let elevation = (dot(&rear.velocity, &shock.normal).abs() / square.sqrt()).asin();
+    let elevation = (dot(&across, &shock.normal).abs() / square.sqrt()).asin();
     1.0 / ((1.0 / mach).asin() - elevation).tan()
 }
 
 #[cfg(test)]
 mod tests {
+    use std::sync::Arc;
+
     use aero_geometry::Vector;
     use approx::assert_relative_eq;
 
-    use super::super::bend::Bend;
     use super::*;
     use crate::gas::IdealGas;
 
@@ -191,22 +198,27 @@ mod tests {
         }
     }
 
+    fn bend() -> Bend<2> {
+        Bend::ramp(15.0, 0.1)
+    }
+
     fn shock() -> AttachedShock<2> {
-        let bend = Bend::ramp(15.0, 0.1);
-        AttachedShock::new(&AIR, &front(), &bend).unwrap()
+        AttachedShock::new(&AIR, &front(), &bend()).unwrap()
     }
 
     /// How far the shock stands by a cell so far along it and ahead of it, in spacings.
     fn reach(along: f64, ahead: f64, own: &Primitive<2>) -> f64 {
         let shock = shock();
         let front = front();
-        let course = Course::new(&AIR, &shock, &front, 0.1);
+        let course = Course::new(&AIR, &shock, &front, &bend());
         let place = Vector::from(course.along) * along + Vector::from(shock.normal) * ahead;
         let cell = Plan {
             cell: 0,
             point: (place * 0.1).into(),
             radius: 0.07,
-            pieces: Vec::new(),
+            volume: 0.01,
+            from: [0.0; 2],
+            pieces: Arc::new([]),
         };
         let is_behind = ahead < 0.0;
         let known = if is_behind { &shock.rear } else { &front };
@@ -218,7 +230,7 @@ mod tests {
     #[test]
     fn a_shock_runs_along_the_gas_and_feels_what_is_behind_it_along_mach_lines() {
         let (shock, front) = (shock(), front());
-        let course = Course::new(&AIR, &shock, &front, 0.1);
+        let course = Course::new(&AIR, &shock, &front, &bend());
         let rise = course.along[1].atan2(course.along[0]).to_degrees();
         assert_relative_eq!(rise, 32.24, epsilon = 0.01);
         let cotangent = 1.0 / f64::to_radians(26.33 - 17.24).tan();
@@ -232,14 +244,14 @@ mod tests {
             pressure: (part * strength).exp(),
             ..front()
         };
-        assert_eq!(reach(60.0, 4.0, &front()), FARTHEST);
-        assert_eq!(reach(60.0, 4.0, &off(0.015)), FARTHEST);
+        assert_eq!(reach(60.0, 4.0, &front()), farthest::<2>());
+        assert_eq!(reach(60.0, 4.0, &off(0.015)), farthest::<2>());
         assert_relative_eq!(reach(60.0, 4.0, &off(0.05)), 60.0);
         let half = reach(60.0, 4.0, &off(0.03));
         assert_relative_eq!(half, 94.0, epsilon = 1e-6);
         // Near the bend, in the shock and far from it nothing is told by that.
         for (along, ahead) in [(12.0, 4.0), (60.0, 1.0), (60.0, 9.0), (-20.0, 4.0)] {
-            assert_eq!(reach(along, ahead, &off(0.05)), FARTHEST);
+            assert_eq!(reach(along, ahead, &off(0.05)), farthest::<2>());
         }
         let shears = Primitive {
             velocity: [2.8, 0.0],
@@ -256,7 +268,7 @@ mod tests {
     #[test]
     fn gas_behind_a_shock_counts_where_its_sound_comes_to_it() {
         let shock = shock();
-        let lag = Course::new(&AIR, &shock, &front(), 0.1).lag;
+        let lag = Course::new(&AIR, &shock, &front(), &bend()).lag;
         let is_pressed = Primitive {
             pressure: shock.rear.pressure * (0.3 * shock.strength).exp(),
             ..shock.rear
@@ -271,6 +283,6 @@ mod tests {
             density: 0.7 * shock.rear.density,
             ..shock.rear
         };
-        assert_eq!(reach(60.0, -4.0, &is_light), FARTHEST);
+        assert_eq!(reach(60.0, -4.0, &is_light), farthest::<2>());
     }
 }

@@ -1,14 +1,14 @@
-//! Sharp convex edges of bodies in space, in pieces, and what lies around each piece.
+//! Sharp edges of bodies in space, in pieces, and what lies around each piece at which a fan may stand.
 //!
 //! Where an edge is and how the walls beside it lie, the bodies themselves tell: cells are too coarse for either.
 
 use std::collections::HashMap;
 
 use aero_geometry::parallel::prelude::*;
-use aero_geometry::{Bounds, Pencils, Ridge, Vector};
+use aero_geometry::{Bounds, Crease, Pencils, Vector};
 
-use super::bend::Surroundings;
-use super::beside::{Beside, Piece};
+use super::bend::{Bend, Surroundings};
+use super::beside::{Beside, Kind, PARTING, Piece};
 use super::cells::Cells;
 use super::fan::farthest;
 use super::net::{Block, Net};
@@ -17,7 +17,7 @@ use crate::problem::Problem;
 /// Turn from which on an edge is sharp, radians: about a degree.
 const SHARP: f64 = 0.02;
 
-/// Turn from which on no gas follows it, radians: 60 degrees.
+/// Turn from which on no gas follows a convex one, radians: 60 degrees.
 const BLUNT: f64 = std::f64::consts::FRAC_PI_3;
 
 /// Cosine between pieces of edges above which one goes on as the other: 30 degrees.
@@ -26,33 +26,37 @@ const ONWARDS: f64 = 0.866;
 /// The pieces of all edges.
 #[derive(Clone, Debug)]
 pub struct Ridges<const D: usize> {
-    pieces: Vec<Piece<D>>,
+    /// In the order of the bodies' creases.
+    pub pieces: Vec<Piece<D>>,
 }
 
 impl<const D: usize> Ridges<D> {
     /// Those of the bodies of `problem` among `cells`; none where there are none.
     pub fn of(net: &Net<D>, cells: &Cells<D>, problem: &Problem<D>) -> Option<Self> {
         let bounds = &problem.domain.bounds;
-        let all = |size: f64| -> Vec<(u32, Ridge<D>)> {
+        let all = |size: f64| -> Vec<(u32, Crease<D>)> {
             let bodies = (0_u32..).zip(&problem.bodies);
             let each = bodies.flat_map(|(number, body)| {
-                let ridges = body.shape.ridges(size, bounds).into_iter();
-                ridges.map(move |ridge| (number, ridge))
+                let creases = body.shape.creases(size, bounds).into_iter();
+                creases.map(move |crease| (number, crease))
             });
-            each.filter(|(_, ridge)| (SHARP..BLUNT).contains(&ridge.turn()))
-                .collect()
+            each.filter(|(_, crease)| is_met(crease)).collect()
         };
         if all(problem.resolution.lattice()).is_empty() {
             return None;
         }
         let beside = Beside::new(net, cells)?;
-        let ridges = all(beside.finest());
-        let pieces = ridges.iter().flat_map(|(owner, ridge)| {
-            let inside = clipped(ridge.ends, bounds);
-            let found = inside.map(|ends| beside.pieces(*owner, &Ridge { ends, ..*ridge }));
+        let creases = all(beside.finest());
+        let stream = &problem.free_stream.velocity;
+        let pieces = creases.iter().flat_map(|(owner, crease)| {
+            let inside = clipped(crease.ends, bounds);
+            let found = inside.map(|ends| {
+                let inside = Crease { ends, ..*crease };
+                beside.pieces(*owner, &inside, stream)
+            });
             let mut found = found.unwrap_or_default();
             for piece in &mut found {
-                let is_inner = |end: &Vector<D>| end == &ridge.ends[0] || end == &ridge.ends[1];
+                let is_inner = |end: &Vector<D>| end == &crease.ends[0] || end == &crease.ends[1];
                 let is_cut = |end| inside.is_some_and(|ends| ends.contains(end)) && !is_inner(end);
                 piece.goes_on = [0, 1].map(|k| is_cut(&piece.ends[k]));
             }
@@ -65,7 +69,7 @@ impl<const D: usize> Ridges<D> {
         (!ridges.pieces.is_empty()).then_some(ridges)
     }
 
-    /// Finds out where one piece goes on as another.
+    /// Finds out where one piece goes on as another, and what edges they make.
     fn join(&mut self) {
         let bits = |place: &Vector<D>| place.map(|part| (part + 0.0).to_bits());
         let mut at: HashMap<_, Vec<(usize, Vector<D>)>> = HashMap::new();
@@ -76,29 +80,35 @@ impl<const D: usize> Ridges<D> {
                 here.push((number, out(piece, k)));
             }
         }
+        let mut pairs = Vec::new();
         for (number, piece) in self.pieces.iter_mut().enumerate() {
             for k in 0..2 {
                 let own = out(piece, k);
-                let others = &at[&bits(&piece.ends[k])];
-                let follows =
-                    |(other, way): &(usize, Vector<D>)| *other != number && own.dot(way) < -ONWARDS;
-                piece.goes_on[k] |= others.iter().any(follows);
+                let others = at[&bits(&piece.ends[k])].iter();
+                let follows = |(other, way): &&(usize, Vector<D>)| {
+                    *other != number && own.dot(way) < -ONWARDS
+                };
+                let mut others = others.filter(follows).map(|(other, _)| *other).peekable();
+                piece.goes_on[k] |= others.peek().is_some();
+                pairs.extend(others.map(|other| [number, other]));
             }
+        }
+        let mut edges = Joints::new(self.pieces.len());
+        for [one, other] in pairs {
+            edges.join(one, other);
+        }
+        for (number, piece) in self.pieces.iter_mut().enumerate() {
+            piece.edge = edges.first(number);
         }
     }
 
-    /// What lies around each piece, of each block.
+    /// What lies around each piece at which a fan may stand, of each block.
     pub fn around(&self, net: &Net<D>, cells: &Cells<D>) -> Vec<Vec<Surroundings<D>>> {
-        let middle = |piece: &Piece<D>| Vector::from(piece.bends[0].at);
-        let middles: Vec<Vector<D>> = self.pieces.iter().map(middle).collect();
-        let most = |value: fn(&Piece<D>) -> f64| self.pieces.iter().map(value).fold(0.0, f64::max);
-        let reach = most(|piece| farthest::<D>() * piece.bends[0].unit)
-            + most(|piece| (piece.ends[1] - piece.ends[0]).norm());
-        let by_place = Pencils::new(&middles, reach);
+        let places = self.places(farthest::<D>(), |piece| piece.kind != Kind::Hollow);
         let blocks = net.blocks.par_iter();
         blocks
             .map(|block| {
-                let near = near(block, cells, &by_place, reach);
+                let near = places.near(block, cells);
                 if near.is_empty() {
                     Vec::new()
                 } else {
@@ -106,6 +116,22 @@ impl<const D: usize> Ridges<D> {
                 }
             })
             .collect()
+    }
+
+    /// Where the pieces are that are wanted, to be looked for up to so many spacings from each.
+    pub fn places(&self, farthest: f64, is_wanted: impl Fn(&Piece<D>) -> bool) -> Places<D> {
+        let numbers = (0..self.pieces.len()).filter(|&number| is_wanted(&self.pieces[number]));
+        let numbers: Vec<usize> = numbers.collect();
+        let wanted = || numbers.iter().map(|&number| &self.pieces[number]);
+        let reach = wanted().map(|piece| farthest * piece.walls.unit);
+        let long = wanted().map(|piece| (piece.ends[1] - piece.ends[0]).norm());
+        let reach = reach.fold(0.0, f64::max) + long.fold(0.0, f64::max);
+        let middles: Vec<Vector<D>> = wanted().map(|piece| Vector::from(piece.walls.at)).collect();
+        Places {
+            by_place: Pencils::new(&middles, reach),
+            numbers,
+            reach,
+        }
     }
 
     fn around_block(
@@ -118,57 +144,127 @@ impl<const D: usize> Ridges<D> {
         let nearest = |place: &Vector<D>| {
             let mut best = (f64::INFINITY, None);
             for (k, &number) in near.iter().enumerate() {
-                let (away, is_seen) = self.pieces[number].sees(place);
+                let (away, is_seen) = self.pieces[number].sees(place, farthest::<D>());
                 if away < best.0 {
                     best = (away, is_seen.then_some(k));
                 }
             }
             best.1
         };
-        let mut found: Vec<Surroundings<D>> = near
+        let mut found: Vec<Vec<Surroundings<D>>> = near
             .iter()
-            .map(|&number| Surroundings {
-                bends: self.pieces[number].bends.clone(),
-                faces: Vec::new(),
-                walls: Vec::new(),
-            })
+            .map(|&number| self.pieces[number].surroundings())
             .collect();
         for (number, face) in (0_u32..).zip(&block.faces) {
             let middle = net.seen(&cells.points, &Vector::zeros(), face);
             let shape = &net.face_shapes[face.shape as usize];
-            let crosses = |k: &usize| !self.pieces[near[*k]].bends[0].faces_along(shape);
-            if let Some(k) = middle.and_then(|middle| nearest(&middle)).filter(crosses) {
-                found[k].faces.push(number);
+            let crosses = |k: &usize| !self.pieces[near[*k]].walls.faces_along(shape);
+            let Some(middle) = middle else {
+                continue;
+            };
+            if let Some(k) = nearest(&middle).filter(crosses) {
+                let around = found[k].iter_mut();
+                let around = around.filter(|around| around.is_before(&middle));
+                around.for_each(|around| around.faces.push(number));
             }
         }
         for (number, wall) in (0_u32..).zip(&block.walls) {
             if let Some(k) = nearest(&wall.foot) {
-                found[k].walls.push(number);
+                let around = found[k].iter_mut();
+                let around = around.filter(|around| around.is_before(&wall.foot));
+                around.for_each(|around| around.walls.push(number));
             }
         }
+        let mut found: Vec<Surroundings<D>> = found.into_iter().flatten().collect();
         found.retain(|around| !around.faces.is_empty() || !around.walls.is_empty());
         found
     }
 }
 
-/// The places, by number and in order, that some of a block may be within `reach` of.
-fn near<const D: usize>(
-    block: &Block<D>,
-    cells: &Cells<D>,
-    by_place: &Pencils<D>,
+impl<const D: usize> Piece<D> {
+    /// Nothing around it yet: once for a ridge, which gas passes from one side or the other, and for each side of a tip.
+    fn surroundings(&self) -> Vec<Surroundings<D>> {
+        let around = |bends: &[Bend<D>]| Surroundings {
+            bends: bends.to_vec(),
+            faces: Vec::new(),
+            walls: Vec::new(),
+        };
+        if self.kind == Kind::Tip {
+            self.bends.chunks(1).map(around).collect()
+        } else {
+            vec![around(&self.bends)]
+        }
+    }
+}
+
+impl<const D: usize> Surroundings<D> {
+    /// True of a place on one of the sides from which its bends are met.
+    fn is_before(&self, place: &Vector<D>) -> bool {
+        let mut bends = self.bends.iter();
+        bends.any(|bend| bend.opens_to(&(place - Vector::from(bend.at))))
+    }
+}
+
+/// Where some pieces are.
+pub struct Places<const D: usize> {
+    numbers: Vec<usize>,
+    by_place: Pencils<D>,
     reach: f64,
-) -> Vec<usize> {
-    let points = &cells.points[block.cells.clone()];
-    let ends = (points[0], points[0]);
-    let (low, high) = points
-        .iter()
-        .fold(ends, |(low, high), point| (low.inf(point), high.sup(point)));
-    let mut near = Vec::new();
-    by_place.for_each_run_near(&low, &high, reach, |run| {
-        near.extend(by_place.order()[run].iter().map(|&number| number as usize));
-    });
-    near.sort_unstable();
-    near
+}
+
+impl<const D: usize> Places<D> {
+    /// Numbers of the pieces, in order, that some of a block may be near to.
+    pub fn near(&self, block: &Block<D>, cells: &Cells<D>) -> Vec<usize> {
+        let points = &cells.points[block.cells.clone()];
+        let ends = (points[0], points[0]);
+        let (low, high) = points
+            .iter()
+            .fold(ends, |(low, high), point| (low.inf(point), high.sup(point)));
+        let mut near = Vec::new();
+        self.by_place
+            .for_each_run_near(&low, &high, self.reach, |run| {
+                let found = self.by_place.order()[run].iter();
+                near.extend(found.map(|&number| self.numbers[number as usize]));
+            });
+        near.sort_unstable();
+        near
+    }
+}
+
+/// Which things have come to be joined, directly or through others.
+struct Joints {
+    before: Vec<usize>,
+}
+
+impl Joints {
+    /// So many, none joined to another.
+    fn new(count: usize) -> Self {
+        Self {
+            before: (0..count).collect(),
+        }
+    }
+
+    /// The first of those that one is joined to.
+    fn first(&self, mut one: usize) -> usize {
+        while self.before[one] != one {
+            one = self.before[one];
+        }
+        one
+    }
+
+    fn join(&mut self, one: usize, other: usize) {
+        let [a, b] = [one, other].map(|one| self.first(one));
+        self.before[a.max(b)] = a.min(b);
+        // So that ways stay short.
+        self.before[one] = a.min(b);
+        self.before[other] = a.min(b);
+    }
+}
+
+/// True of an edge that gas in a stream may know of: one that it can follow, one that it is turned at, and one that parts it.
+fn is_met<const D: usize>(crease: &Crease<D>) -> bool {
+    let turn = crease.turn();
+    turn >= SHARP && (!crease.is_convex || !(BLUNT..=PARTING).contains(&turn))
 }
 
 /// What of a line lies in a box [Liang & Barsky 1984, doi:10.1145/357332.357333].

@@ -1,41 +1,54 @@
-//! Where shocks are rooted in the plane, at a sharp concave bend of a wall or a tip that parts the stream, and the cells around it.
+//! Where shocks are rooted, at a sharp concave bend of a wall or a tip that parts the stream, in space at a piece of a hollow or of a leading edge, and
+//! the cells around it.
+
+use std::sync::Arc;
 
 use aero_geometry::Vector;
 
 use super::bend::{Bend, turned};
+use super::polytope::cross;
 use super::state::dot;
 
-/// A straight piece of the outline of a cell, as seen from the root.
-#[derive(Clone, Copy, Debug)]
+/// No piece has more corners than this, those included that two planes make of it.
+pub const CORNERS: usize = 24;
+
+/// A straight piece of the outline of a cell, in space a plane one of its surface.
+#[derive(Clone, Debug, PartialEq)]
 pub struct Piece<const D: usize> {
     /// Unit normal, out of the cell.
     pub normal: [f64; D],
-    /// Both ends.
-    pub ends: [[f64; D]; 2],
+    /// Both ends; in space all corners, counter-clockwise as seen from outside.
+    pub corners: Box<[[f64; D]]>,
+    /// Its length, in space its area.
+    pub size: f64,
 }
 
-/// The outline of a cell, as seen from the root.
+/// The outline of a cell.
 #[derive(Clone, Debug)]
 pub struct Plan<const D: usize> {
     /// The cell's number.
     pub cell: u32,
-    /// Its point.
+    /// Its point as seen from the root.
     pub point: [f64; D],
-    /// No end of a piece is farther from the point.
+    /// No corner is farther from the point.
     pub radius: f64,
+    /// What of it gas fills.
+    pub volume: f64,
+    /// Where the corners are seen from, as seen from the root: its point in space, where many cells look alike, the root itself in the plane.
+    pub from: [f64; D],
     /// All around it, in any order.
-    pub pieces: Vec<Piece<D>>,
+    pub pieces: Arc<[Piece<D>]>,
 }
 
 /// A face around the root.
 #[derive(Clone, Copy, Debug)]
-pub struct RootFace<const D: usize> {
+pub struct RootFace {
     /// Its number in its block.
     pub number: u32,
     /// Numbers of both cells among those around the root.
     pub cells: [u32; 2],
-    /// The face as seen from the root.
-    pub piece: Piece<D>,
+    /// Which of the first cell's pieces it is.
+    pub facet: u32,
     /// How far its middle is from the root, in spacings.
     pub away: f64,
 }
@@ -53,10 +66,10 @@ pub struct RootWall {
     pub behind: Option<u8>,
 }
 
-/// The part of the plane between a shock and the wall behind it: what lies on one side of both of two lines through the root.
+/// The part of the plane between a shock and the wall behind it: what lies on one side of both of two lines through the root; in space of two planes.
 #[derive(Clone, Copy, Debug)]
 pub struct Sector<const D: usize> {
-    /// Normals of the lines, into it. Twice the same where it is all that one of them bounds.
+    /// Normals of both, into it. Twice the same where it is all that one of them bounds.
     pub sides: [[f64; D]; 2],
 }
 
@@ -70,7 +83,7 @@ pub struct Root<const D: usize> {
     /// Cells.
     pub cells: Vec<Plan<D>>,
     /// Faces between them.
-    pub faces: Vec<RootFace<D>>,
+    pub faces: Vec<RootFace>,
     /// Their walls.
     pub walls: Vec<RootWall>,
     /// Their mirrors.
@@ -85,26 +98,37 @@ impl<const D: usize> Root<D> {
 }
 
 impl<const D: usize> Piece<D> {
-    /// Of this `length` around a `middle`.
+    /// Of this `length` around a `middle`, in the plane.
     pub fn new(middle: &Vector<D>, normal: &Vector<D>, length: f64) -> Self {
         let half = turned(normal) * (0.5 * length);
+        let ends = [middle - half, middle + half];
         Self {
             normal: (*normal).into(),
-            ends: [(middle - half).into(), (middle + half).into()],
+            size: (ends[1] - ends[0]).norm(),
+            corners: ends.map(Into::into).into(),
         }
     }
 
-    /// Its length.
-    pub fn length(&self) -> f64 {
-        let [start, end] = self.ends.map(Vector::from);
-        (end - start).norm()
+    /// A polygon across a `normal` through these corners, in space.
+    pub fn polygon(normal: &Vector<D>, corners: &[Vector<D>]) -> Self {
+        let corners: Box<[[f64; D]]> = corners.iter().map(|&corner| corner.into()).collect();
+        let normal = (*normal).into();
+        Self {
+            size: area(&corners, &normal),
+            normal,
+            corners,
+        }
     }
 
-    /// The part of it that is in a `sector`.
-    pub fn part(&self, sector: &Sector<D>) -> f64 {
+    /// The part of it that is in a `sector`, where its corners are seen `from` there.
+    pub fn part(&self, sector: &Sector<D>, from: &[f64; D]) -> f64 {
+        if D > 2 {
+            return self.part_in_space(sector, from);
+        }
+        let ends = [0, 1].map(|k| sum(&self.corners[k], from));
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for normal in sector.sides {
-            let [start, end] = self.ends.map(|end| dot(&end, &normal));
+            let [start, end] = ends.map(|end| dot(&end, &normal));
             match (start > 0.0, end > 0.0) {
                 (true, true) => {}
                 (false, false) => return 0.0,
@@ -115,33 +139,107 @@ impl<const D: usize> Piece<D> {
         (to - from).max(0.0)
     }
 
-    /// Area between the root and the piece, more where it looks away from the root and less where it looks there.
-    fn area(&self) -> f64 {
-        let away = Vector::from(self.ends[0]).dot(&Vector::from(self.normal));
-        0.5 * away * self.length()
+    fn part_in_space(&self, sector: &Sector<D>, from: &[f64; D]) -> f64 {
+        let least = sector.sides.map(|normal| {
+            let heights = self.corners.iter().map(|corner| dot(corner, &normal));
+            let ends = heights.fold([f64::INFINITY, -f64::INFINITY], |[low, high], height| {
+                [low.min(height), high.max(height)]
+            });
+            ends.map(|end| end + dot(from, &normal))
+        });
+        if least.iter().any(|[_, high]| *high <= 0.0) {
+            return 0.0;
+        }
+        if least.iter().all(|[low, _]| *low >= 0.0) {
+            return 1.0;
+        }
+        let (mut corners, mut count) = ([[0.0; D]; CORNERS], self.corners.len());
+        for (place, corner) in corners.iter_mut().zip(&*self.corners) {
+            *place = sum(corner, from);
+        }
+        for normal in &sector.sides {
+            (corners, count) = clipped(&corners[..count], normal);
+        }
+        (area(&corners[..count], &self.normal) / self.size).clamp(0.0, 1.0)
+    }
+
+    /// Area between the root and the piece, whose corners are seen `from` there, in space the volume: more where it looks away from the root and less
+    /// where it looks there.
+    pub fn reach(&self, from: &[f64; D]) -> f64 {
+        let away = dot(&sum(&self.corners[0], from), &self.normal);
+        away * self.size / D as f64
     }
 }
 
+fn sum<const D: usize>(a: &[f64; D], b: &[f64; D]) -> [f64; D] {
+    std::array::from_fn(|k| a[k] + b[k])
+}
+
+/// What of a convex polygon lies on that side of a plane through the root to which its `normal` points, and how many corners that has
+/// [Sutherland & Hodgman 1974, doi:10.1145/360767.360802].
+fn clipped<const D: usize>(
+    corners: &[[f64; D]],
+    normal: &[f64; D],
+) -> ([[f64; D]; CORNERS], usize) {
+    let (mut kept, mut count) = ([[0.0; D]; CORNERS], 0);
+    for (k, start) in corners.iter().enumerate() {
+        let end = &corners[(k + 1) % corners.len()];
+        let [a, b] = [start, end].map(|corner| dot(corner, normal));
+        if a > 0.0 {
+            kept[count] = *start;
+            count += 1;
+        }
+        if (a > 0.0) != (b > 0.0) {
+            let part = a / (a - b);
+            kept[count] = std::array::from_fn(|k| start[k] + part * (end[k] - start[k]));
+            count += 1;
+        }
+    }
+    (kept, count)
+}
+
+/// Area of a polygon across this `normal`.
+fn area<const D: usize>(corners: &[[f64; D]], normal: &[f64; D]) -> f64 {
+    let Some((first, rest)) = corners.split_first() else {
+        return 0.0;
+    };
+    let arm = |corner: &[f64; D]| Vector::from(*corner) - Vector::from(*first);
+    let doubled = rest.windows(2).fold(Vector::<D>::zeros(), |sum, pair| {
+        sum + cross(&arm(&pair[0]), &arm(&pair[1]))
+    });
+    0.5 * doubled.dot(&Vector::from(*normal))
+}
+
 impl<const D: usize> Plan<D> {
-    /// Of a `cell` with its point and `pieces`, where these close.
+    /// Of a `cell` with its point and `pieces`, all as seen from the root, where these close; in the plane.
     pub fn new(cell: u32, point: Vector<D>, pieces: Vec<Piece<D>>) -> Option<Self> {
         /// What is left open, in parts of all around.
         const OPEN: f64 = 1e-6;
         let (mut open, mut around, mut radius) = (Vector::zeros(), 0.0, 0.0_f64);
         for piece in &pieces {
-            let length = piece.length();
-            open += Vector::from(piece.normal) * length;
-            around += length;
-            for end in piece.ends {
-                radius = radius.max((Vector::from(end) - point).norm());
+            open += Vector::from(piece.normal) * piece.size;
+            around += piece.size;
+            for end in &piece.corners {
+                radius = radius.max((Vector::from(*end) - point).norm());
             }
         }
+        let from = [0.0; D];
         (open.norm() < OPEN * around).then(|| Self {
             cell,
             point: point.into(),
             radius,
-            pieces,
+            volume: pieces
+                .iter()
+                .fold(0.0, |sum, piece| sum + piece.reach(&from)),
+            from,
+            pieces: pieces.into(),
         })
+    }
+
+    /// Number of a piece among its own.
+    pub fn number(&self, piece: &Piece<D>) -> Option<u32> {
+        let number = self.pieces.iter().position(|own| own == piece)?;
+        Some(number as u32)
     }
 
     /// How far its point is on that side of a line through the root to which its unit `normal` points.
@@ -160,13 +258,10 @@ impl<const D: usize> Plan<D> {
         if height.iter().all(|height| *height >= self.radius) {
             return 1.0;
         }
-        let (mut within, mut all) = (0.0, 0.0);
-        for piece in &self.pieces {
-            let area = piece.area();
-            within += piece.part(sector) * area;
-            all += area;
-        }
-        let part = within / all;
+        let within = self.pieces.iter().fold(0.0, |within, piece| {
+            within + piece.part(sector, &self.from) * piece.reach(&self.from)
+        });
+        let part = within / self.volume;
         if part < LEAST {
             0.0
         } else if part > 1.0 - LEAST {
@@ -215,7 +310,7 @@ mod tests {
 
     #[test]
     fn an_outline_with_a_gap_is_none() {
-        let mut pieces = rectangle([1.0, 1.0], [2.0, 2.0]).pieces;
+        let mut pieces = rectangle([1.0, 1.0], [2.0, 2.0]).pieces.to_vec();
         pieces.pop();
         assert!(Plan::new(0, Vector::<2>::from([1.5, 1.5]), pieces).is_none());
     }

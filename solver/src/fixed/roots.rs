@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, HashMap};
 
 use aero_geometry::Vector;
 
-use super::attached::FARTHEST;
+use super::attached::farthest;
 use super::bend::{Bend, Tip};
 use super::bent_face::middle;
 use super::cells::{Cells, RADIAL};
@@ -15,6 +15,14 @@ use super::state::dot;
 
 /// Cosine of the elevation of a shock over the wall before its bend, at least.
 const STEEPEST: f64 = 0.17;
+
+/// So far before its bend, in spacings, is the next cell ahead of the one that holds it, at most.
+const BEFORE: f64 = 2.0;
+
+/// True of a place, as seen from a bend, where a shock that is rooted there may run through a cell or through one next to it.
+pub fn may_hold<const D: usize>(bend: &Bend<D>, place: &Vector<D>) -> bool {
+    place.dot(&bend.before.into()) > STEEPEST * place.norm() - BEFORE * bend.unit
+}
 
 impl<const D: usize> Net<D> {
     /// Finds what lies around sharp concave `bends` and around `tips`. Shocks of several may come by the same place, fans as well: which of them
@@ -31,14 +39,12 @@ impl<const D: usize> Net<D> {
         let tips = tips.into_iter().map(|tip| (tip.around, tip.bends.into()));
         for (number, (around_it, bends)) in (0..).zip(concave.chain(tips)) {
             let walls = self.blocks.iter().flat_map(|block| &block.walls);
-            let sight = Sight::new(&around_it, walls, FARTHEST);
+            let sight = Sight::new(&around_it, walls, farthest::<D>());
             let bend = &bends[0];
             let at = Vector::from(bend.at);
             let is_own = |place: &Vector<D>| {
                 let away = place.norm();
-                away < FARTHEST * bend.unit
-                    && place.dot(&bend.before.into()) > STEEPEST * away - bend.unit
-                    && sight.reaches(place)
+                away < farthest::<D>() * bend.unit && may_hold(bend, place) && sight.reaches(place)
             };
             let plans: HashMap<u32, Plan<D>> = self
                 .pieces(cells, &at, is_own, around)
@@ -144,12 +150,14 @@ impl<const D: usize> Net<D> {
             let shape = &self.face_shapes[face.shape as usize];
             let normal = Vector::from(shape.area) / shape.size;
             let length = shape.size / around(&(seen + at));
+            let piece = Piece::new(&seen, &normal, length);
             if let [Some(first), Some(second)] = [face.i, face.j].map(|i| place(i, &mut root.cells))
+                && let Some(facet) = root.cells[first as usize].number(&piece)
             {
                 root.faces.push(RootFace {
                     number,
                     cells: [first, second],
-                    piece: Piece::new(&seen, &normal, length),
+                    facet,
                     away: seen.norm() / unit,
                 });
             }

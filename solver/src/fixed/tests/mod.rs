@@ -17,6 +17,7 @@ mod apart;
 mod bends;
 mod brinks;
 mod concave_bends;
+mod crests;
 mod far_away;
 pub(super) mod flows;
 mod jumps;

@@ -1,14 +1,14 @@
-//! Creases of a mesh that are convex.
+//! Creases of a mesh as edges in space.
 
 use super::Mesh;
 use super::edges::NONE;
 use super::triangle::normal;
-use crate::{Bounds, Ridge};
+use crate::{Bounds, Crease};
 
 impl Mesh {
-    /// The edges between triangles that bulge and are creases, as far as they meet `region`.
-    pub(super) fn convex_creases(&self, region: &Bounds<3>) -> Vec<Ridge<3>> {
-        let mut ridges = Vec::new();
+    /// The edges between triangles that are creases, as far as they meet `region`.
+    pub(super) fn sharp_edges(&self, region: &Bounds<3>) -> Vec<Crease<3>> {
+        let mut found = Vec::new();
         for facet in 0..self.facets.len() as u32 {
             for edge in 0..3 {
                 let other = self.across[facet as usize][edge];
@@ -21,14 +21,18 @@ impl Mesh {
                 let normals = [normal(&own), normal(&beyond)];
                 let bounds = Bounds::new(ends[0].inf(&ends[1]), ends[0].sup(&ends[1]));
                 let middle = (beyond[0] + beyond[1] + beyond[2]) / 3.0;
-                let bulges = normals[0].dot(&(middle - ends[0])) < 0.0;
+                let is_convex = normals[0].dot(&(middle - ends[0])) < 0.0;
                 let is_there = !region.intersection(&bounds).is_empty();
-                if bulges && is_there && is_seen(facet) && is_seen(other) {
-                    ridges.push(Ridge { ends, normals });
+                if is_there && is_seen(facet) && is_seen(other) {
+                    found.push(Crease {
+                        ends,
+                        normals,
+                        is_convex,
+                    });
                 }
             }
         }
-        ridges
+        found
     }
 }
 
@@ -61,23 +65,28 @@ mod tests {
     }
 
     #[test]
-    fn edges_that_bulge_are_ridges_and_valleys_are_none() {
+    fn ridges_and_valleys_are_told_apart() {
         let all = Bounds::new(Vector::repeat(-9.0), Vector::repeat(9.0));
-        let ridges = roof().ridges(0.1, &all);
-        let along = |x: f64, y: f64| {
+        let (ridges, valleys): (Vec<_>, Vec<_>) = roof()
+            .creases(0.1, &all)
+            .into_iter()
+            .partition(|crease| crease.is_convex);
+        let along = |creases: &[Crease<3>], x: f64, y: f64| {
             let there = |end: &Vector<3>| (end.x - x).abs() < 1e-12 && (end.y - y).abs() < 1e-12;
-            let on = ridges.iter().filter(|ridge| ridge.ends.iter().all(there));
-            on.map(Ridge::turn).next()
+            let on = creases
+                .iter()
+                .filter(|crease| crease.ends.iter().all(there));
+            on.map(Crease::turn).next()
         };
         let turn = f64::atan(0.3) + f64::atan(0.6);
-        assert!((along(1.0, 0.3).unwrap() - turn).abs() < 1e-12);
-        assert_eq!(along(2.0, -0.3), None);
+        assert!((along(&ridges, 1.0, 0.3).unwrap() - turn).abs() < 1e-12);
+        assert!((along(&valleys, 2.0, -0.3).unwrap() - turn).abs() < 1e-12);
         // The outline of both ends as well, but for the diagonals of sides.
-        assert_eq!(ridges.len(), 5 + 12);
+        assert_eq!([ridges.len(), valleys.len()], [5 + 12, 1]);
         let above = Bounds::new(
             Vector::<3>::new(0.5, 0.1, 0.2),
             Vector::<3>::new(1.5, 0.9, 0.8),
         );
-        assert_eq!(roof().ridges(0.1, &above).len(), 1);
+        assert_eq!(roof().creases(0.1, &above).len(), 1);
     }
 }
