@@ -53,6 +53,7 @@ mod view;
 mod viscous;
 mod weakly_compressible;
 pub mod wedge;
+mod wings;
 
 use std::sync::{Mutex, PoisonError};
 
@@ -96,7 +97,7 @@ static CASES: [Case; 35] = [
     ("step", &[&step::FORWARD_STEP]),
     ("double-mach", &[&double_mach::DOUBLE_MACH]),
     ("biconvex", &[&biconvex::BICONVEX]),
-    ("diamond", &[&diamond::DIAMOND]),
+    ("diamond", &[&diamond::DIAMOND, &wings::WINGS]),
     ("crossing", &[&crossing::CROSSING]),
     ("aerofoil", &[&aerofoil::AEROFOIL]),
     ("transonic", &[&transonic::TRANSONIC]),

@@ -96,6 +96,20 @@ mod tests {
     }
 
     #[test]
+    fn a_flare_begins_at_a_hollow() {
+        let corners = [[0.0, 0.2], [1.0, 0.2], [2.0, 0.5], [2.0, 0.0], [0.0, 0.0]];
+        let ends = corners.map(Vector::<2>::from);
+        let pieces = ends[..4]
+            .windows(2)
+            .map(|ends| Piece::segment(ends[0], ends[1]));
+        let front = Piece::segment(ends[4], ends[0]);
+        let body = Revolution::new([front].into_iter().chain(pieces).collect()).unwrap();
+        for rim in body.creases(0.05, &everywhere()) {
+            assert_eq!(rim.is_convex, rim.ends[0].x != 1.0);
+        }
+    }
+
+    #[test]
     fn rims_are_placed_with_their_body_and_cut_off_with_their_region() {
         let place = Placement::<3>::default()
             .scaled(2.0)

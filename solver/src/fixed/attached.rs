@@ -17,7 +17,7 @@ const NEARLY: f64 = 0.95;
 const LEAST: f64 = 1e-3;
 
 /// No shock is looked for farther than this from its bend, in spacings: in the plane, and in space, where much more lies within it.
-const FARTHEST: [f64; 2] = [128.0, 32.0];
+const FARTHEST: [f64; 2] = [128.0, 64.0];
 
 /// The same in `D` dimensions.
 pub const fn farthest<const D: usize>() -> f64 {

@@ -237,6 +237,36 @@ mod tests {
         assert_relative_eq!(course.lag, cotangent, max_relative = 0.01);
     }
 
+    /// What gas moves along an edge in space changes nothing of it.
+    #[test]
+    fn a_shock_at_a_swept_edge_runs_across_it() {
+        let flat = bend();
+        let lifted = |[x, y]: [f64; 2]| [x, y, 0.0];
+        let edge = Bend {
+            at: [0.0; 3],
+            edge: [0.0, 0.0, 1.0],
+            donors: Vec::new(),
+            along: lifted(flat.along),
+            before: lifted(flat.before),
+            up: lifted(flat.up),
+            unit: flat.unit,
+        };
+        let swept = Primitive {
+            density: 1.4,
+            velocity: [3.0, 0.0, 2.0],
+            pressure: 1.0,
+        };
+        let (plane, space) = (shock(), AttachedShock::new(&AIR, &swept, &edge).unwrap());
+        assert_relative_eq!(space.rear.pressure, plane.rear.pressure);
+        assert_relative_eq!(space.rear.velocity[2], 2.0);
+        let course = Course::new(&AIR, &space, &swept, &edge);
+        let front = front();
+        let straight = Course::new(&AIR, &plane, &front, &flat);
+        assert_relative_eq!(course.lag, straight.lag, max_relative = 1e-12);
+        assert_relative_eq!(course.along[0], straight.along[0], max_relative = 1e-12);
+        assert_eq!(course.along[2], 0.0);
+    }
+
     #[test]
     fn a_shock_stands_as_far_as_the_gas_ahead_of_it_is_that_of_its_bend() {
         let strength = shock().strength;

@@ -308,6 +308,57 @@ mod tests {
         }
     }
 
+    /// A cube a unit wide around a point, as seen from the root.
+    fn cube(point: [f64; 3]) -> Plan<3> {
+        let corners: [Vector<3>; 4] =
+            [[-0.5, -0.5], [0.5, -0.5], [0.5, 0.5], [-0.5, 0.5]].map(|[a, b]| [a, b, 0.5].into());
+        let turned = |k: usize, sign: f64| {
+            let place = |corner: &Vector<3>| {
+                let mut place = Vector::<3>::zeros();
+                place[k] = sign * corner[2];
+                place[(k + 1) % 3] = corner[0];
+                place[(k + 2) % 3] = sign * corner[1];
+                place
+            };
+            let mut normal = Vector::<3>::zeros();
+            normal[k] = sign;
+            Piece::polygon(&normal, &corners.each_ref().map(place))
+        };
+        let pieces: Vec<Piece<3>> = (0..3)
+            .flat_map(|k| [turned(k, 1.0), turned(k, -1.0)])
+            .collect();
+        Plan {
+            cell: 0,
+            point,
+            radius: 0.75_f64.sqrt(),
+            volume: 1.0,
+            from: point,
+            pieces: pieces.into(),
+        }
+    }
+
+    /// Planes through an edge along the third axis part a cube as lines part its section, wherever it is along the edge.
+    #[test]
+    fn planes_through_an_edge_part_cells_by_volume() {
+        let half = 0.5_f64.sqrt();
+        let [rising, falling] = [[-half, half, 0.0], [half, half, 0.0]];
+        let over = [0.0, 1.0, 0.0];
+        for (point, sides, part) in [
+            ([1.5, 1.5], [rising; 2], 0.5),
+            ([1.5, 1.0], [rising; 2], 0.125),
+            ([1.5, 3.0], [rising; 2], 1.0),
+            ([3.5, 1.5], [rising; 2], 0.0),
+            ([0.0, 0.0], [rising, falling], 0.25),
+            ([0.25, 0.25], [rising, over], 0.468_75),
+        ] {
+            for along in [-4.0, 0.0, 0.3] {
+                let [x, y] = point;
+                let cube = cube([x, y, along]);
+                assert_relative_eq!(cube.part(&Sector { sides }), part, epsilon = 1e-12);
+            }
+        }
+    }
+
     #[test]
     fn an_outline_with_a_gap_is_none() {
         let mut pieces = rectangle([1.0, 1.0], [2.0, 2.0]).pieces.to_vec();
