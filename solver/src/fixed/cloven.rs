@@ -8,6 +8,7 @@ use super::bent::{Layout, shifted};
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
 use super::net::Block;
+use super::reach::FELT;
 use super::root::{Plan, Root, RootFace, RootWall, Sector};
 use super::sides::pushed;
 use super::slopes::Flow;
@@ -73,7 +74,12 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
                 })
             })
             .collect();
-        if shocks.is_empty() {
+        // Farther from a shock nothing knows of it, nor does it ask.
+        let beyond = FELT * root.bends[0].unit;
+        if shocks
+            .iter()
+            .all(|behind| root.is_off(&behind.shock.normal, beyond))
+        {
             return None;
         }
         let parts = |cell: &Plan<D>| {

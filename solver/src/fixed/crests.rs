@@ -11,9 +11,9 @@ use super::beside::{Kind, Piece};
 use super::cells::Cells;
 use super::hulls::{Hull, hulls};
 use super::net::{Block, Net};
-use super::ridges::Ridges;
+use super::ridges::{Ridges, bounds};
 use super::root::{Plan, Root, RootFace, RootWall};
-use super::roots::may_hold;
+use super::roots::{BEFORE, may_hold};
 
 /// Farther from both walls than this, in spacings, no shock is looked for: it is far enough from them to be captured there.
 const HIGH: f64 = 12.0;
@@ -94,8 +94,11 @@ impl<const D: usize> Net<D> {
     ) -> BTreeMap<usize, Around> {
         let mut found: BTreeMap<usize, Around> = BTreeMap::new();
         let mut edges: BTreeMap<usize, Vec<usize>> = BTreeMap::new();
+        let (low, high) = bounds(&cells.points[block.cells.clone()]);
         for &number in near {
-            edges.entry(pieces[number].edge).or_default().push(number);
+            if pieces[number].may_hold_within(&low, &high) {
+                edges.entry(pieces[number].edge).or_default().push(number);
+            }
         }
         for members in edges.values() {
             let nearest = |place: &Vector<D>| {
@@ -145,6 +148,20 @@ impl<const D: usize> Piece<D> {
         bends.any(|bend| may_hold(bend, &arm) && is_low(bend))
     }
 
+    /// The same of any place in a box, or next to it.
+    fn may_hold_within(&self, low: &Vector<D>, high: &Vector<D>) -> bool {
+        let unit = self.walls.unit;
+        let arm = 0.5 * (low + high) - Vector::from(self.walls.at);
+        let half = 0.5 * (high - low).add_scalar(2.0 * unit);
+        let reach = |normal: &Vector<D>| half.dot(&normal.abs());
+        let mut bends = self.bends.iter();
+        bends.any(|bend| {
+            let (up, before) = (self.wall_of(bend), Vector::from(bend.before));
+            arm.dot(&up) - reach(&up) < HIGH * unit
+                && arm.dot(&before) + reach(&before) > -BEFORE * unit
+        })
+    }
+
     /// Normal of the wall behind a bend of it, into the gas.
     fn wall_of(&self, bend: &Bend<D>) -> Vector<D> {
         match self.kind {
@@ -170,6 +187,7 @@ impl<const D: usize> Crest<'_, D> {
             number,
             bends: self.bends.clone(),
             cells: Vec::new(),
+            whereabouts: ([0.0; D], 0.0),
             faces: Vec::new(),
             walls: Vec::new(),
             mirrors: Vec::new(),
@@ -227,7 +245,7 @@ impl<const D: usize> Crest<'_, D> {
                 });
             }
         }
-        root
+        root.located()
     }
 
     /// A cell as seen from the piece, if it is known what it looks like.

@@ -215,11 +215,7 @@ pub struct Places<const D: usize> {
 impl<const D: usize> Places<D> {
     /// Numbers of the pieces, in order, that some of a block may be near to.
     pub fn near(&self, block: &Block<D>, cells: &Cells<D>) -> Vec<usize> {
-        let points = &cells.points[block.cells.clone()];
-        let ends = (points[0], points[0]);
-        let (low, high) = points
-            .iter()
-            .fold(ends, |(low, high), point| (low.inf(point), high.sup(point)));
+        let (low, high) = bounds(&cells.points[block.cells.clone()]);
         let mut near = Vec::new();
         self.by_place
             .for_each_run_near(&low, &high, self.reach, |run| {
@@ -229,6 +225,14 @@ impl<const D: usize> Places<D> {
         near.sort_unstable();
         near
     }
+}
+
+/// The box around some points.
+pub fn bounds<const D: usize>(points: &[Vector<D>]) -> (Vector<D>, Vector<D>) {
+    let ends = (points[0], points[0]);
+    points
+        .iter()
+        .fold(ends, |(low, high), point| (low.inf(point), high.sup(point)))
 }
 
 /// Which things have come to be joined, directly or through others.

@@ -82,6 +82,8 @@ pub struct Root<const D: usize> {
     pub bends: Vec<Bend<D>>,
     /// Cells.
     pub cells: Vec<Plan<D>>,
+    /// Where they are, and no corner of one is farther from there.
+    pub whereabouts: ([f64; D], f64),
     /// Faces between them.
     pub faces: Vec<RootFace>,
     /// Their walls.
@@ -91,6 +93,24 @@ pub struct Root<const D: usize> {
 }
 
 impl<const D: usize> Root<D> {
+    /// The same, knowing where its cells are.
+    #[must_use]
+    pub fn located(mut self) -> Self {
+        let points = || self.cells.iter().map(|cell| Vector::from(cell.point));
+        let count = self.cells.len().max(1) as f64;
+        let middle = points().fold(Vector::zeros(), |sum, point| sum + point) / count;
+        let away = |cell: &Plan<D>| (Vector::from(cell.point) - middle).norm() + cell.radius;
+        let radius = self.cells.iter().map(away).fold(0.0, f64::max);
+        self.whereabouts = (middle.into(), radius);
+        self
+    }
+
+    /// True where none of its cells is nearer than this to the plane across a unit vector through the root.
+    pub fn is_off(&self, normal: &[f64; D], distance: f64) -> bool {
+        let (middle, radius) = &self.whereabouts;
+        dot(middle, normal).abs() > radius + distance
+    }
+
     /// True of a tip.
     pub fn is_tip(&self) -> bool {
         self.bends.len() > 1

@@ -17,7 +17,7 @@ use super::state::dot;
 const STEEPEST: f64 = 0.17;
 
 /// So far before its bend, in spacings, is the next cell ahead of the one that holds it, at most.
-const BEFORE: f64 = 2.0;
+pub const BEFORE: f64 = 2.0;
 
 /// True of a place, as seen from a bend, where a shock that is rooted there may run through a cell or through one next to it.
 pub fn may_hold<const D: usize>(bend: &Bend<D>, place: &Vector<D>) -> bool {
@@ -128,6 +128,7 @@ impl<const D: usize> Net<D> {
             number: 0,
             bends: bends.to_vec(),
             cells: Vec::new(),
+            whereabouts: ([0.0; D], 0.0),
             faces: Vec::new(),
             walls: Vec::new(),
             mirrors: Vec::new(),
@@ -182,7 +183,7 @@ impl<const D: usize> Net<D> {
                 walls(side.i, number, &foot, &side.image.normal)
             })
             .collect();
-        root
+        root.located()
     }
 }
 

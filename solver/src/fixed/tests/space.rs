@@ -1,6 +1,7 @@
 use aero_geometry::{Mesh, Placed, Placement, bodies};
 
 use super::*;
+use crate::fixed::rim::{closed, polygon};
 
 fn boxed() -> Domain<3> {
     domain([-1.0; 3], [1.0; 3])
@@ -220,4 +221,31 @@ fn a_surface_of_triangles_is_cut_like_the_body_it_stands_for() {
     assert!((plate.volume() - exact.volume()).abs() < 0.1 * dx.powi(3));
     let sum = |made: &Made<3>| -> f64 { made.cells.walls.iter().map(|w| w.area.norm()).sum() };
     assert!((sum(&plate) - sum(&exact)).abs() < 0.1 * dx * dx);
+}
+
+/// What is kept of cells in which surfaces meet, or that took pieces from behind a thin part, is all that bounds them, as seen from their points.
+#[test]
+fn cells_with_corners_are_the_polyhedra_that_are_kept_of_them() {
+    let dx = 0.05;
+    for thick in [0.5, 8.0] {
+        let scene = Scene::new(boxed(), vec![turned([0.8, thick * dx, 0.7])], dx);
+        let cells = scene.disordered(0.2).made().cells;
+        let mut kept: Vec<(u32, f64)> = Vec::new();
+        for (cell, rings) in &cells.cornered {
+            let cone = |ring: &Vec<Vector<3>>| {
+                let face = polygon(0, closed(ring));
+                face.area.dot(&face.centre) / 3.0
+            };
+            let volume = rings.iter().map(cone).sum::<f64>();
+            match kept.last_mut() {
+                Some((last, sum)) if last == cell => *sum += volume,
+                _ => kept.push((*cell, volume)),
+            }
+        }
+        assert!(kept.len() > 100 && kept.len() < cells.points.len() / 4);
+        for (cell, volume) in kept {
+            let off = volume / cells.volumes[cell as usize] - 1.0;
+            assert!(off.abs() < 1e-9, "plate of {thick} spacings: {off}");
+        }
+    }
 }
