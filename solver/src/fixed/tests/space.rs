@@ -230,18 +230,22 @@ fn cells_with_corners_are_the_polyhedra_that_are_kept_of_them() {
     for thick in [0.5, 8.0] {
         let scene = Scene::new(boxed(), vec![turned([0.8, thick * dx, 0.7])], dx);
         let cells = scene.disordered(0.2).made().cells;
-        let mut kept: Vec<(u32, f64)> = Vec::new();
+        let (mut kept, mut farthest) = (Vec::<(u32, f64)>::new(), 0.0_f64);
         for (cell, rings) in &cells.cornered {
             let cone = |ring: &Vec<Vector<3>>| {
                 let face = polygon(0, closed(ring));
                 face.area.dot(&face.centre) / 3.0
             };
             let volume = rings.iter().map(cone).sum::<f64>();
+            // Those of a piece from next door lie there.
+            let away = rings.iter().flatten().map(Vector::norm);
+            farthest = away.fold(farthest, f64::max);
             match kept.last_mut() {
                 Some((last, sum)) if last == cell => *sum += volume,
                 _ => kept.push((*cell, volume)),
             }
         }
+        assert!(farthest < 2.2 * dx, "{}", farthest / dx);
         assert!(kept.len() > 100 && kept.len() < cells.points.len() / 4);
         for (cell, volume) in kept {
             let off = volume / cells.volumes[cell as usize] - 1.0;
