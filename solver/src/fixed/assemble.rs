@@ -6,7 +6,7 @@ use aero_geometry::parallel::prelude::*;
 use super::build::{Beside, Builder};
 use super::cells::{Cells, SideFace, WallFace, WallOwner};
 use super::cloud::NOBODY;
-use super::cornered::cornered;
+use super::cornered::Rings;
 use super::cut_cell::CutCell;
 use super::face_list::{FaceFiller, ordered, settled};
 use super::folding::{folded_sides, folded_walls};
@@ -89,10 +89,11 @@ impl<const D: usize> Builder<'_, D> {
             faces: all.faces.list().folded(self.plot.spacing),
             walls: folded_walls(all.walls, self.about_axis),
             sides: folded_sides(all.sides),
-            cornered: cornered(cut, &targets.of_parts),
+            cornered: Rings::new(),
             lost: targets.lost,
             open: 0.0,
         };
+        cells.cornered = self.cornered(&cells.points, cut, &targets.of_parts);
         self.close(&mut cells);
         debug_assert!(cells.open < 1e-6, "faces leave a hole");
         self.bend(&mut cells);

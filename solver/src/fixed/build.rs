@@ -55,7 +55,7 @@ impl<'a, const D: usize> Builder<'a, D> {
             cloud,
             about_axis: plot.domain.is_axisymmetric(),
             is_plain: Vec::new(),
-            keeps_rings: D == 3,
+            keeps_rings: false,
         };
         builder.is_plain = (0..cloud.places.len())
             .into_par_iter()
@@ -118,7 +118,7 @@ impl<'a, const D: usize> Builder<'a, D> {
             && parts(site).all(|part| self.cloud.at(&part).is_none())
     }
 
-    /// The same, with the pieces' outlines kept in the plane, too.
+    /// The same, with the pieces' outlines kept.
     #[must_use]
     pub fn keeping_rings(mut self) -> Self {
         self.keeps_rings = true;
@@ -177,6 +177,16 @@ impl<'a, const D: usize> Builder<'a, D> {
     }
 
     pub(super) fn cut_cell(&self, voronoi: &Voronoi<'_, D>, number: usize) -> CutCell<D> {
+        self.cut_with(voronoi, number, self.keeps_rings)
+    }
+
+    /// The cell, with its outlines where these are to be kept.
+    pub(super) fn cut_with(
+        &self,
+        voronoi: &Voronoi<'_, D>,
+        number: usize,
+        keeps_rings: bool,
+    ) -> CutCell<D> {
         let (cell, mut links) = voronoi.cell(number);
         links.shrink_to_fit();
         let place = &self.cloud.places[number];
@@ -185,7 +195,7 @@ impl<'a, const D: usize> Builder<'a, D> {
             point: &place.position,
             unit: place.spacing,
             about_axis: self.about_axis,
-            keeps_rings: self.keeps_rings,
+            keeps_rings,
         };
         let mut parts = if place.distance > cell.reach_squared().sqrt() * (1.0 + 1e-9) {
             vec![whole.uncut()]

@@ -236,7 +236,7 @@ impl<const D: usize> Cleaving<'_, D> {
             }
         };
         for Behind { shock, sector, .. } in &self.shocks {
-            let part = piece.part(sector, &first.from);
+            let part = piece.part(sector, &first.from());
             let_through(&shock.rear, part);
             ahead -= part;
         }

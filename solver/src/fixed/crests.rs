@@ -1,6 +1,7 @@
 //! Where shocks are rooted in space: pieces of sharp hollows of bodies, and of edges that part the stream, and the cells around each.
 
 use std::collections::{BTreeMap, HashMap};
+use std::sync::Arc;
 
 use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
@@ -255,10 +256,9 @@ impl<const D: usize> Crest<'_, D> {
         Some(Plan {
             cell: i,
             point,
-            radius: hull.radius,
-            volume: hull.volume,
-            from: point,
-            pieces: hull.pieces.clone(),
+            radius: hull.solid.radius,
+            volume: hull.solid.volume,
+            pieces: Arc::clone(&hull.solid.pieces),
         })
     }
 

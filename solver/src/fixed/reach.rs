@@ -220,7 +220,6 @@ mod tests {
             point: (place * 0.1).into(),
             radius: 0.07,
             volume: 0.01,
-            from: [0.0; 2],
             pieces: Arc::new([]),
         };
         let is_behind = ahead < 0.0;

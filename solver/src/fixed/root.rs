@@ -34,9 +34,7 @@ pub struct Plan<const D: usize> {
     pub radius: f64,
     /// What of it gas fills.
     pub volume: f64,
-    /// Where the corners are seen from, as seen from the root: its point in space, where many cells look alike, the root itself in the plane.
-    pub from: [f64; D],
-    /// All around it, in any order.
+    /// All around it, in any order: as seen from the root in the plane, from its point in space, where many cells look alike.
     pub pieces: Arc<[Piece<D>]>,
 }
 
@@ -251,7 +249,6 @@ impl<const D: usize> Plan<D> {
             volume: pieces
                 .iter()
                 .fold(0.0, |sum, piece| sum + piece.reach(&from)),
-            from,
             pieces: pieces.into(),
         })
     }
@@ -260,6 +257,11 @@ impl<const D: usize> Plan<D> {
     pub fn number(&self, piece: &Piece<D>) -> Option<u32> {
         let number = self.pieces.iter().position(|own| own == piece)?;
         Some(number as u32)
+    }
+
+    /// Where the corners of its pieces are seen from, as seen from the root.
+    pub fn from(&self) -> [f64; D] {
+        if D > 2 { self.point } else { [0.0; D] }
     }
 
     /// How far its point is on that side of a line through the root to which its unit `normal` points.
@@ -278,8 +280,9 @@ impl<const D: usize> Plan<D> {
         if height.iter().all(|height| *height >= self.radius) {
             return 1.0;
         }
+        let from = self.from();
         let within = self.pieces.iter().fold(0.0, |within, piece| {
-            within + piece.part(sector, &self.from) * piece.reach(&self.from)
+            within + piece.part(sector, &from) * piece.reach(&from)
         });
         let part = within / self.volume;
         if part < LEAST {
@@ -352,7 +355,6 @@ mod tests {
             point,
             radius: 0.75_f64.sqrt(),
             volume: 1.0,
-            from: point,
             pieces: pieces.into(),
         }
     }
