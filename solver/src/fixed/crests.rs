@@ -144,7 +144,11 @@ impl<const D: usize> Piece<D> {
     /// True of a place that is neither wholly ahead of the edge nor far from all its walls.
     fn may_hold(&self, place: &Vector<D>) -> bool {
         let arm = self.walls.across(&(place - Vector::from(self.walls.at)));
-        let is_low = |bend: &Bend<D>| arm.dot(&self.wall_of(bend)) < HIGH * self.walls.unit;
+        let unit = self.walls.unit;
+        // What lies on the other side of a tip is behind its other wall.
+        let is_low = |bend: &Bend<D>| {
+            arm.dot(&self.wall_of(bend)) < HIGH * unit && arm.dot(&self.over(bend)) > -unit
+        };
         let mut bends = self.bends.iter();
         bends.any(|bend| may_hold(bend, &arm) && is_low(bend))
     }
@@ -157,10 +161,20 @@ impl<const D: usize> Piece<D> {
         let reach = |normal: &Vector<D>| half.dot(&normal.abs());
         let mut bends = self.bends.iter();
         bends.any(|bend| {
-            let (up, before) = (self.wall_of(bend), Vector::from(bend.before));
+            let [up, over] = [self.wall_of(bend), self.over(bend)];
+            let before = Vector::from(bend.before);
             arm.dot(&up) - reach(&up) < HIGH * unit
+                && arm.dot(&over) + reach(&over) > -unit
                 && arm.dot(&before) + reach(&before) > -BEFORE * unit
         })
+    }
+
+    /// Normal of the plane that parts its sides, into that of a bend; of a hollow, which has one, of the wall behind.
+    fn over(&self, bend: &Bend<D>) -> Vector<D> {
+        match self.kind {
+            Kind::Tip => bend.over().into(),
+            Kind::Ridge | Kind::Hollow => bend.up_behind().into(),
+        }
     }
 
     /// Normal of the wall behind a bend of it, into the gas.

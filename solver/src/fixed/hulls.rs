@@ -9,9 +9,9 @@ use aero_geometry::parallel::prelude::*;
 use super::bent_face::middle;
 use super::cells::Cells;
 use super::net::Net;
+use super::outline_piece::{CORNERS, Piece};
 use super::polytope::{Facet, Polytope};
 use super::rim::{closed, polygon};
-use super::root::{CORNERS, Piece};
 
 /// Parts of a cell's volume by which what bounds it may be off: where walls cut cells, faces know it no better.
 const OFF: f64 = 0.01;

@@ -59,6 +59,7 @@ mod net;
 mod oblique;
 mod order;
 mod origins;
+mod outline_piece;
 mod outlines;
 mod outside;
 mod pace;

@@ -9,7 +9,8 @@ use super::bend::{Bend, Tip};
 use super::bent_face::middle;
 use super::cells::{Cells, RADIAL};
 use super::net::Net;
-use super::root::{Piece, Plan, Root, RootFace, RootWall};
+use super::outline_piece::Piece;
+use super::root::{Plan, Root, RootFace, RootWall};
 use super::sight::Sight;
 use super::state::dot;
 
