@@ -4,9 +4,8 @@ use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 
 use super::build::{Beside, Builder};
-use super::cells::{Cells, SideFace, WallFace, WallOwner};
+use super::cells::{Cells, Rings, SideFace, WallFace, WallOwner};
 use super::cloud::NOBODY;
-use super::cornered::Rings;
 use super::cut_cell::CutCell;
 use super::face_list::{FaceFiller, ordered, settled};
 use super::folding::{folded_sides, folded_walls};

@@ -1,4 +1,4 @@
-//! The shock that stands at a sharp concave bend of a wall in the plane, where a stream that is faster than sound turns into it.
+//! The shock that stands at a sharp concave bend of a wall, or across the edge of one in space, where a stream that is faster than sound turns into it.
 //!
 //! Up to some spacings from the bend there are fewer cells between shock and wall than a captured shock is wide: the first walls behind the bend
 //! would feel a shock that is not done, and the gas that goes along them would keep what it got there. But how the gas is there is known: as in front
@@ -23,6 +23,9 @@ const FARTHEST: [f64; 2] = [128.0, 64.0];
 pub const fn farthest<const D: usize>() -> f64 {
     FARTHEST[(D > 2) as usize]
 }
+
+/// Cells farther from a shock than this, in spacings, have no say in it, nor has it in them.
+pub const FELT: f64 = 7.0;
 
 /// Up to this part of how far it is looked for a shock stands as it would if nothing but the bend were there.
 const NEAR: f64 = 0.75;

@@ -5,7 +5,7 @@ use aero_geometry::Vector;
 use super::state::Primitive;
 use super::walls::Wall;
 
-/// A bend in the plane, or a piece of a convex edge in space, met from one side.
+/// A bend in the plane, or a piece of an edge in space, met from one side.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Bend<const D: usize> {
     /// Where it is, in space its middle.

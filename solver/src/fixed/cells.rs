@@ -3,7 +3,6 @@
 use aero_geometry::Vector;
 use nalgebra::SMatrix;
 
-use super::cornered::Rings;
 use super::face_list::FaceList;
 
 /// Axis in the meridian plane along which the radius is measured.
@@ -11,6 +10,9 @@ pub const RADIAL: usize = 1;
 
 /// A square matrix.
 pub type Matrix<const D: usize> = SMatrix<f64, D, D>;
+
+/// The polygons that bound pieces of cells, each as seen from the point of its cell, by whose number they are sorted.
+pub type Rings<const D: usize> = Vec<(u32, Vec<Vec<Vector<D>>>)>;
 
 /// Cells derived from points, and the faces between them.
 #[derive(Clone, Debug, Default)]

@@ -1,15 +1,14 @@
-//! What flows near a sharp concave bend or a tip in the plane: cells that a shock there runs through hold gas of both its sides, and each part of a
+//! What flows near a sharp concave bend or a tip: cells that a shock there runs through hold gas of both its sides, and each part of a
 //! face lets through what is on its side.
 //!
 //! Where cells hold what they would by straight shocks, gas on both sides of a face is the same, part by part, and nothing but the shocks stands there.
 
-use super::attached::{AttachedShock, farthest, mean, nearness};
+use super::attached::{AttachedShock, FELT, farthest, mean, nearness};
 use super::bent::{Layout, shifted};
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
 use super::net::Block;
 use super::outline_piece::Sector;
-use super::reach::FELT;
 use super::root::{Plan, Root, RootFace, RootWall};
 use super::sides::pushed;
 use super::slopes::Flow;

@@ -6,12 +6,10 @@ use aero_geometry::Vector;
 use aero_geometry::parallel::prelude::*;
 
 use super::build::Builder;
+use super::cells::Rings;
 use super::cut_cell::CutCell;
 use super::merge::Target;
 use super::voronoi::Voronoi;
-
-/// The polygons that bound pieces of cells, each as seen from the point of its cell, by whose number they are sorted.
-pub type Rings<const D: usize> = Vec<(u32, Vec<Vec<Vector<D>>>)>;
 
 impl<const D: usize> Builder<'_, D> {
     /// The pieces, among those of cells that were `cut`, of such cells, `targets` being the owners of them all; in the plane none. They are cut once more:

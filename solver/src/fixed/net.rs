@@ -58,7 +58,7 @@ pub struct Block<const D: usize> {
     pub sides: Vec<Side<D>>,
     /// What lies around sharp convex bends of walls.
     pub bends: Vec<Surroundings<D>>,
-    /// What lies around sharp concave bends in the plane.
+    /// What lies around sharp concave bends and tips, hollows and leading edges in space.
     pub roots: Vec<Root<D>>,
     /// Walls ahead of sharp concave bends and of blunt edges.
     pub kinks: Vec<Kink<D>>,

@@ -14,14 +14,11 @@ use super::fan::rise;
 use super::root::Plan;
 use super::state::{Primitive, dot};
 
-/// From here to there from a shock, in spacings, cells ahead of it are looked at.
+/// From here to there from a shock, in spacings, cells ahead of it are looked at; none farther off than [`FELT`](super::attached::FELT).
 const AHEAD: [f64; 2] = [2.5, 6.5];
 
 /// From here to there from a shock, in spacings, cells behind it are looked at.
 const BEHIND: [f64; 2] = [3.0, 6.5];
-
-/// Cells farther from a shock than this, in spacings, have no say in it, nor has it in them.
-pub const FELT: f64 = 7.0;
 
 /// Part of what a shock changes by which gas ahead of it may be another than at its bend.
 const OFF_AHEAD: f64 = 0.02;
