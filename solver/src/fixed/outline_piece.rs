@@ -6,6 +6,9 @@ use super::bend::turned;
 use super::polytope::cross;
 use super::state::dot;
 
+/// A piece that is no farther from a plane than this, in parts of its size, lies in it: on neither side.
+const ROUNDING: f64 = 1e-9;
+
 /// No piece has more corners than this, those included that two planes make of it.
 pub const CORNERS: usize = 24;
 
@@ -56,10 +59,11 @@ impl<const D: usize> Piece<D> {
             return self.part_in_space(sector, from);
         }
         let ends = [0, 1].map(|k| sum(&self.corners[k], from));
+        let least = ROUNDING * self.size;
         let (mut from, mut to) = (0.0_f64, 1.0_f64);
         for normal in sector.sides {
             let [start, end] = ends.map(|end| dot(&end, &normal));
-            match (start > 0.0, end > 0.0) {
+            match (start > least, end > least) {
                 (true, true) => {}
                 (false, false) => return 0.0,
                 (true, false) => to = to.min(start / (start - end)),
@@ -70,17 +74,18 @@ impl<const D: usize> Piece<D> {
     }
 
     fn part_in_space(&self, sector: &Sector<D>, from: &[f64; D]) -> f64 {
-        let least = sector.sides.map(|normal| {
+        let heights = sector.sides.map(|normal| {
             let heights = self.corners.iter().map(|corner| dot(corner, &normal));
             let ends = heights.fold([f64::INFINITY, -f64::INFINITY], |[low, high], height| {
                 [low.min(height), high.max(height)]
             });
             ends.map(|end| end + dot(from, &normal))
         });
-        if least.iter().any(|[_, high]| *high <= 0.0) {
+        let rounding = ROUNDING * self.size.sqrt();
+        if heights.iter().any(|[_, high]| *high <= rounding) {
             return 0.0;
         }
-        if least.iter().all(|[low, _]| *low >= 0.0) {
+        if heights.iter().all(|[low, _]| *low >= 0.0) {
             return 1.0;
         }
         let (mut corners, mut count) = ([[0.0; D]; CORNERS], self.corners.len());
