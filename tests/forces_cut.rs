@@ -72,9 +72,8 @@ fn the_force_on_what_stands_on_another_solid_is_the_integral_of_its_surface() {
     let fins =
         "[[body]]\nname = \"fins\"\nshape = { cuboid = { edges = [0.6, 0.07, 1.3] } }\n[output]";
     let tail = scene(3, 0.1, tube, "").replace("[output]", fins);
-    // Where a flat wall meets a round one, what cells know of the corner between them may lie off both: two hundred-thousandths.
     let found = difference(&tail, FIXED);
-    assert!(found < 0.01, "{found} %");
+    assert!(found < 1e-6, "{found} %");
     // Less than a fiftieth of it is spread as friction.
     let place = Workplace::new();
     let answer = place.run(&tail, &["--set", FIXED]);

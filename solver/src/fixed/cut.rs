@@ -179,8 +179,10 @@ impl<const D: usize> Whole<'_, D> {
     }
 
     fn apex(&self, solids: &Solids<D>, rim: &[Stretch<D>]) -> Vector<D> {
-        // Enough to hold the point where nothing else does, little beside what two walls do that turn by a degree.
-        const PULL: f64 = 1e-5;
+        /// Holds the point where walls do not: those that are a little round along an edge say little of where it is there.
+        const PULL: f64 = 1e-3;
+        /// The same where planes meet in a hollow, and say all: little beside what two do that turn by a degree.
+        const SLIGHT: f64 = 1e-5;
         const FAR: f64 = 1.5;
         let total: f64 = rim.iter().map(Stretch::length).sum();
         let mean = rim.iter().fold(Vector::<D>::zeros(), |sum, stretch| {
@@ -194,18 +196,25 @@ impl<const D: usize> Whole<'_, D> {
         if rim.iter().all(|stretch| stretch.along == rim[0].along) {
             return foot(&mean);
         }
-        let mut matrix = nalgebra::SMatrix::<f64, D, D>::identity() * PULL;
+        let mut matrix = nalgebra::SMatrix::<f64, D, D>::zeros();
         let mut right = Vector::<D>::zeros();
+        let mut walls: Vec<(Along, Vector<D>, Vector<D>)> = Vec::new();
         for stretch in rim {
             let middle = stretch.middle();
             if let Some((_, closest)) = solids.closest(&(self.point + middle)) {
+                walls.push((stretch.along, middle, closest.normal));
                 let weight = stretch.length() / total;
                 let height = closest.normal.dot(&(middle - mean)) - closest.distance;
                 matrix += closest.normal * closest.normal.transpose() * weight;
                 right += closest.normal * (weight * height);
             }
         }
-        let shift = matrix
+        let pull = if are_planes_in_a_hollow(&walls) {
+            SLIGHT
+        } else {
+            PULL
+        };
+        let shift = (matrix + nalgebra::SMatrix::identity() * pull)
             .try_inverse()
             .map_or_else(Vector::zeros, |inverse| inverse * right);
         if shift.norm() < FAR * self.unit {
@@ -214,6 +223,21 @@ impl<const D: usize> Whole<'_, D> {
             foot(&mean)
         }
     }
+}
+
+/// True of walls, each with a place on it and its normal there, that are planes and face each other.
+fn are_planes_in_a_hollow<const D: usize>(walls: &[(Along, Vector<D>, Vector<D>)]) -> bool {
+    const FLAT: f64 = 1e-6;
+    walls.iter().enumerate().all(|(k, (along, place, normal))| {
+        walls[..k].iter().all(|(other, there, facing)| {
+            if other == along {
+                (facing - normal).norm() < FLAT
+            } else {
+                let arm = place - there;
+                arm.dot(facing) > 0.0 && arm.dot(normal) < 0.0
+            }
+        })
+    })
 }
 
 /// True where the cell's point sees one of the piece's longest edges.
