@@ -18,6 +18,7 @@ mod forces;
 mod forces_cut;
 mod free;
 mod gaps;
+mod halves;
 mod hot_air;
 mod inlet;
 mod leaks;

@@ -15,13 +15,13 @@ pub struct MirrorPlane {
 
 impl MirrorPlane {
     /// How far a coordinate is on the side that is shown; negative beyond the plane.
-    fn height<const D: usize>(&self, point: &Vector<D>) -> f64 {
+    pub(crate) fn height<const D: usize>(&self, point: &Vector<D>) -> f64 {
         let above = point[self.axis] - self.position;
         if self.shows_above { above } else { -above }
     }
 
     /// The image of a point.
-    fn image<const D: usize>(&self, mut point: Vector<D>) -> Vector<D> {
+    pub(crate) fn image<const D: usize>(&self, mut point: Vector<D>) -> Vector<D> {
         point[self.axis] = 2.0 * self.position - point[self.axis];
         point
     }

@@ -10,6 +10,7 @@ mod copies;
 mod creases;
 mod crossing;
 mod foot;
+mod halves;
 mod joint;
 mod measure;
 pub(crate) mod piece;

@@ -222,7 +222,15 @@ fn body<const D: usize>(problem: &Problem<D>, panels: &Panels<D>, number: usize)
     for (axis, end, side, face) in problem.domain.each_side() {
         let reach = [extent.min[axis] - face, face - extent.max[axis]][end];
         if reach < near {
-            touched.push(format!("side {} ({side})", side_name(axis, end)));
+            let whole = body.shape.bounds();
+            let halved = problem.domain.plane_through(axis, &whole);
+            let what = match halved {
+                Some((at, _)) if at == end => {
+                    ", which makes it whole: area and forces are those of the whole"
+                }
+                _ => "",
+            };
+            touched.push(format!("side {} ({side}{what})", side_name(axis, end)));
         }
     }
     for (other, body) in problem.bodies.iter().enumerate() {

@@ -135,6 +135,9 @@ fn near<const D: usize>(
     } else if side.is_open() && gap < least {
         let mend = format!("{why}; move the side away");
         Some((format!("is {gap:.1} spacings from"), mend))
+    } else if side == Side::Symmetry && gap.abs() <= ON_IT {
+        let mend = "and its forces are its own, without those of its image; let it go through, and they are those of the whole";
+        Some(("stands on".into(), mend.into()))
     } else if !side.is_open() && ON_IT < gap && gap < NARROW {
         let finer = nearest / (2.0 * NARROW);
         let mend = format!("too narrow for gas to flow; close it or take a spacing of {finer:.3e}");

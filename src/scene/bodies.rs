@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use aero_geometry::kernel::SMOOTHING_RATIO;
-use aero_geometry::{Bounds, Watch};
+use aero_geometry::{Bounds, MirrorPlane, Watch};
 use aero_packer::{PackOptions, Packing};
 
 use super::axis;
@@ -87,6 +87,11 @@ pub(super) fn plans<const D: usize>(
             let own = entry.spacing.unwrap_or(file.spacing).get();
             let making = Making {
                 folder,
+                mirrors: if entry.motion.is_none() {
+                    mirrors(domain)
+                } else {
+                    Vec::new()
+                },
                 axisymmetric: domain.is_axisymmetric(),
                 spacing: wishes.spacing.unwrap_or(own),
                 watch: &wishes.watch,
@@ -106,6 +111,18 @@ pub(super) fn plans<const D: usize>(
     let surfaces: Vec<_> = plans.iter().map(|plan| plan.made.shape.as_ref()).collect();
     check_covered_sides(domain, &surfaces, file.spacing.get())?;
     Ok(plans)
+}
+
+/// The mirrors at the sides of a domain.
+fn mirrors<const D: usize>(domain: &Domain<D>) -> Vec<MirrorPlane> {
+    let sides = domain.each_side();
+    let sides = sides.filter(|(_, _, side, _)| *side == Side::Symmetry);
+    let planes = sides.map(|(axis, end, _, position)| MirrorPlane {
+        axis,
+        position,
+        shows_above: end == 0,
+    });
+    planes.collect()
 }
 
 fn options<const D: usize>(

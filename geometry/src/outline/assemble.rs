@@ -45,7 +45,7 @@ impl Outline {
         Self::assemble(pieces, self.chains.clone(), self.stand_for)
     }
 
-    fn checked(
+    pub(super) fn checked(
         chains: Vec<Vec<Piece>>,
         axis: bool,
         stand_for: Pieces,

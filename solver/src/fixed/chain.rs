@@ -16,6 +16,9 @@ pub(super) const SMOOTH: f64 = 1.0 / 3.0;
 /// Cosine between the directions of walls below which they do not follow each other.
 const ASKEW: f64 = 0.3;
 
+/// Walls of less than this, in spacings, are what is left where a body touches the corner of a cell, and point anywhere.
+const SPECK: f64 = 1e-6;
+
 /// Distance from a bend, in spacings, at which gas has not met it yet.
 const AHEAD: f64 = 1.0;
 
@@ -40,9 +43,13 @@ impl<'a, const D: usize> Chain<'a, D> {
         let mut walls: Vec<&Wall<D>> = net.blocks.iter().flat_map(|block| &block.walls).collect();
         let solid = walls.len();
         walls.extend(mirrors);
+        let spacings = cells.spacings();
+        let is_speck = |wall: &Wall<D>| wall.image.share < SPECK * spacings[wall.i as usize];
         let mut of_cell: Vec<Vec<usize>> = vec![Vec::new(); cells.points.len()];
         for (number, wall) in walls.iter().enumerate() {
-            of_cell[wall.i as usize].push(number);
+            if !is_speck(wall) {
+                of_cell[wall.i as usize].push(number);
+            }
         }
         let mut nearby = vec![Vec::new(); walls.len()];
         for face in cells.faces.iter() {
@@ -57,9 +64,10 @@ impl<'a, const D: usize> Chain<'a, D> {
             }
         }
         for (wall, near) in walls.iter().zip(&mut nearby) {
-            near.extend(&of_cell[wall.i as usize]);
+            if !is_speck(wall) {
+                near.extend(&of_cell[wall.i as usize]);
+            }
         }
-        let spacings = cells.spacings();
         let mut chain = Self {
             cells,
             units: walls.iter().map(|wall| spacings[wall.i as usize]).collect(),

@@ -2,11 +2,12 @@
 
 use std::path::{Path, PathBuf};
 
-use aero_geometry::stl::Soup;
-use aero_geometry::{GeometryError, Mending, Placed, Solid, Watch, files, stl};
+use aero_geometry::stl::{Facet, Soup};
+use aero_geometry::{GeometryError, Mending, Placed, Solid, Watch, files, made_whole, stl};
 use serde::Deserialize;
 
 use super::super::number::Positive;
+use super::Making;
 use super::made::Made;
 use super::place::{PlaceEntry, place_in_space};
 use super::space::Round;
@@ -109,14 +110,33 @@ pub struct Tessellated {
 }
 
 impl Tessellated {
-    /// The mesh as if it had been written to an STL file and read back: in single precision.
-    pub(super) fn solid(&self) -> Result<Solid, GeometryError> {
+    /// The triangles as if they had been written to an STL file and read back: in single precision.
+    pub(super) fn soup(&self) -> Result<Soup, GeometryError> {
         let facets = self.body.body()?.tessellate(self.around.0);
         let mut bytes = Vec::new();
         stl::write_binary(&mut bytes, &facets)
             .map_err(|error| GeometryError::Stl(error.to_string()))?;
-        Solid::new(stl::parse(bytes)?, Mending::Refuse, &Watch::default())
+        stl::parse(bytes)
     }
+}
+
+/// The `solid` that triangles make at a spacing, in place; of half a body that ends at a mirror, the whole.
+pub(super) fn in_place(
+    soup: Soup,
+    place: Option<&PlaceEntry>,
+    making: &Making<'_>,
+    solid: impl Fn(Soup, f64) -> Result<Solid, String>,
+) -> Result<Made<3>, String> {
+    let placement = place_in_space(place)?;
+    if !making.mirrors.is_empty() {
+        let corners = |facet: &Facet| facet.each_ref().map(|corner| placement.point(corner));
+        let facets: Vec<Facet> = soup.facets.iter().map(corners).collect();
+        if let Some(facets) = made_whole(&facets, &making.mirrors) {
+            let solids = soup.solids;
+            return made(solid(Soup { facets, solids }, making.spacing)?, None);
+        }
+    }
+    made(solid(soup, making.spacing / placement.scale())?, place)
 }
 
 /// A solid in place, with what was done to its triangles.

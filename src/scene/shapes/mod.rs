@@ -8,7 +8,9 @@ mod space;
 
 use std::path::Path;
 
-use aero_geometry::{GeometryError, Placed, Revolution, Watch};
+use aero_geometry::{
+    GeometryError, Mending, Mesh, MirrorPlane, Placed, Revolution, Shape, Solid, Watch, made_whole,
+};
 use serde::Deserialize;
 
 use place::{place_in_plane, place_in_space};
@@ -71,6 +73,8 @@ pub enum ShapeEntry {
 pub(crate) struct Making<'a> {
     /// Where relative paths start.
     pub folder: &'a Path,
+    /// Mirrors, which make bodies whole that end at them.
+    pub mirrors: Vec<MirrorPlane>,
     /// In an axisymmetric flow a body of revolution is its section.
     pub axisymmetric: bool,
     /// Spacing at which it is packed, in the scene's unit.
@@ -93,7 +97,7 @@ impl ShapeEntry {
             let section = section.map_err(|error| error.to_string())?;
             Made::exact(section.placed(&place_in_plane(place)?)).cast()
         } else if D == 2 {
-            self.in_plane(place, making.folder)?.and_then(Made::cast)
+            self.in_plane(place, making)?.and_then(Made::cast)
         } else {
             self.in_space(place, making)?.and_then(Made::cast)
         };
@@ -123,13 +127,13 @@ impl ShapeEntry {
     fn in_plane(
         &self,
         place: Option<&PlaceEntry>,
-        folder: &Path,
+        making: &Making<'_>,
     ) -> Result<Option<Made<2>>, String> {
         let outline = match self {
             Self::Circle(entry) => entry.outline(),
             Self::Rectangle(entry) => entry.outline(),
             Self::Polygon(entry) => entry.outline(),
-            Self::PolygonFile(entry) => entry.outline(folder),
+            Self::PolygonFile(entry) => entry.outline(making.folder),
             Self::Biconvex(entry) => entry.outline(),
             Self::HalfSpace(entry) => entry.outline(),
             Self::CompressionCorner(entry) => entry.compression(),
@@ -140,7 +144,10 @@ impl ShapeEntry {
             _ => return Ok(None),
         };
         let outline = outline.map_err(|error| error.to_string())?;
-        Ok(Some(Made::exact(outline.placed(&place_in_plane(place)?))))
+        let outline = outline.placed(&place_in_plane(place)?);
+        let whole = outline.made_whole(&making.mirrors);
+        let whole = whole.map_err(|error| error.to_string())?;
+        Ok(Some(Made::exact(whole.unwrap_or(outline))))
     }
 
     /// The surface of a shape in space; none for a plane shape.
@@ -152,21 +159,25 @@ impl ShapeEntry {
         let round = match self {
             Self::Cuboid(entry) => {
                 let block = entry.body().map_err(|error| error.to_string())?;
-                return Ok(Some(Made::exact(Placed::new(
-                    block,
-                    place_in_space(place)?,
-                ))));
+                let block = Placed::new(block, place_in_space(place)?);
+                let facets = block.facets(f64::INFINITY, &block.bounds());
+                let whole = made_whole(&facets, &making.mirrors).map(Mesh::from_facets);
+                let whole = whole.transpose().map_err(|error| error.to_string())?;
+                return Ok(Some(whole.map_or_else(|| Made::exact(block), Made::exact)));
             }
             Self::Stl(entry) => {
                 let soup = entry.read(making.folder, making.watch);
                 let soup = soup.map_err(|error| error.to_string())?;
-                let scale = place_in_space(place)?.scale();
-                let solid = entry.solid(soup, making.spacing / scale, making.watch)?;
-                return mesh::made(solid, place).map(Some);
+                let solid = |soup, spacing| entry.solid(soup, spacing, making.watch);
+                return mesh::in_place(soup, place, making, solid).map(Some);
             }
             Self::Tessellated(entry) => {
-                let solid = entry.solid().map_err(|error| error.to_string())?;
-                return mesh::made(solid, place).map(Some);
+                let soup = entry.soup().map_err(|error| error.to_string())?;
+                let solid = |soup, _| {
+                    let solid = Solid::new(soup, Mending::Refuse, &Watch::default());
+                    solid.map_err(|error| error.to_string())
+                };
+                return mesh::in_place(soup, place, making, solid).map(Some);
             }
             _ => match self.round() {
                 Some(round) => round,
