@@ -11,6 +11,7 @@ use super::face_list::Join;
 use super::fan::farthest;
 use super::net::Net;
 use super::ridges::Ridges;
+use super::seams::MIRROR;
 use super::sight::Sight;
 use super::walls::Wall;
 use crate::problem::Problem;
@@ -88,14 +89,14 @@ impl<const D: usize> Net<D> {
     }
 
     /// The faces of cells on planes of symmetry as if they were walls.
-    fn mirrors(&self, cells: &Cells<D>) -> Vec<Wall<D>> {
+    pub(super) fn mirrors(&self, cells: &Cells<D>) -> Vec<Wall<D>> {
         let sides = self.blocks.iter().flat_map(|block| &block.sides);
         let mirrors = sides.filter(|side| side.is_mirror());
         mirrors
             .map(|side| Wall {
                 i: side.i,
                 image: side.image,
-                owner: u32::MAX,
+                owner: MIRROR,
                 facet: 0,
                 curvature: Matrix::zeros(),
                 foot: cells.points[side.i as usize] + Vector::from(side.way()),

@@ -6,6 +6,7 @@ use aero_geometry::{Crease, Pencils, Vector};
 
 use super::bend::Bend;
 use super::cells::Cells;
+use super::edge::{Edge, Kind, Piece};
 use super::net::Net;
 use super::polytope::cross;
 use super::walls::Wall;
@@ -34,55 +35,6 @@ pub const PARTING: f64 = 1.6;
 /// So far ahead of an edge that parts it, in spacings, gas has not met it yet.
 const CLEAR: f64 = 1.5;
 
-/// What gas does at an edge.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum Kind {
-    /// It turns away round it.
-    Ridge,
-    /// It turns into a wall there.
-    Hollow,
-    /// It parts there.
-    Tip,
-}
-
-/// A straight piece of an edge.
-#[derive(Clone, Debug)]
-pub struct Piece<const D: usize> {
-    /// What the edge is to gas.
-    pub kind: Kind,
-    /// Its ends.
-    pub ends: [Vector<D>; 2],
-    /// The edge as gas meets it from either side, where it can; of a tip, as gas on either side of it does.
-    pub bends: Vec<Bend<D>>,
-    /// How its walls lie: one of the bends, but of a tip both walls as one convex bend.
-    pub walls: Bend<D>,
-    /// Whether the edge goes on beyond each end.
-    pub goes_on: [bool; 2],
-    /// The same number for all pieces of one edge.
-    pub edge: usize,
-}
-
-impl<const D: usize> Piece<D> {
-    /// Square of the distance of a place, and whether that is neither farther across the edge than `farthest`, in spacings, nor beyond an end of it.
-    pub fn sees(&self, place: &Vector<D>, farthest: f64) -> (f64, bool) {
-        let unit = self.walls.unit;
-        let [from, to] = self.ends;
-        let half = 0.5 * (to - from).norm();
-        let way = (to - from) / (2.0 * half);
-        let arm = place - 0.5 * (from + to);
-        let along = way.dot(&arm);
-        let beyond = (along.abs() - half).max(0.0);
-        let across = (arm - way * along).norm();
-        let is_beside = beyond <= 1e-6 * unit || self.goes_on[usize::from(along > 0.0)];
-        let is_near = across < farthest * unit;
-        let is_open = self.walls.opens_to(&(place - Vector::from(self.walls.at)));
-        (
-            across * across + beyond * beyond,
-            is_beside && is_near && is_open,
-        )
-    }
-}
-
 /// The walls of all cells.
 pub struct Beside<'a, const D: usize> {
     cells: &'a Cells<D>,
@@ -97,9 +49,10 @@ pub struct Beside<'a, const D: usize> {
 }
 
 impl<'a, const D: usize> Beside<'a, D> {
-    /// Those of `net`, whose cells are `cells`; none where there are none.
-    pub fn new(net: &'a Net<D>, cells: &'a Cells<D>) -> Option<Self> {
-        let walls: Vec<&Wall<D>> = net.blocks.iter().flat_map(|block| &block.walls).collect();
+    /// Those of `net`, whose cells are `cells`, and `mirrors`; none where there are none.
+    pub fn new(net: &'a Net<D>, cells: &'a Cells<D>, mirrors: &'a [Wall<D>]) -> Option<Self> {
+        let walls = net.blocks.iter().flat_map(|block| &block.walls);
+        let walls: Vec<&Wall<D>> = walls.chain(mirrors).collect();
         let spacings = cells.spacings();
         let units: Vec<f64> = walls.iter().map(|wall| spacings[wall.i as usize]).collect();
         let range = units.iter().fold([f64::INFINITY, 0.0], |[a, b], unit| {
@@ -125,10 +78,10 @@ impl<'a, const D: usize> Beside<'a, D> {
         self.range[0]
     }
 
-    /// Hands out all walls with their feet within `reach` of a place that are not another's.
+    /// Hands out all walls of these owners with their feet within `reach` of a place.
     fn for_each(
         &self,
-        owner: u32,
+        owners: [u32; 2],
         place: &Vector<D>,
         reach: f64,
         mut take: impl FnMut(usize, &Wall<D>),
@@ -136,7 +89,7 @@ impl<'a, const D: usize> Beside<'a, D> {
         self.by_foot.for_each_run_near(place, place, reach, |run| {
             for &number in &self.by_foot.order()[run] {
                 let wall = self.walls[number as usize];
-                if wall.owner == owner && (wall.foot - place).norm() < reach {
+                if owners.contains(&wall.owner) && (wall.foot - place).norm() < reach {
                     take(number as usize, wall);
                 }
             }
@@ -144,11 +97,11 @@ impl<'a, const D: usize> Beside<'a, D> {
     }
 
     /// Spacing of the points at the nearest wall; none where there is none near.
-    fn unit(&self, owner: u32, place: &Vector<D>) -> Option<f64> {
+    fn unit(&self, owners: [u32; 2], place: &Vector<D>) -> Option<f64> {
         let mut reach = LONGEST * self.range[0];
         while reach < 2.0 * LONGEST * self.range[1] {
             let mut best: Option<(f64, usize)> = None;
-            self.for_each(owner, place, reach, |number, wall| {
+            self.for_each(owners, place, reach, |number, wall| {
                 let found = ((wall.foot - place).norm(), number);
                 if best.is_none_or(|best| found < best) {
                     best = Some(found);
@@ -162,14 +115,15 @@ impl<'a, const D: usize> Beside<'a, D> {
         None
     }
 
-    /// The pieces of an edge of body `owner` that gas can meet in a `stream`.
-    pub fn pieces(&self, owner: u32, crease: &Crease<D>, stream: &Vector<D>) -> Vec<Piece<D>> {
+    /// The pieces of an edge that gas can meet in a `stream`.
+    pub fn pieces(&self, edge: &Edge<D>, stream: &Vector<D>) -> Vec<Piece<D>> {
+        let Edge { owners, crease } = *edge;
         let mut found = Vec::new();
         let mut left = vec![crease.ends];
         while let Some(ends) = left.pop() {
             let [from, to] = ends;
             let middle = 0.5 * (from + to);
-            let unit = self.unit(owner, &middle);
+            let unit = self.unit(owners, &middle);
             if (to - from).norm() > LONGEST * unit.unwrap_or(self.range[1]) {
                 left.extend([[middle, to], [from, middle]]);
                 continue;
@@ -177,24 +131,25 @@ impl<'a, const D: usize> Beside<'a, D> {
             let Some(unit) = unit else {
                 continue;
             };
-            let piece = Crease { ends, ..*crease };
+            let piece = edge.part(ends);
             found.extend(if crease.is_convex && crease.turn() > PARTING {
-                self.tip(owner, &piece, unit, stream)
+                self.tip(&piece, unit, stream)
             } else {
-                self.bent(owner, &piece, unit)
+                self.bent(&piece, unit)
             });
         }
         found
     }
 
     /// A piece of an edge that gas turns at.
-    fn bent(&self, owner: u32, piece: &Crease<D>, unit: f64) -> Option<Piece<D>> {
+    fn bent(&self, edge: &Edge<D>, unit: f64) -> Option<Piece<D>> {
+        let piece = &edge.crease;
         let [a, b] = piece.normals;
         let bend = |normals: [Vector<D>; 2]| {
             let bend = lying(piece, normals, unit);
-            let donors = self.donors(owner, piece, &bend);
+            let donors = self.donors(edge, &bend);
             let way = turned_back(&bend);
-            (!donors.is_empty() && !self.donors(owner, piece, &way).is_empty())
+            (!donors.is_empty() && !self.donors(edge, &way).is_empty())
                 .then_some(Bend { donors, ..bend })
         };
         let bends: Vec<Bend<D>> = [[a, b], [b, a]].into_iter().filter_map(bend).collect();
@@ -214,21 +169,14 @@ impl<'a, const D: usize> Beside<'a, D> {
     }
 
     /// A piece of an edge that parts a `stream`: what it leaves, as a trailing edge, parts nothing.
-    fn tip(
-        &self,
-        owner: u32,
-        piece: &Crease<D>,
-        unit: f64,
-        stream: &Vector<D>,
-    ) -> Option<Piece<D>> {
+    fn tip(&self, edge: &Edge<D>, unit: f64, stream: &Vector<D>) -> Option<Piece<D>> {
+        let piece = &edge.crease;
         let [a, b] = piece.normals;
         let walls = lying(piece, [a, b], unit);
         let (to, from) = (Vector::from(walls.before), Vector::from(walls.along));
         let before = (from - to).normalize();
         let both = [&walls, &turned_back(&walls)];
-        let has_both = both
-            .iter()
-            .all(|wall| !self.donors(owner, piece, wall).is_empty());
+        let has_both = both.iter().all(|wall| !self.donors(edge, wall).is_empty());
         if !has_both || stream.dot(&before) < 0.0 {
             return None;
         }
@@ -271,19 +219,19 @@ impl<'a, const D: usize> Beside<'a, D> {
     }
 
     /// The cells that gas comes from which meets a piece of an edge as `bend` has it.
-    fn donors(&self, owner: u32, piece: &Crease<D>, bend: &Bend<D>) -> Vec<(u32, f64)> {
-        let [from, to] = piece.ends;
+    fn donors(&self, edge: &Edge<D>, bend: &Bend<D>) -> Vec<(u32, f64)> {
+        let [from, to] = edge.crease.ends;
         let half = 0.5 * (to - from).norm() + LOOK * bend.unit;
         let at = Vector::from(bend.at);
-        let [edge, before, up] = [bend.edge, bend.before, bend.up].map(Vector::from);
-        self.lying(owner, &at, bend.unit, half, [&edge, &before, &up])
+        let ways = [bend.edge, bend.before, bend.up].map(Vector::from);
+        self.lying(edge.owners, &at, bend.unit, half, ways.each_ref())
     }
 
     /// Cells on the wall of the normal `up` that goes `towards` the `edge`, and what each counts, in all one: those next to the
     /// piece that lie wholly before it.
     fn lying(
         &self,
-        owner: u32,
+        owners: [u32; 2],
         at: &Vector<D>,
         unit: f64,
         half: f64,
@@ -291,7 +239,7 @@ impl<'a, const D: usize> Beside<'a, D> {
     ) -> Vec<(u32, f64)> {
         let mut found = Vec::new();
         let reach = half + (AHEAD + LOOK + 1.0) * unit;
-        self.for_each(owner, at, reach, |number, wall| {
+        self.for_each(owners, at, reach, |number, wall| {
             let normal = -Vector::from(wall.image.normal);
             let is_one = normal.dot(up) > 0.0
                 && normal.dot(towards).abs() < STRAIGHT

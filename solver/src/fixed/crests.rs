@@ -8,8 +8,8 @@ use aero_geometry::parallel::prelude::*;
 
 use super::attached::farthest;
 use super::bend::{Bend, Kink};
-use super::beside::{Kind, Piece};
 use super::cells::Cells;
+use super::edge::{Kind, Piece};
 use super::hulls::{Hull, hulls};
 use super::net::{Block, Net};
 use super::ridges::{Ridges, bounds};
@@ -25,11 +25,12 @@ const ALIKE: f64 = 0.99;
 /// Walls that are farther off that plane than this, in spacings, are no part of it.
 const OFF: f64 = 0.5;
 
-/// The faces and walls of a block around one piece, by their numbers.
+/// The faces, walls and mirrors of a block around one piece, by their numbers.
 #[derive(Default)]
 struct Around {
     faces: Vec<u32>,
     walls: Vec<u32>,
+    mirrors: Vec<u32>,
 }
 
 impl<const D: usize> Net<D> {
@@ -50,7 +51,10 @@ impl<const D: usize> Net<D> {
                 let faces = faces.map(|&number| &block.faces[number as usize]);
                 let walls = around.values().flat_map(|around| &around.walls);
                 let walls = walls.map(|&number| block.walls[number as usize].i);
-                faces.flat_map(|face| [face.i, face.j]).chain(walls)
+                let mirrors = around.values().flat_map(|around| &around.mirrors);
+                let mirrors = mirrors.map(|&number| block.sides[number as usize].i);
+                let faces = faces.flat_map(|face| [face.i, face.j]);
+                faces.chain(walls).chain(mirrors)
             })
             .collect();
         wanted.sort_unstable();
@@ -85,7 +89,7 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    /// The faces and walls of a block around these pieces: of each edge the nearest one has them.
+    /// What of a block lies around these pieces: of each edge the nearest one has them.
     fn around(
         &self,
         block: &Block<D>,
@@ -124,6 +128,14 @@ impl<const D: usize> Net<D> {
             for (number, wall) in (0_u32..).zip(&block.walls) {
                 if let Some(piece) = nearest(&wall.foot) {
                     found.entry(piece).or_default().walls.push(number);
+                }
+            }
+            for (number, side) in (0_u32..).zip(&block.sides) {
+                let foot = cells.points[side.i as usize] + Vector::from(side.way());
+                if side.is_mirror()
+                    && let Some(piece) = nearest(&foot)
+                {
+                    found.entry(piece).or_default().mirrors.push(number);
                 }
             }
         }
@@ -237,30 +249,48 @@ impl<const D: usize> Crest<'_, D> {
                 away: away(&middle),
             });
         }
-        for &number in &around.walls {
-            let wall = &self.block.walls[number as usize];
-            let normal = -Vector::from(wall.image.normal);
-            let lies_in = |up: &Vector<D>| {
-                let off = (wall.foot - at).dot(up).abs();
-                normal.dot(up) > ALIKE && off < OFF * self.piece.walls.unit
+        let mut beside = |i: u32, number: u32, foot: &Vector<D>, normal: &[f64; D]| {
+            let is_behind = |bend: &Bend<D>| self.lies_in(&self.piece.wall_of(bend), foot, normal);
+            let behind = self.bends.iter().position(is_behind);
+            let is_ahead = || {
+                let up = Vector::from(self.bends[0].up);
+                self.piece.kind == Kind::Hollow && self.lies_in(&up, foot, normal)
             };
-            let behind = |bend: &Bend<D>| lies_in(&self.piece.wall_of(bend));
-            let behind = self.bends.iter().position(behind);
-            let is_ahead =
-                || self.piece.kind == Kind::Hollow && lies_in(&Vector::from(self.bends[0].up));
             // Others are no part of the edge's.
-            if (behind.is_some() || is_ahead())
-                && let Some(cell) = place(wall.i, &mut root.cells)
-            {
-                root.walls.push(RootWall {
-                    number,
-                    cell,
-                    away: away(&wall.foot),
-                    behind: behind.map(|number| number as u8),
-                });
+            if behind.is_none() && !is_ahead() {
+                return None;
             }
-        }
+            Some(RootWall {
+                number,
+                cell: place(i, &mut root.cells)?,
+                away: away(foot),
+                behind: behind.map(|number| number as u8),
+            })
+        };
+        let walls = around
+            .walls
+            .iter()
+            .map(|&number| (number, &self.block.walls[number as usize]));
+        let walls = walls
+            .filter_map(|(number, wall)| beside(wall.i, number, &wall.foot, &wall.image.normal));
+        root.walls = walls.collect();
+        let mirrors = around
+            .mirrors
+            .iter()
+            .map(|&number| (number, &self.block.sides[number as usize]));
+        let mirrors = mirrors.filter_map(|(number, side)| {
+            let foot = self.cells.points[side.i as usize] + Vector::from(side.way());
+            beside(side.i, number, &foot, &side.image.normal)
+        });
+        root.mirrors = mirrors.collect();
         root.located()
+    }
+
+    /// True of a wall with this `normal`, out of its cell, that lies in the plane through the edge with the normal `up`.
+    fn lies_in(&self, up: &Vector<D>, foot: &Vector<D>, normal: &[f64; D]) -> bool {
+        let Bend { at, unit, .. } = &self.piece.walls;
+        let off = (foot - Vector::from(*at)).dot(up).abs();
+        -Vector::from(*normal).dot(up) > ALIKE && off < OFF * unit
     }
 
     /// A cell as seen from the piece, if it is known what it looks like.
@@ -287,7 +317,7 @@ impl<const D: usize> Crest<'_, D> {
             return Vec::new();
         };
         let holds_both = |wall: &&RootWall| {
-            let mut others = root.walls.iter();
+            let mut others = root.walls.iter().chain(&root.mirrors);
             wall.behind.is_none()
                 && others.any(|other| other.cell == wall.cell && other.behind.is_some())
         };

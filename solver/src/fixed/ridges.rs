@@ -8,10 +8,12 @@ use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Crease, Pencils, Vector};
 
 use super::bend::{Bend, Surroundings};
-use super::beside::{Beside, Kind, PARTING, Piece};
+use super::beside::{Beside, PARTING};
 use super::cells::Cells;
+use super::edge::{Edge, Kind, Piece};
 use super::fan::farthest;
 use super::net::{Block, Net};
+use super::seams::{MIRROR, seams};
 use crate::problem::Problem;
 
 /// Turn from which on an edge is sharp, radians: about a degree.
@@ -31,29 +33,37 @@ pub struct Ridges<const D: usize> {
 }
 
 impl<const D: usize> Ridges<D> {
-    /// Those of the bodies of `problem` among `cells`; none where there are none.
+    /// Those of the bodies of `problem` among `cells`, and of where these meet the planes that close the domain; none where there are none.
     pub fn of(net: &Net<D>, cells: &Cells<D>, problem: &Problem<D>) -> Option<Self> {
         let bounds = &problem.domain.bounds;
-        let all = |size: f64| -> Vec<(u32, Crease<D>)> {
+        let all = |size: f64| -> Vec<Edge<D>> {
             let bodies = (0_u32..).zip(&problem.bodies);
             let each = bodies.flat_map(|(number, body)| {
                 let creases = body.shape.creases(size, bounds).into_iter();
-                creases.map(move |crease| (number, crease))
+                creases.map(move |crease| Edge {
+                    owners: [number; 2],
+                    crease,
+                })
             });
-            each.filter(|(_, crease)| is_met(crease)).collect()
+            let all = each.chain(seams(problem, size));
+            all.filter(|edge| is_met(&edge.crease)).collect()
         };
-        if all(problem.resolution.lattice()).is_empty() {
+        let roughly = all(problem.resolution.lattice());
+        if roughly.is_empty() {
             return None;
         }
-        let beside = Beside::new(net, cells)?;
-        let creases = all(beside.finest());
+        let mirrors = if roughly.iter().any(|edge| edge.owners.contains(&MIRROR)) {
+            net.mirrors(cells)
+        } else {
+            Vec::new()
+        };
+        let beside = Beside::new(net, cells, &mirrors)?;
+        let edges = all(beside.finest());
         let stream = &problem.free_stream.velocity;
-        let pieces = creases.iter().flat_map(|(owner, crease)| {
+        let pieces = edges.iter().flat_map(|edge| {
+            let crease = &edge.crease;
             let inside = clipped(crease.ends, bounds);
-            let found = inside.map(|ends| {
-                let inside = Crease { ends, ..*crease };
-                beside.pieces(*owner, &inside, stream)
-            });
+            let found = inside.map(|ends| beside.pieces(&edge.part(ends), stream));
             let mut found = found.unwrap_or_default();
             for piece in &mut found {
                 let is_inner = |end: &Vector<D>| end == &crease.ends[0] || end == &crease.ends[1];

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use aero_geometry::{Mesh, Placed, Placement, Shape, Vector};
 
 use super::flows::{nothing_is_made, stream};
+use super::lattice::WALL;
 use super::ridges::prism;
 use crate::fixed::FixedSimulation;
 use crate::problem::{Problem, Side};
@@ -146,6 +147,63 @@ fn pressure_on_both_sides_of_a_hollow_in_space_is_right_next_to_it() {
             ahead[1] < 0.01 && behind[0] < 2e-3 && behind[1] < 0.01,
             "{moved:?}: {ahead:?} {behind:?}"
         );
+    }
+}
+
+/// A wedge of 20 degrees at Mach 3 that goes through the plane it stands on, and one whose edge lies in a mirror: wherever in their cells it is, as what
+/// the wall before it goes over to.
+#[test]
+fn pressure_behind_a_seam_with_a_side_is_right_from_the_seam_on() {
+    let through = wedge(20.0, 20.0).map(|[x, y]| [x, if y < 0.0 { -0.3 } else { y }]);
+    let through = [[0.0, -0.3], through[1], through[2], [0.0, 0.0]];
+    let edge = wedge(20.0, 20.0);
+    for (section, side) in [
+        (&through[..], WALL),
+        (&through, Side::Symmetry),
+        (&edge, Side::Symmetry),
+    ] {
+        for moved in [0.0, 0.23, 0.5] {
+            let bounds = [[-0.3, 0.0], [0.7, 0.8]];
+            let mut problem = problem(3.0, section, [moved, 0.0], bounds);
+            problem.domain.sides[1][0] = side;
+            let mut flow = FixedSimulation::new(problem).unwrap();
+            assert!(flow.settle(400).unwrap().is_settled);
+            let [mean, most] = off(&flow, |foot, normal| {
+                (normal.y > 0.5 && foot.x > moved * DX).then_some(3.771_26)
+            });
+            assert!(
+                mean < 2e-3 && most < 0.02,
+                "{section:?} on {side:?}, {moved}: {mean} {most}"
+            );
+        }
+    }
+}
+
+/// Half of a diamond of 10 degrees in a mirror, as in the plane: behind its trailing edge gas turns back along it. Where its edge lies a cell holds it, with the
+/// wall ahead.
+#[test]
+fn gas_along_a_mirror_is_right_behind_a_trailing_edge_in_space() {
+    const BEHIND: f64 = 0.982_702;
+    let half = 0.5;
+    let height = half * f64::to_radians(10.0).tan();
+    let section = [[-half, 0.0], [0.0, -height], [half, 0.0], [0.0, height]];
+    for moved in [0.0, 0.3] {
+        let mut problem = problem(2.5, &section, [moved, 0.0], [[-0.7, 0.0], [1.3, 0.8]]);
+        problem.domain.sides[1][0] = Side::Symmetry;
+        let mut flow = FixedSimulation::new(problem).unwrap();
+        assert!(flow.settle(400).unwrap().is_settled);
+        let end = half + moved * DX;
+        let kinks = flow.net.blocks.iter().flat_map(|block| &block.kinks);
+        assert_eq!(
+            kinks.filter(|kink| kink.along.is_some()).count() > 0,
+            moved > 0.0
+        );
+        let each = flow.points.iter().zip(&flow.columns.held);
+        let row =
+            each.filter(|(at, _)| (end + 3.0 * DX..end + 10.0 * DX).contains(&at[0]) && at[1] < DX);
+        let off: Vec<f64> = row.map(|(_, held)| held.mass / BEHIND - 1.0).collect();
+        assert!(!off.is_empty());
+        assert!(off.iter().all(|off| off.abs() < 0.02), "{moved}: {off:?}");
     }
 }
 

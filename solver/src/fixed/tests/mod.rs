@@ -27,7 +27,7 @@ mod parted;
 mod passing;
 mod plane;
 mod pockets;
-mod ridges;
+pub(super) mod ridges;
 mod sheared;
 mod sides;
 mod space;

@@ -19,7 +19,7 @@ const LONG: f64 = 1.119_615_2;
 const SLIVER: f64 = 0.1;
 
 /// The solid between two planes whose section is a convex polygon, travelled counter-clockwise.
-pub(super) fn prism(section: &[[f64; 2]], ends: [f64; 2]) -> Arc<dyn Shape<3>> {
+pub fn prism(section: &[[f64; 2]], ends: [f64; 2]) -> Arc<dyn Shape<3>> {
     let count = section.len();
     let at = |number: usize, end: usize| {
         let [x, y] = section[number % count];
