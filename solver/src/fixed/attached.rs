@@ -4,6 +4,7 @@
 //! would feel a shock that is not done, and the gas that goes along them would keep what it got there. But how the gas is there is known: as in front
 //! on one side of a straight shock, as behind it on the other.
 
+use super::apex::Field;
 use super::bend::Bend;
 use super::equation_of_state::EquationOfState;
 use super::fan::{SONIC, SUPERSONIC, rise};
@@ -33,7 +34,7 @@ const NEAR: f64 = 0.75;
 /// How far the energy behind a shock of a gas whose ratio of specific heats does not change may be off for another gas, in parts of it.
 const SAME: f64 = 1e-6;
 
-/// A straight shock at a bend.
+/// A straight shock at a bend, or that of a cone at its tip.
 #[derive(Clone, Debug)]
 pub struct AttachedShock<const D: usize> {
     /// Gas behind.
@@ -44,6 +45,8 @@ pub struct AttachedShock<const D: usize> {
     pub strength: f64,
     /// How much of it there is: from none of gas that is slower than sound, or whose shock stands ahead of the bend, to one.
     pub share: f64,
+    /// Gas behind the shock of a cone, which is not the same everywhere.
+    pub field: Option<Field<D>>,
 }
 
 /// How far gas in the state `front`, of which `across` goes across the edge, meets a bend from a wall along `before` to one along `along` without
@@ -120,19 +123,19 @@ impl<const D: usize> AttachedShock<D> {
         for k in 0..D {
             rear.velocity[k] += speed * sine * (1.0 - 1.0 / density) * normal[k];
         }
-        let energy = rear.pressure / (gamma - 1.0);
-        let ground =
-            gas.internal_energy(front.density, front.pressure) - front.pressure / (gamma - 1.0);
-        let other = gas.internal_energy(rear.density, rear.pressure) - ground * density;
-        if (other - energy).abs() > SAME * energy {
-            return None;
-        }
-        Some(Self {
+        is_perfect(gas, gamma, front, &rear).then(|| Self {
             rear,
             normal,
             strength: pressure.ln(),
             share,
+            field: None,
         })
+    }
+
+    /// Gas behind it at a place as seen from its bend.
+    pub fn rear_at(&self, place: &[f64; D]) -> Primitive<D> {
+        let field = self.field.as_ref();
+        field.map_or(self.rear, |field| field.at(place))
     }
 
     /// How far gas in the state `own` may be taken for what is `known` of it: not where its pressure is off by what the whole shock changes,
@@ -145,6 +148,21 @@ impl<const D: usize> AttachedShock<D> {
             0.0
         }
     }
+}
+
+/// True of gas whose heat capacity is behind a shock what it is in front of it.
+pub fn is_perfect<G: EquationOfState, const D: usize>(
+    gas: &G,
+    gamma: f64,
+    front: &Primitive<D>,
+    rear: &Primitive<D>,
+) -> bool {
+    let energy = rear.pressure / (gamma - 1.0);
+    let ground =
+        gas.internal_energy(front.density, front.pressure) - front.pressure / (gamma - 1.0);
+    let other =
+        gas.internal_energy(rear.density, rear.pressure) - ground * (rear.density / front.density);
+    (other - energy).abs() <= SAME * energy
 }
 
 /// The mean of a cell of which these parts are behind shocks, in those states, and the others in `front`.

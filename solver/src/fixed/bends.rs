@@ -43,15 +43,21 @@ impl<const D: usize> Net<D> {
         let chain = Chain::new(self, cells, &mirrors);
         let (mut bends, kinks) = (chain.bends(), chain.kinks());
         let (hollows, mut tips) = (chain.hollows(), chain.tips());
+        let is_axisymmetric = problem.domain.is_axisymmetric();
         // What the stream leaves, as trailing edges, parts nothing.
         let stream = problem.free_stream.velocity;
         tips.retain(|tip| stream.dot(&tip.bends[0].before.into()) >= 0.0);
+        let apexes = if is_axisymmetric {
+            chain.apexes(&stream)
+        } else {
+            Vec::new()
+        };
         for (number, kink) in kinks {
             self.add_kink(number, kink);
         }
         // On the side of a tip that turns away from the stream a fan stands.
         bends.extend(tips.iter().flat_map(|tip| tip.bends.clone()));
-        self.add_roots(cells, hollows, tips, problem.domain.is_axisymmetric());
+        self.add_roots(cells, hollows, tips, apexes, is_axisymmetric);
         if bends.is_empty() {
             return;
         }

@@ -5,6 +5,8 @@
 
 use super::attached::{AttachedShock, FELT, farthest, mean, nearness};
 use super::bent::{Layout, shifted};
+use super::cells::RADIAL;
+use super::cone_cells as conical;
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
 use super::net::Block;
@@ -16,6 +18,9 @@ use super::state::{Conserved, Primitive, dot};
 
 /// So far from a cell, in spacings, lie the middles of those that its slopes are drawn from, at most.
 const SLOPES: f64 = 1.5;
+
+/// So far from the tip of a cone, in spacings, gas changes from cell to cell by more than slopes tell.
+const FIELD: f64 = 32.0;
 
 /// As many shocks stand at one place at most: those of a tip.
 pub const MOST: usize = 2;
@@ -55,7 +60,11 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
         let shocks: Vec<Behind<D>> = (0..)
             .zip(&root.bends)
             .filter_map(|(wall, bend)| {
-                let shock = AttachedShock::new(gas, &front, bend)?;
+                let shock = if root.is_apex {
+                    AttachedShock::at_apex(gas, &front, bend)?
+                } else {
+                    AttachedShock::new(gas, &front, bend)?
+                };
                 let rearwards = shock.normal.map(|part| -part);
                 // Walls may lie off those that meet in a tip, by rounding or as they bend: the middle of the body parts its sides.
                 let over = if root.is_tip() {
@@ -75,11 +84,12 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
             })
             .collect();
         // Farther from a shock nothing knows of it, nor does it ask.
-        let beyond = FELT * root.bends[0].unit;
-        if shocks
-            .iter()
-            .all(|behind| root.is_off(&behind.shock.normal, beyond))
-        {
+        let unit = root.bends[0].unit;
+        let is_off = |behind: &Behind<D>| {
+            root.is_off(&behind.shock.normal, FELT * unit)
+                && (behind.shock.field.is_none() || root.is_beyond(FIELD * unit))
+        };
+        if shocks.iter().all(is_off) {
             return None;
         }
         let parts = |cell: &Plan<D>| {
@@ -181,11 +191,54 @@ pub fn reflect<G: EquationOfState, const D: usize>(
     all
 }
 
+/// Adds to what the cells of a block gain what rings about the tip of a cone press outwards with more than by what their cells hold.
+pub fn press_rings<G: EquationOfState, const D: usize>(
+    gas: &G,
+    shocks: &[Cleaving<'_, D>],
+    Layout { net, block, .. }: Layout<'_, D>,
+    flow: Flow<'_, D>,
+    cells: &mut [Conserved<D>],
+) {
+    for cleaving in shocks {
+        let [Behind { shock, reach, .. }] = &cleaving.shocks[..] else {
+            continue;
+        };
+        let Some(field) = &shock.field else {
+            continue;
+        };
+        let unit = cleaving.root.bends[0].unit;
+        for (plan, parts) in cleaving.root.cells.iter().zip(&cleaving.parts) {
+            let away = dot(&plan.point, &plan.point).sqrt() / unit;
+            let i = plan.cell as usize;
+            let is_held = parts[0] > 0.0 && (parts[0] < 1.0 || cleaving.is_in_field(away));
+            let Some(cell) = cells
+                .get_mut(i.wrapping_sub(block.cells.start))
+                .filter(|_| is_held)
+            else {
+                continue;
+            };
+            let (known, pressed) = conical::mean(gas, &cleaving.front, shock, field, plan);
+            let own = &flow.states[i];
+            let weight = nearness(away, *reach) * shock.share * shock.agreement(own, &known);
+            if flow.slopes[i].calmness >= 0.0 {
+                cell.momentum[RADIAL] += weight * (pressed - known.pressure) * net.cell(i).hoop;
+            }
+        }
+    }
+}
+
 impl<const D: usize> Cleaving<'_, D> {
     /// What a cell holds where nothing but the shocks stands there.
     fn known<G: EquationOfState>(&self, gas: &G, cell: u32) -> Primitive<D> {
-        let mut behind = [(0.0, &self.front); MOST];
         let parts = self.parts[cell as usize];
+        if let [Behind { shock, .. }] = &self.shocks[..]
+            && let Some(field) = &shock.field
+            && parts[0] > 0.0
+        {
+            let plan = &self.root.cells[cell as usize];
+            return conical::mean(gas, &self.front, shock, field, plan).0;
+        }
+        let mut behind = [(0.0, &self.front); MOST];
         for ((one, part), other) in behind.iter_mut().zip(parts).zip(&self.shocks) {
             *one = (part, &other.shock.rear);
         }
@@ -205,7 +258,8 @@ impl<const D: usize> Cleaving<'_, D> {
         // Where all is on one side, cells know it.
         let parts = seen.cells.map(|cell| self.parts[cell as usize]);
         let is_whole = |part: &f64| *part <= 0.0 || *part >= 1.0;
-        if parts[0] == parts[1] && parts[0].iter().all(is_whole) {
+        let is_in_field = || parts[0][0] > 0.0 && self.is_in_field(seen.away);
+        if parts[0] == parts[1] && parts[0].iter().all(is_whole) && !is_in_field() {
             return None;
         }
         // Cells of first order are left alone.
@@ -236,6 +290,11 @@ impl<const D: usize> Cleaving<'_, D> {
             }
         };
         for Behind { shock, sector, .. } in &self.shocks {
+            if let Some(field) = &shock.field {
+                conical::along(&self.front, shock, field, piece, &mut let_through);
+                ahead = 0.0;
+                continue;
+            }
             let part = piece.part(sector, &first.from());
             let_through(&shock.rear, part);
             ahead -= part;
@@ -243,6 +302,15 @@ impl<const D: usize> Cleaving<'_, D> {
         let_through(&self.front, ahead);
         let more = flux.plus(-1.0, usual);
         Some(Conserved::ZERO.plus(weight, &more))
+    }
+
+    /// True so far from the tip of a cone, in spacings, that gas behind its shock is not the same everywhere.
+    fn is_in_field(&self, away: f64) -> bool {
+        away < FIELD
+            && self
+                .shocks
+                .iter()
+                .any(|behind| behind.shock.field.is_some())
     }
 
     /// Pressure on a wall or a mirror with this `normal`, and how far that is to be believed, where the slopes of its cell see the shock.
@@ -260,8 +328,8 @@ impl<const D: usize> Cleaving<'_, D> {
         let cell = &self.root.cells[seen.cell as usize];
         // Farther from the shock slopes know nothing of it.
         let reach = cell.radius + SLOPES * self.root.bends[0].unit;
-        if near <= 0.0 || flow.slopes[i].calmness < 0.0 || cell.height(&shock.normal).abs() >= reach
-        {
+        let is_far = cell.height(&shock.normal).abs() >= reach && !self.is_in_field(seen.away);
+        if near <= 0.0 || flow.slopes[i].calmness < 0.0 || is_far {
             return None;
         }
         let own = &flow.states[i];

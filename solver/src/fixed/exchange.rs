@@ -136,6 +136,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             for (cell, i) in cells.iter_mut().zip(block.cells.clone()) {
                 cell.momentum[1] += flow.states[i].pressure * net.cell(i).hoop;
             }
+            cloven::press_rings(gas, shocks, layout, flow, &mut cells);
         }
         let mut gains = Gains { cells, boundary };
         if let Some(rubbed) = rubbed {

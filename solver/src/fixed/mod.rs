@@ -3,6 +3,7 @@
 //! [`FixedSimulation::step`] marches in time, `settle` goes to the steady state. Neither knows how cells are made.
 
 mod adapt;
+mod apex;
 mod assemble;
 mod attached;
 mod bend;
@@ -24,6 +25,8 @@ mod closed_in;
 mod cloud;
 mod cloven;
 mod columns;
+mod cone_cells;
+mod conical;
 mod cornered;
 mod crests;
 mod cut;

@@ -69,14 +69,14 @@ impl<const D: usize> Cleaving<'_, D> {
             for (cell, parts) in self.root.cells.iter().zip(&self.parts) {
                 let all = parts.iter().sum::<f64>();
                 let known = if all <= 0.0 {
-                    &self.front
+                    self.front
                 } else if parts[number] >= 1.0 {
-                    &behind.shock.rear
+                    behind.shock.rear_at(&cell.point)
                 } else {
                     continue;
                 };
                 let own = &states[cell.cell as usize];
-                reaches[number] = reaches[number].min(course.reach(cell, own, known, all > 0.0));
+                reaches[number] = reaches[number].min(course.reach(cell, own, &known, all > 0.0));
             }
         }
         reaches

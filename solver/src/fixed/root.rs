@@ -57,6 +57,8 @@ pub struct Root<const D: usize> {
     pub number: u32,
     /// The bend; the two that gas meets at a tip, which parts it.
     pub bends: Vec<Bend<D>>,
+    /// Whether it is the tip of a cone, about an axis.
+    pub is_apex: bool,
     /// Cells.
     pub cells: Vec<Plan<D>>,
     /// Where they are, and no corner of one is farther from there.
@@ -86,6 +88,12 @@ impl<const D: usize> Root<D> {
     pub fn is_off(&self, normal: &[f64; D], distance: f64) -> bool {
         let (middle, radius) = &self.whereabouts;
         dot(middle, normal).abs() > radius + distance
+    }
+
+    /// True where none of its cells is nearer than this.
+    pub fn is_beyond(&self, distance: f64) -> bool {
+        let (middle, radius) = &self.whereabouts;
+        dot(middle, middle).sqrt() > radius + distance
     }
 
     /// True of a tip.

@@ -26,19 +26,23 @@ pub fn may_hold<const D: usize>(bend: &Bend<D>, place: &Vector<D>) -> bool {
 }
 
 impl<const D: usize> Net<D> {
-    /// Finds what lies around sharp concave `bends` and around `tips`. Shocks of several may come by the same place, fans as well: which of them
+    /// Finds what lies around sharp concave `bends`, around `tips`, and around `apexes`, the tips of cones. Shocks of several may come by the same place, fans as well: which of them
     /// stands there is for the gas to say.
     pub(super) fn add_roots(
         &mut self,
         cells: &Cells<D>,
         bends: Vec<Bend<D>>,
         tips: Vec<Tip<D>>,
+        apexes: Vec<Bend<D>>,
         is_axisymmetric: bool,
     ) {
         let around = |middle: &Vector<D>| if is_axisymmetric { middle[RADIAL] } else { 1.0 };
-        let concave = bends.into_iter().map(|bend| (bend.clone(), vec![bend]));
+        let alone = |bend: Bend<D>| (bend.clone(), vec![bend]);
+        let concave = bends.into_iter().map(alone);
         let tips = tips.into_iter().map(|tip| (tip.around, tip.bends.into()));
-        for (number, (around_it, bends)) in (0..).zip(concave.chain(tips)) {
+        let first_apex = (concave.len() + tips.len()) as u32;
+        let places = concave.chain(tips).chain(apexes.into_iter().map(alone));
+        for (number, (around_it, bends)) in (0..).zip(places) {
             let walls = self.blocks.iter().flat_map(|block| &block.walls);
             let sight = Sight::new(&around_it, walls, farthest::<D>());
             let bend = &bends[0];
@@ -58,6 +62,7 @@ impl<const D: usize> Net<D> {
             for block in 0..self.blocks.len() {
                 let mut root = self.root(block, &bends, &plans, cells, around);
                 root.number = number;
+                root.is_apex = number >= first_apex;
                 if !root.cells.is_empty() {
                     self.blocks[block].roots.push(root);
                 }
@@ -128,6 +133,7 @@ impl<const D: usize> Net<D> {
         let mut root = Root {
             number: 0,
             bends: bends.to_vec(),
+            is_apex: false,
             cells: Vec::new(),
             whereabouts: ([0.0; D], 0.0),
             faces: Vec::new(),

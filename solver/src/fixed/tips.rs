@@ -12,10 +12,10 @@ const BLUNT: f64 = 0.7;
 const SHORT: f64 = 0.25;
 
 /// So far from the last walls before it, in spacings, a tip may be.
-const FAR: f64 = 2.5;
+pub const FAR: f64 = 2.5;
 
 /// So far ahead of a tip, in spacings, gas has not met it yet.
-const AHEAD: f64 = 1.5;
+pub const AHEAD: f64 = 1.5;
 
 impl<const D: usize> Chain<'_, D> {
     /// All tips: where a wall ends and another one goes back, sharper than a right angle.
@@ -47,12 +47,12 @@ impl<const D: usize> Chain<'_, D> {
         tips
     }
 
-    fn is_long(&self, wall: usize) -> bool {
+    pub(super) fn is_long(&self, wall: usize) -> bool {
         self.walls[wall].image.share >= SHORT * self.units[wall]
     }
 
     /// True of a wall that no long one goes on from this `way`.
-    fn is_last(&self, wall: usize, way: usize) -> bool {
+    pub(super) fn is_last(&self, wall: usize, way: usize) -> bool {
         let mut here = wall;
         for _ in 0..LOOKS {
             let Some(next) = self.links[way][here] else {
@@ -119,7 +119,7 @@ impl<const D: usize> Chain<'_, D> {
 
     /// The cell with the nearest point to a place, no farther off than this; in equal parts all that are as near, as those on both sides of a
     /// line of symmetry are.
-    fn gas_at(&self, place: &Vector<D>, farthest: f64) -> Option<Vec<(u32, f64)>> {
+    pub(super) fn gas_at(&self, place: &Vector<D>, farthest: f64) -> Option<Vec<(u32, f64)>> {
         const ALIKE: f64 = 1e-6;
         let away = |point: &Vector<D>| (point - place).norm();
         let all = || self.cells.points.iter().map(away);

@@ -14,6 +14,7 @@ use crate::problem::{Domain, Side};
 
 mod adapting;
 mod apart;
+mod apexes;
 mod bends;
 mod brinks;
 mod concave_bends;
