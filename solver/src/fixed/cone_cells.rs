@@ -96,3 +96,87 @@ pub fn along<const D: usize>(
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use aero_geometry::Vector;
+    use approx::assert_relative_eq;
+
+    use super::*;
+    use crate::fixed::bend::Bend;
+    use crate::gas::IdealGas;
+
+    const AIR: IdealGas = IdealGas::new(1.4);
+
+    fn front() -> Primitive<2> {
+        Primitive {
+            density: 1.4,
+            velocity: [3.0, 0.0],
+            pressure: 1.0,
+        }
+    }
+
+    /// The shock of a cone of 20 degrees at Mach 3, which rises by 29.6.
+    fn shock() -> AttachedShock<2> {
+        AttachedShock::at_apex(&AIR, &front(), &Bend::ramp(20.0, 1.0)).expect("a shock")
+    }
+
+    /// A square around a point, half as wide as this.
+    fn square(middle: [f64; 2], half: f64) -> Plan<2> {
+        let middle = Vector::from(middle);
+        let ways = [[1.0, 0.0], [-1.0, 0.0], [0.0, 1.0], [0.0, -1.0]].map(Vector::from);
+        let pieces = ways.map(|way| Piece::new(&(middle + way * half), &way, 2.0 * half));
+        Plan::new(0, middle, pieces.to_vec()).expect("a square")
+    }
+
+    /// Against a thousand small squares: by rings, and the pressure by area.
+    #[test]
+    fn a_cell_holds_the_mean_of_its_rings() {
+        let (shock, front) = (shock(), front());
+        let field = shock.field.as_ref().expect("a field");
+        for (middle, least) in [([2.0, 0.95], 0.03), ([3.0, 1.25], 1e-3)] {
+            let cell = square(middle, 0.25);
+            let (found, pressed) = mean(&AIR, &front, &shock, field, &cell);
+            let (mut sum, mut all, mut area) = (Conserved::ZERO, 0.0, 0.0);
+            for n in 0..1024 {
+                let place = [n % 32, n / 32].map(|n| (f64::from(n) + 0.5) / 64.0 - 0.25);
+                let place = [middle[0] + place[0], middle[1] + place[1]];
+                let is_behind = dot(&place, &shock.normal) < 0.0;
+                let there = if is_behind { field.at(&place) } else { front };
+                sum = sum.plus(place[1], &there.conserved(&AIR));
+                all += place[1];
+                area += there.pressure / 1024.0;
+            }
+            let exact = Conserved::ZERO.plus(1.0 / all, &sum).primitive(&AIR);
+            assert_relative_eq!(found.density, exact.density, max_relative = least);
+            assert_relative_eq!(found.pressure, exact.pressure, max_relative = least);
+            assert_relative_eq!(pressed, area, max_relative = least);
+        }
+    }
+
+    /// A face across the shock lets through what is on either side, ring by ring; on the cone there is what tables say [Sims 1964, NASA SP-3004].
+    #[test]
+    fn a_face_is_parted_where_the_shock_crosses_it() {
+        let (shock, front) = (shock(), front());
+        let field = shock.field.as_ref().expect("a field");
+        let rise = (shock.normal[0] / -shock.normal[1]).abs();
+        let up = Vector::from([1.0, 0.0]);
+        // From the cone to as far above the shock as the cone is below.
+        let [low, middle] = [f64::to_radians(20.0).tan(), rise];
+        let high = 2.0 * middle - low;
+        let face = Piece::new(&Vector::from([1.0, middle]), &up, high - low);
+        let (mut ahead, mut behind) = (0.0, 0.0);
+        along(&front, &shock, field, &face, &mut |state, part| {
+            if state.pressure > 1.0 {
+                behind += part;
+            } else {
+                ahead += part;
+            }
+        });
+        assert_relative_eq!(ahead + behind, 1.0, epsilon = 1e-12);
+        let rings = (high * high - middle * middle) / (high * high - low * low);
+        assert_relative_eq!(ahead, rings, epsilon = 1e-9);
+        assert_relative_eq!(shock.rear.pressure, 2.790_9, epsilon = 1e-4);
+        assert_relative_eq!(field.at(&[1.0, low]).pressure, 2.790_9, epsilon = 1e-4);
+    }
+}

@@ -9,6 +9,9 @@ use super::oblique::ratios;
 /// Longest step between rays, radians, in parts of the angle of the ray, and in parts of the way to where gas goes across as fast as sound.
 const STEPS: [f64; 3] = [0.02, 0.06, 0.2];
 
+/// Parts of a step between which gas changes evenly.
+const PARTS: u32 = 4;
+
 /// No shock is steeper than this, radians.
 const STEEPEST: f64 = 1.5;
 
@@ -86,7 +89,7 @@ impl Conical {
                 (low, below) = (middle, found);
             }
         }
-        let rays = around(low, gamma, angle)?;
+        let rays = around(low, gamma, angle)?.denser(gamma);
         Some(rays.flow(mach_square, gamma, stream))
     }
 
@@ -193,6 +196,16 @@ impl Ray {
 }
 
 impl Rays {
+    /// The same with more between them: near enough to be straight from one to the next.
+    fn denser(&self, gamma: f64) -> Self {
+        let between = self.0.windows(2).flat_map(|pair| {
+            let step = (pair[1].angle - pair[0].angle) / f64::from(PARTS);
+            let inner = (1..PARTS).filter_map(move |n| pair[0].next(step * f64::from(n), gamma));
+            std::iter::once(pair[0]).chain(inner)
+        });
+        Self(between.chain(self.0.last().copied()).collect())
+    }
+
     /// Speed of the stream ahead of the shock.
     fn stream(&self) -> f64 {
         let last = self.0[self.0.len() - 1];
