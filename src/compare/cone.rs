@@ -129,6 +129,14 @@ fn rows(flow: &Flow<'_, Model>) -> Result<Vec<Row>, CompareError> {
         ),
         flow.no_leaks(),
     ];
+    if is_of_points && flow.variant.own == Model::Rings {
+        rows.push(Row::error(
+            "surface pressure 2 to 10 spacings behind the tip, farthest off",
+            THEORY,
+            farthest_off_at_the_tip(flow, theory.pressure_ratio),
+            0.02,
+        ));
+    }
     rows.extend(flow.no_lift("cone", ROUND_OFF));
     Ok(rows)
 }
@@ -156,6 +164,15 @@ pub fn surface_pressures(outcome: &Outcome) -> impl Iterator<Item = f64> {
     let points = wall.position.iter().zip(&wall.pressure);
     let judged = points.filter(|(foot, _)| (STATIONS[0]..STATIONS[1]).contains(&foot[0]));
     judged.map(|(_, pressure)| *pressure)
+}
+
+/// How far the pressure is off theory, at most, from the third cell behind the tip to the tenth.
+fn farthest_off_at_the_tip(flow: &Flow<'_, Model>, theory: f64) -> f64 {
+    let wall = &flow.outcome.surface;
+    let points = wall.position.iter().zip(&wall.pressure);
+    let first = points.filter(|(foot, _)| (2.0..10.0).contains(&(foot[0] / flow.spacing)));
+    let off = first.map(|(_, pressure)| (GAMMA * pressure / theory - 1.0).abs());
+    off.fold(f64::NAN, f64::max)
 }
 
 /// A place along the axis and off it.

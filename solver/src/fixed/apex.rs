@@ -5,7 +5,7 @@ use aero_geometry::Vector;
 use super::attached::{AttachedShock, is_perfect};
 use super::bend::Bend;
 use super::cells::RADIAL;
-use super::chain::{Chain, SMOOTH};
+use super::chain::Chain;
 use super::conical::{Conical, OnRay};
 use super::equation_of_state::EquationOfState;
 use super::fan::{SONIC, SUPERSONIC, rise};
@@ -15,9 +15,22 @@ use super::tips::{AHEAD, FAR};
 /// Square of the Mach number on a cone from which on its shock does not stand ahead of the tip; from [`SONIC`] on less and less.
 const ATTACHED: f64 = 1.3;
 
+/// A wall is straight as far as it turns by less than this part of its angle to the axis.
+const STRAIGHT: f64 = 0.1;
+
+/// So far, in spacings, it is at least.
+const LEAST: f64 = 2.0;
+
+/// Gas behind the shock may be off the flow of the cone by what the shock changes up to so far from the tip, in spacings, by the inverse square of the distance
+/// from there on, and by a part of it at least: that of a nose that bends is another, which slopes know better.
+const BEGINNING: f64 = 8.0;
+
+/// See [`BEGINNING`].
+const OFF: [f64; 2] = [0.02, 0.5];
+
 impl<const D: usize> Chain<'_, D> {
-    /// All tips on the axis that a `stream` along it meets.
-    pub fn apexes(&self, stream: &Vector<D>) -> Vec<Bend<D>> {
+    /// All tips on the axis that a `stream` along it meets, and how far the wall goes on straight from each, in spacings.
+    pub fn apexes(&self, stream: &Vector<D>) -> Vec<(Bend<D>, f64)> {
         let long = (0..self.solid).filter(|&wall| self.is_long(wall));
         let ends = long.flat_map(|wall| [(wall, 0), (wall, 1)]);
         ends.filter_map(|(wall, back)| self.apex(wall, back, stream))
@@ -25,7 +38,7 @@ impl<const D: usize> Chain<'_, D> {
     }
 
     /// The tip that a wall begins at, if nothing goes on from it the way `back`.
-    fn apex(&self, wall: usize, back: usize, stream: &Vector<D>) -> Option<Bend<D>> {
+    fn apex(&self, wall: usize, back: usize, stream: &Vector<D>) -> Option<(Bend<D>, f64)> {
         let along = self.way(wall) * if back == 1 { 1.0 } else { -1.0 };
         let mut before = Vector::zeros();
         before[0] = along[0].signum();
@@ -35,16 +48,15 @@ impl<const D: usize> Chain<'_, D> {
         }
         let (foot, unit) = (self.walls[wall].foot, self.units[wall]);
         let away = foot[RADIAL] / along[RADIAL];
-        let step = self.links[1 - back][wall].map(|to| self.turn(wall, to).abs());
-        let turn = along[RADIAL].atan2(along[0].abs());
-        if away > FAR * unit || step.is_none_or(|step| step > SMOOTH * turn) {
+        let at = foot - along * away;
+        let straight = self.straight(wall, 1 - back, &at) / unit;
+        if away > FAR * unit || straight < LEAST {
             return None;
         }
-        let at = foot - along * away;
         let donors = self.gas_at(&(at - before * (AHEAD * unit)), unit)?;
         let mut up = [0.0; D];
         up[RADIAL] = 1.0;
-        Some(Bend {
+        let bend = Bend {
             at: at.into(),
             edge: [0.0; D],
             donors,
@@ -52,7 +64,27 @@ impl<const D: usize> Chain<'_, D> {
             before: before.into(),
             up,
             unit,
-        })
+        };
+        Some((bend, straight))
+    }
+
+    /// How far from a place the walls are straight that go on from `wall` this `way`: to the middle of the first that has turned by a part of the angle to the axis;
+    /// endless where none does.
+    fn straight(&self, wall: usize, way: usize, from: &Vector<D>) -> f64 {
+        let along = self.way(wall);
+        let most = STRAIGHT * along[RADIAL].abs().atan2(along[0].abs());
+        let mut here = wall;
+        // As many as there are, should they go round.
+        for _ in 0..self.walls.len() {
+            let Some(next) = self.links[way][here] else {
+                break;
+            };
+            if self.turn(wall, next).abs() > most {
+                return (self.walls[next].foot - from).norm();
+            }
+            here = next;
+        }
+        f64::INFINITY
     }
 }
 
@@ -71,6 +103,21 @@ impl<const D: usize> Field<D> {
     pub fn at(&self, place: &[f64; D]) -> Primitive<D> {
         let [along, away] = self.axes.map(|axis| dot(place, &axis));
         self.state(&self.conical.at(away.atan2(along)))
+    }
+
+    /// How far gas in the state `own`, so many spacings `away` from the tip, may be taken for what is `known` of it.
+    pub fn agreement(&self, own: &Primitive<D>, known: &Primitive<D>, away: f64) -> f64 {
+        let strength = self.conical.surface().pressure.ln();
+        let off = (own.pressure / known.pressure).ln().abs() / strength;
+        let least = (OFF[1] * (BEGINNING / away).powi(2)).clamp(OFF[0], OFF[1]);
+        1.0 - rise(off, least, 2.0 * least)
+    }
+
+    /// How far from the tip the shock is reached by what happens on the cone so far from there: along Mach lines.
+    pub fn felt(&self, away: f64) -> f64 {
+        let angle = (1.0 / self.conical.mach).asin();
+        let rise = self.conical.shock - self.conical.angle();
+        away * angle.sin() / (angle - rise).sin().max(f64::MIN_POSITIVE)
     }
 
     /// How far a place is from the axis.

@@ -5,8 +5,7 @@
 
 use super::attached::{AttachedShock, FELT, farthest, mean, nearness};
 use super::bent::{Layout, shifted};
-use super::cells::RADIAL;
-use super::cone_cells as conical;
+use super::cone_cells;
 use super::equation_of_state::EquationOfState;
 use super::hll::Jump;
 use super::net::Block;
@@ -47,6 +46,8 @@ pub struct Cleaving<'a, const D: usize> {
     pub root: &'a Root<D>,
     /// The parts of each cell that are behind them.
     pub parts: Vec<[f64; MOST]>,
+    /// Behind the shock of a cone, what each cell holds where nothing else stands there, with what its rings press outwards with.
+    pub(super) field: Vec<Option<(Primitive<D>, f64)>>,
 }
 
 /// The shocks that stand at the concave bends and the tips of a block.
@@ -60,7 +61,7 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
         let shocks: Vec<Behind<D>> = (0..)
             .zip(&root.bends)
             .filter_map(|(wall, bend)| {
-                let shock = if root.is_apex {
+                let shock = if root.apex.is_some() {
                     AttachedShock::at_apex(gas, &front, bend)?
                 } else {
                     AttachedShock::new(gas, &front, bend)?
@@ -99,12 +100,27 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
             }
             parts
         };
-        let parts = root.cells.iter().map(parts).collect();
+        let parts: Vec<[f64; MOST]> = root.cells.iter().map(parts).collect();
+        let field = match &shocks[0].shock {
+            shock @ AttachedShock {
+                field: Some(field), ..
+            } => {
+                let known = |(cell, parts): (&Plan<D>, &[f64; MOST])| {
+                    let is_cut = parts[0] > 0.0 && parts[0] < 1.0;
+                    let is_near = is_cut || cell.away() < (FIELD + 2.0) * unit;
+                    (parts[0] > 0.0 && is_near)
+                        .then(|| cone_cells::mean(gas, &front, shock, field, cell))
+                };
+                root.cells.iter().zip(&parts).map(known).collect()
+            }
+            _ => Vec::new(),
+        };
         Some(Cleaving {
             front,
             shocks,
             root,
             parts,
+            field,
         })
     };
     block.roots.iter().filter_map(stands).collect()
@@ -191,52 +207,17 @@ pub fn reflect<G: EquationOfState, const D: usize>(
     all
 }
 
-/// Adds to what the cells of a block gain what rings about the tip of a cone press outwards with more than by what their cells hold.
-pub fn press_rings<G: EquationOfState, const D: usize>(
-    gas: &G,
-    shocks: &[Cleaving<'_, D>],
-    Layout { net, block, .. }: Layout<'_, D>,
-    flow: Flow<'_, D>,
-    cells: &mut [Conserved<D>],
-) {
-    for cleaving in shocks {
-        let [Behind { shock, reach, .. }] = &cleaving.shocks[..] else {
-            continue;
-        };
-        let Some(field) = &shock.field else {
-            continue;
-        };
-        let unit = cleaving.root.bends[0].unit;
-        for (plan, parts) in cleaving.root.cells.iter().zip(&cleaving.parts) {
-            let away = dot(&plan.point, &plan.point).sqrt() / unit;
-            let i = plan.cell as usize;
-            let is_held = parts[0] > 0.0 && (parts[0] < 1.0 || cleaving.is_in_field(away));
-            let Some(cell) = cells
-                .get_mut(i.wrapping_sub(block.cells.start))
-                .filter(|_| is_held)
-            else {
-                continue;
-            };
-            let (known, pressed) = conical::mean(gas, &cleaving.front, shock, field, plan);
-            let own = &flow.states[i];
-            let weight = nearness(away, *reach) * shock.share * shock.agreement(own, &known);
-            if flow.slopes[i].calmness >= 0.0 {
-                cell.momentum[RADIAL] += weight * (pressed - known.pressure) * net.cell(i).hoop;
-            }
-        }
-    }
-}
-
 impl<const D: usize> Cleaving<'_, D> {
     /// What a cell holds where nothing but the shocks stands there.
     fn known<G: EquationOfState>(&self, gas: &G, cell: u32) -> Primitive<D> {
         let parts = self.parts[cell as usize];
-        if let [Behind { shock, .. }] = &self.shocks[..]
-            && let Some(field) = &shock.field
-            && parts[0] > 0.0
-        {
-            let plan = &self.root.cells[cell as usize];
-            return conical::mean(gas, &self.front, shock, field, plan).0;
+        if let Some(Some((known, _))) = self.field.get(cell as usize) {
+            return *known;
+        }
+        if parts[0] >= 1.0 {
+            return self.shocks[0]
+                .shock
+                .rear_at(&self.root.cells[cell as usize].point);
         }
         let mut behind = [(0.0, &self.front); MOST];
         for ((one, part), other) in behind.iter_mut().zip(parts).zip(&self.shocks) {
@@ -258,8 +239,8 @@ impl<const D: usize> Cleaving<'_, D> {
         // Where all is on one side, cells know it.
         let parts = seen.cells.map(|cell| self.parts[cell as usize]);
         let is_whole = |part: &f64| *part <= 0.0 || *part >= 1.0;
-        let is_in_field = || parts[0][0] > 0.0 && self.is_in_field(seen.away);
-        if parts[0] == parts[1] && parts[0].iter().all(is_whole) && !is_in_field() {
+        let is_cut = parts[0] != parts[1] || !parts[0].iter().all(is_whole);
+        if !is_cut && (parts[0][0] <= 0.0 || !self.is_in_field(seen.away)) {
             return None;
         }
         // Cells of first order are left alone.
@@ -272,7 +253,11 @@ impl<const D: usize> Cleaving<'_, D> {
         for (number, Behind { shock, reach, .. }) in self.shocks.iter().enumerate() {
             if parts.iter().any(|part| part[number] > 0.0) {
                 let near = nearness(seen.away, *reach);
-                let agreement = |k: usize| shock.agreement(own[k], &known[k]);
+                let agreement = |k: usize| {
+                    let field = shock.field.as_ref().filter(|_| !is_cut);
+                    let in_field = field.map(|field| field.agreement(own[k], &known[k], seen.away));
+                    shock.agreement(own[k], &known[k]) * in_field.unwrap_or(1.0)
+                };
                 weight = weight.min(near * shock.share * agreement(0).min(agreement(1)));
             }
         }
@@ -291,7 +276,7 @@ impl<const D: usize> Cleaving<'_, D> {
         };
         for Behind { shock, sector, .. } in &self.shocks {
             if let Some(field) = &shock.field {
-                conical::along(&self.front, shock, field, piece, &mut let_through);
+                cone_cells::along(&self.front, shock, field, piece, &mut let_through);
                 ahead = 0.0;
                 continue;
             }
@@ -305,7 +290,7 @@ impl<const D: usize> Cleaving<'_, D> {
     }
 
     /// True so far from the tip of a cone, in spacings, that gas behind its shock is not the same everywhere.
-    fn is_in_field(&self, away: f64) -> bool {
+    pub(super) fn is_in_field(&self, away: f64) -> bool {
         away < FIELD
             && self
                 .shocks
@@ -334,7 +319,12 @@ impl<const D: usize> Cleaving<'_, D> {
         }
         let own = &flow.states[i];
         let known = self.known(gas, seen.cell);
-        let weight = near * shock.share * shock.agreement(own, &known);
+        let mut weight = near * shock.share * shock.agreement(own, &known);
+        if let Some(field) = &shock.field
+            && self.parts[seen.cell as usize][0] >= 1.0
+        {
+            weight *= field.agreement(own, &known, seen.away);
+        }
         let there = match seen.behind {
             Some(_) => &shock.rear,
             None => &self.front,

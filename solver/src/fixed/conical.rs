@@ -72,9 +72,6 @@ impl Conical {
             low -= back;
         };
         for guess in 0..GUESSES {
-            if high - low < EXACT {
-                break;
-            }
             // Regula falsi, and halves now and then for what does not come closer.
             let part = if above.is_finite() && guess % 3 < 2 {
                 above / (above - below)
@@ -87,6 +84,10 @@ impl Conical {
                 (high, above) = (middle, found);
             } else {
                 (low, below) = (middle, found);
+            }
+            if found.abs() < EXACT {
+                low = middle;
+                break;
             }
         }
         let rays = around(low, gamma, angle)?.denser(gamma);
@@ -108,6 +109,11 @@ impl Conical {
             pressure: between(low.pressure, high.pressure),
             velocity: [0, 1].map(|k| between(low.velocity[k], high.velocity[k])),
         }
+    }
+
+    /// Half angle of the cone, radians.
+    pub fn angle(&self) -> f64 {
+        self.rays[0].0
     }
 
     /// Gas on the cone.

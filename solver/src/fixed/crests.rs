@@ -213,7 +213,7 @@ impl<const D: usize> Crest<'_, D> {
         let mut root = Root {
             number,
             bends: self.bends.clone(),
-            is_apex: false,
+            apex: None,
             cells: Vec::new(),
             whereabouts: ([0.0; D], 0.0),
             faces: Vec::new(),

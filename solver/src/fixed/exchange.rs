@@ -4,6 +4,7 @@ use aero_geometry::Vector;
 
 use super::bent::{Layout, fans, press, turn};
 use super::cloven::{self, Cleaving};
+use super::cone_cells::press_rings;
 use super::energy::EnergyFlux;
 use super::equation_of_state::EquationOfState;
 use super::fluxes::{Passed, Through};
@@ -136,7 +137,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             for (cell, i) in cells.iter_mut().zip(block.cells.clone()) {
                 cell.momentum[1] += flow.states[i].pressure * net.cell(i).hoop;
             }
-            cloven::press_rings(gas, shocks, layout, flow, &mut cells);
+            press_rings(shocks, layout, flow, &mut cells);
         }
         let mut gains = Gains { cells, boundary };
         if let Some(rubbed) = rubbed {

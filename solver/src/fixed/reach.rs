@@ -65,22 +65,38 @@ impl<const D: usize> Cleaving<'_, D> {
         let bend = &self.root.bends[0];
         let mut reaches = [farthest::<D>(); MOST];
         for (number, behind) in self.shocks.iter().enumerate() {
+            if let (Some(straight), Some(field)) = (self.root.apex, &behind.shock.field) {
+                reaches[number] = reaches[number].min(field.felt(straight));
+            }
             let course = Course::new(gas, &behind.shock, &self.front, bend);
             for (cell, parts) in self.root.cells.iter().zip(&self.parts) {
                 let all = parts.iter().sum::<f64>();
-                let known = if all <= 0.0 {
-                    self.front
-                } else if parts[number] >= 1.0 {
-                    behind.shock.rear_at(&cell.point)
-                } else {
+                if all > 0.0 && parts[number] < 1.0 {
+                    continue;
+                }
+                let Some(seen) = course.sees(cell, all > 0.0) else {
                     continue;
                 };
+                let known = if all > 0.0 {
+                    behind.shock.rear_at(&cell.point)
+                } else {
+                    self.front
+                };
                 let own = &states[cell.cell as usize];
-                reaches[number] = reaches[number].min(course.reach(cell, own, &known, all > 0.0));
+                reaches[number] = reaches[number].min(course.reach(&seen, own, &known));
             }
         }
         reaches
     }
+}
+
+/// A cell that may say how far a shock stands.
+struct Witness {
+    /// So far along the shock, in spacings.
+    away: f64,
+    /// Parts of what the shock changes that it may be off by.
+    least: f64,
+    is_behind: bool,
 }
 
 /// A shock, and which way it goes from its bend.
@@ -121,14 +137,8 @@ impl<'a, const D: usize> Course<'a, D> {
         }
     }
 
-    /// How far the shock stands, in spacings, by a cell in the state `own` where it would be `known`.
-    fn reach(
-        &self,
-        cell: &Plan<D>,
-        own: &Primitive<D>,
-        known: &Primitive<D>,
-        is_behind: bool,
-    ) -> f64 {
+    /// What a cell on that side may say of the shock; nothing of one that is next to it or far from it.
+    fn sees(&self, cell: &Plan<D>, is_behind: bool) -> Option<Witness> {
         let ahead = dot(&cell.point, &self.shock.normal) / self.unit;
         let height = if is_behind { -ahead } else { ahead };
         let beside = dot(&cell.point, &self.along) / self.unit;
@@ -138,11 +148,17 @@ impl<'a, const D: usize> Course<'a, D> {
         } else {
             (AHEAD, OFF_AHEAD, BEGINNING[0], beside)
         };
-        if beside <= 0.0 || !(from..to).contains(&height) {
-            return farthest::<D>();
-        }
-        let least = least.max((beginning / away).powi(2));
-        let agrees = 1.0 - rise(self.off(own, known, is_behind), least, 2.0 * least);
+        (beside > 0.0 && (from..to).contains(&height)).then(|| Witness {
+            away,
+            least: least.max((beginning / away).powi(2)),
+            is_behind,
+        })
+    }
+
+    /// How far the shock stands, in spacings, by a cell in the state `own` where it would be `known`.
+    fn reach(&self, seen: &Witness, own: &Primitive<D>, known: &Primitive<D>) -> f64 {
+        let Witness { away, least, .. } = *seen;
+        let agrees = 1.0 - rise(self.off(own, known, seen.is_behind), least, 2.0 * least);
         away + agrees * (farthest::<D>() - away).max(0.0)
     }
 
@@ -221,7 +237,8 @@ mod tests {
         };
         let is_behind = ahead < 0.0;
         let known = if is_behind { &shock.rear } else { &front };
-        course.reach(&cell, own, known, is_behind)
+        let seen = course.sees(&cell, is_behind);
+        seen.map_or(farthest::<2>(), |seen| course.reach(&seen, own, known))
     }
 
     /// NACA Report 1135 (1953), charts 2 and 3: at Mach 3 and 15 degrees the shock rises by 32.24, and gas is at Mach 2.255 behind it, where Mach lines rise by

@@ -57,8 +57,8 @@ pub struct Root<const D: usize> {
     pub number: u32,
     /// The bend; the two that gas meets at a tip, which parts it.
     pub bends: Vec<Bend<D>>,
-    /// Whether it is the tip of a cone, about an axis.
-    pub is_apex: bool,
+    /// Of the tip of a cone about an axis, how far its wall goes on straight, in spacings.
+    pub apex: Option<f64>,
     /// Cells.
     pub cells: Vec<Plan<D>>,
     /// Where they are, and no corner of one is farther from there.
@@ -136,6 +136,11 @@ impl<const D: usize> Plan<D> {
     /// Where the corners of its pieces are seen from, as seen from the root.
     pub fn from(&self) -> [f64; D] {
         if D > 2 { self.point } else { [0.0; D] }
+    }
+
+    /// How far its point is from the root.
+    pub fn away(&self) -> f64 {
+        dot(&self.point, &self.point).sqrt()
     }
 
     /// How far its point is on that side of a line through the root to which its unit `normal` points.

@@ -20,6 +20,9 @@ const STEEPEST: f64 = 0.17;
 /// So far before its bend, in spacings, is the next cell ahead of the one that holds it, at most.
 pub const BEFORE: f64 = 2.0;
 
+/// How many times as far from its tip as what happens on a cone its shock feels it, at most.
+const FELT_BY: f64 = 6.0;
+
 /// True of a place, as seen from a bend, where a shock that is rooted there may run through a cell or through one next to it.
 pub fn may_hold<const D: usize>(bend: &Bend<D>, place: &Vector<D>) -> bool {
     place.dot(&bend.before.into()) > STEEPEST * place.norm() - BEFORE * bend.unit
@@ -33,23 +36,30 @@ impl<const D: usize> Net<D> {
         cells: &Cells<D>,
         bends: Vec<Bend<D>>,
         tips: Vec<Tip<D>>,
-        apexes: Vec<Bend<D>>,
+        apexes: Vec<(Bend<D>, f64)>,
         is_axisymmetric: bool,
     ) {
         let around = |middle: &Vector<D>| if is_axisymmetric { middle[RADIAL] } else { 1.0 };
-        let alone = |bend: Bend<D>| (bend.clone(), vec![bend]);
-        let concave = bends.into_iter().map(alone);
-        let tips = tips.into_iter().map(|tip| (tip.around, tip.bends.into()));
-        let first_apex = (concave.len() + tips.len()) as u32;
-        let places = concave.chain(tips).chain(apexes.into_iter().map(alone));
-        for (number, (around_it, bends)) in (0..).zip(places) {
+        let alone = |bend: Bend<D>, apex| (bend.clone(), vec![bend], apex);
+        let concave = bends.into_iter().map(|bend| alone(bend, None));
+        let tips = tips
+            .into_iter()
+            .map(|tip| (tip.around, tip.bends.into(), None));
+        let apexes = apexes
+            .into_iter()
+            .map(|(bend, straight)| alone(bend, Some(straight)));
+        let places = concave.chain(tips).chain(apexes);
+        for (number, (around_it, bends, apex)) in (0..).zip(places) {
             let walls = self.blocks.iter().flat_map(|block| &block.walls);
             let sight = Sight::new(&around_it, walls, farthest::<D>());
             let bend = &bends[0];
             let at = Vector::from(bend.at);
+            // What happens on a cone is felt at its shock some times as far from the tip.
+            let most = apex.map_or(f64::INFINITY, |straight| FELT_BY * straight);
+            let most = most.min(farthest::<D>()) * bend.unit;
             let is_own = |place: &Vector<D>| {
                 let away = place.norm();
-                away < farthest::<D>() * bend.unit && may_hold(bend, place) && sight.reaches(place)
+                away < most && may_hold(bend, place) && sight.reaches(place)
             };
             let plans: HashMap<u32, Plan<D>> = self
                 .pieces(cells, &at, is_own, around)
@@ -62,7 +72,7 @@ impl<const D: usize> Net<D> {
             for block in 0..self.blocks.len() {
                 let mut root = self.root(block, &bends, &plans, cells, around);
                 root.number = number;
-                root.is_apex = number >= first_apex;
+                root.apex = apex;
                 if !root.cells.is_empty() {
                     self.blocks[block].roots.push(root);
                 }
@@ -133,7 +143,7 @@ impl<const D: usize> Net<D> {
         let mut root = Root {
             number: 0,
             bends: bends.to_vec(),
-            is_apex: false,
+            apex: None,
             cells: Vec::new(),
             whereabouts: ([0.0; D], 0.0),
             faces: Vec::new(),

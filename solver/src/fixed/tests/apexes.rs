@@ -37,7 +37,7 @@ fn section(points: &[[f64; 2]]) -> Outline {
 
 fn has_apex(flow: &FixedSimulation<2>) -> bool {
     let mut roots = flow.net.blocks.iter().flat_map(|block| &block.roots);
-    roots.any(|root| root.is_apex)
+    roots.any(|root| root.apex.is_some())
 }
 
 /// Taylor & Maccoll 1933; wherever in its cell the tip lies, and where the shock lies in the first cell over the wall all along.
