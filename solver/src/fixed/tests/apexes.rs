@@ -113,6 +113,31 @@ fn other_noses_are_no_tips_of_cones() {
     assert_eq!(wide(true), wide(false));
 }
 
+/// A cone's wall is straight to its end; that of a nose of constant bend, until it has turned by a tenth of its angle to the axis.
+#[test]
+fn a_nose_is_a_cone_as_far_as_its_wall_is_straight() {
+    const RADIUS: f64 = 6.25;
+    const ANGLE: f64 = 0.3;
+    let place = |turned: f64| {
+        let angle = ANGLE - turned;
+        let along = RADIUS * (ANGLE.sin() - angle.sin());
+        [along, RADIUS * (angle.cos() - ANGLE.cos())]
+    };
+    let mut nose: Vec<[f64; 2]> = (0..=60).map(|n| place(0.005 * f64::from(n))).collect();
+    let end = nose[60];
+    nose.extend([[3.0, end[1]], [3.0, 0.0]]);
+    let straight = |body: Outline| -> f64 {
+        let flow = FixedSimulation::new(problem(3.0, body, 0.3)).unwrap();
+        let mut roots = flow.net.blocks.iter().flat_map(|block| &block.roots);
+        roots.find_map(|root| root.apex).expect("an apex")
+    };
+    assert!(straight(cone(20.0)).is_infinite());
+    // It turns by as much over so many spacings.
+    let expected = 0.1 * ANGLE * RADIUS / DX;
+    let found = straight(section(&nose));
+    assert!((found - expected).abs() < 1.5, "{found} {expected}");
+}
+
 /// Behind a shoulder five cells from the tip a fan weakens the shock, which is not where the tip says for long: far from there all is as if nothing were known
 /// of it.
 #[test]
