@@ -31,15 +31,23 @@ pub(crate) fn ends_in<const D: usize>(
     (planes, tolerance)
 }
 
+/// False where a body with these corners ends in none of `planes`: it is no half then.
+pub fn may_be_half(corners: impl Iterator<Item = Vector<3>>, planes: &[MirrorPlane]) -> bool {
+    around(corners).is_some_and(|bounds| !ends_in(&bounds, planes).0.is_empty())
+}
+
+/// The box around some places, if there are any.
+fn around(places: impl Iterator<Item = Vector<3>>) -> Option<Bounds<3>> {
+    let one = places.map(|place| (place, place));
+    let all = one.reduce(|a, b| (a.0.inf(&b.0), a.1.sup(&b.1)));
+    all.map(|(low, high)| Bounds::new(low, high))
+}
+
 /// `facets` with their images in those of `planes` that they end in, closed where they meet them; none unless they are half of a body: all on the side that
 /// a plane shows, some of them in it, or open along it.
 pub fn made_whole(facets: &[Facet], planes: &[MirrorPlane]) -> Option<Vec<Facet>> {
-    let corners = || facets.iter().flatten().copied();
-    let bounds = Bounds::new(
-        corners().reduce(|low, corner| low.inf(&corner))?,
-        corners().reduce(|high, corner| high.sup(&corner))?,
-    );
-    let (planes, tolerance) = ends_in(&bounds, planes);
+    let corners = facets.iter().flatten().copied();
+    let (planes, tolerance) = ends_in(&around(corners)?, planes);
     planes.iter().fold(None, |whole, plane| {
         let half = whole.as_deref().unwrap_or(facets);
         joined(half, plane, tolerance).or(whole)

@@ -17,6 +17,20 @@ const FAR: f64 = 12.0;
 /// Places of Gauss on a segment, in parts of its half length.
 const GAUSS: f64 = 0.577_350_269_189_625_8;
 
+/// Gas at a place as seen from the tip: in `front` ahead of the shock of a cone, and of its `field` behind.
+fn at<const D: usize>(
+    front: &Primitive<D>,
+    shock: &AttachedShock<D>,
+    field: &Field<D>,
+    place: &[f64; D],
+) -> Primitive<D> {
+    if dot(place, &shock.normal) < 0.0 {
+        field.at(place)
+    } else {
+        *front
+    }
+}
+
 /// The mean of a cell, ring by ring: gas in `front` ahead of the shock of a cone, and that of its `field` behind. With the mean of its pressure by area, which
 /// its rings press outwards with.
 pub fn mean<G: EquationOfState, const D: usize>(
@@ -27,8 +41,7 @@ pub fn mean<G: EquationOfState, const D: usize>(
     cell: &Plan<D>,
 ) -> (Primitive<D>, f64) {
     let is_cut = cell.height(&shock.normal).abs() < cell.radius;
-    let away = dot(&cell.point, &cell.point).sqrt();
-    if !is_cut && away > FAR * cell.radius {
+    if !is_cut && cell.away() > FAR * cell.radius {
         let there = field.at(&cell.point);
         return (there, there.pressure);
     }
@@ -38,8 +51,8 @@ pub fn mean<G: EquationOfState, const D: usize>(
         let corners = [&cell.point, &piece.corners[0], &piece.corners[1]];
         let area = {
             let [a, b, c] = corners;
-            let at = |p: &[f64; D], k: usize| p[k] - a[k];
-            0.5 * (at(b, 0) * at(c, 1) - at(b, 1) * at(c, 0)).abs()
+            let arm = |p: &[f64; D], k: usize| p[k] - a[k];
+            0.5 * (arm(b, 0) * arm(c, 1) - arm(b, 1) * arm(c, 0)).abs()
         };
         // The middles of the four parts that halves of the sides make.
         for weights in [[4.0, 1.0, 1.0], [1.0, 4.0, 1.0], [1.0, 1.0, 4.0], [2.0; 3]] {
@@ -48,11 +61,7 @@ pub fn mean<G: EquationOfState, const D: usize>(
                 each.map(|(corner, weight)| corner[k] * weight).sum::<f64>() / 6.0
             });
             let weight = area * field.radius(&place).max(0.0);
-            let there = if dot(&place, &shock.normal) < 0.0 {
-                field.at(&place)
-            } else {
-                *front
-            };
+            let there = at(front, shock, field, &place);
             sum = sum.plus(weight, &there.conserved(gas));
             all += weight;
             pressed += area * there.pressure;
@@ -97,11 +106,7 @@ pub fn along<const D: usize>(
     }
     for (place, weight) in places {
         if weight > 0.0 {
-            let there = if dot(&place, &shock.normal) < 0.0 {
-                field.at(&place)
-            } else {
-                *front
-            };
+            let there = at(front, shock, field, &place);
             take(&there, weight / all);
         }
     }
@@ -155,17 +160,10 @@ mod tests {
 
     use super::*;
     use crate::fixed::bend::Bend;
+    use crate::fixed::state::front;
     use crate::gas::IdealGas;
 
     const AIR: IdealGas = IdealGas::new(1.4);
-
-    fn front() -> Primitive<2> {
-        Primitive {
-            density: 1.4,
-            velocity: [3.0, 0.0],
-            pressure: 1.0,
-        }
-    }
 
     /// The shock of a cone of 20 degrees at Mach 3, which rises by 29.6.
     fn shock() -> AttachedShock<2> {

@@ -202,17 +202,10 @@ mod tests {
     use approx::assert_relative_eq;
 
     use super::*;
+    use crate::fixed::state::front;
     use crate::gas::IdealGas;
 
     const AIR: IdealGas = IdealGas::new(1.4);
-
-    fn front() -> Primitive<2> {
-        Primitive {
-            density: 1.4,
-            velocity: [3.0, 0.0],
-            pressure: 1.0,
-        }
-    }
 
     fn bend() -> Bend<2> {
         Bend::ramp(15.0, 0.1)

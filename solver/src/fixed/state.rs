@@ -216,6 +216,16 @@ impl<const D: usize> Conserved<D> {
     }
 }
 
+/// Gas of Mach 3 along the first axis, whose speed of sound is one, ahead of a shock.
+#[cfg(test)]
+pub fn front() -> Primitive<2> {
+    Primitive {
+        density: 1.4,
+        velocity: [3.0, 0.0],
+        pressure: 1.0,
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;

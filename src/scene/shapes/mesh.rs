@@ -3,7 +3,9 @@
 use std::path::{Path, PathBuf};
 
 use aero_geometry::stl::{Facet, Soup};
-use aero_geometry::{GeometryError, Mending, Placed, Solid, Watch, files, made_whole, stl};
+use aero_geometry::{
+    GeometryError, Mending, Placed, Solid, Watch, files, made_whole, may_be_half, stl,
+};
 use serde::Deserialize;
 
 use super::super::number::Positive;
@@ -128,7 +130,10 @@ pub(super) fn in_place(
     solid: impl Fn(Soup, f64) -> Result<Solid, String>,
 ) -> Result<Made<3>, String> {
     let placement = place_in_space(place)?;
-    if !making.mirrors.is_empty() {
+    let all = soup.facets.iter().flatten();
+    let all = all.map(|corner| placement.point(corner));
+    // Millions of triangles are not copied in vain.
+    if may_be_half(all, &making.mirrors) {
         let corners = |facet: &Facet| facet.each_ref().map(|corner| placement.point(corner));
         let facets: Vec<Facet> = soup.facets.iter().map(corners).collect();
         if let Some(facets) = made_whole(&facets, &making.mirrors) {
