@@ -148,8 +148,8 @@ fn minutes_are_turned_into_points_once() {
     for (table, word) in [
         ("{flow=1}", "both `flow = N` and `bodies = M`"),
         (
-            "{flow=1, bodies=7}",
-            "7 is not a number of halvings from 0 to 6",
+            "{flow=1, bodies=11}",
+            "11 is not a number of halvings from 0 to 10",
         ),
     ] {
         let setting = format!("scheme.refine={table}");

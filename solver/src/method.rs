@@ -1,5 +1,7 @@
 //! How the gas is followed: by particles that move with it, or at points that stay where they are.
 
+use std::fmt;
+
 /// What carries the gas.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub enum Method {
@@ -62,12 +64,14 @@ pub enum Time {
 pub enum Refine {
     /// To this many halvings of the scene's spacing; zero for points all alike.
     Levels(u8),
-    /// To so many halvings where the gas asks for them, and to others around thin and bent parts of bodies.
+    /// To so many halvings where the gas asks for them, and to others around bodies.
     Apart {
         /// Of the flow.
         flow: u8,
-        /// Of bodies.
+        /// Around thin parts of bodies.
         bodies: u8,
+        /// Around bent ones: noses and edges.
+        bends: u8,
     },
     /// As far as this number of points allows.
     Points(u64),
@@ -80,27 +84,67 @@ impl Default for Refine {
 }
 
 impl Refine {
-    /// Most halvings of the spacing, however many points there may be.
-    pub const DEEPEST: u8 = 6;
+    /// Most halvings of the spacing that may be asked for.
+    pub const DEEPEST: u8 = 10;
+
+    /// Most halvings where a number of points is asked for, however many there may be.
+    pub const DEEPEST_OF_POINTS: u8 = 6;
 
     /// Halvings of the scene's spacing at most.
     pub fn levels(self) -> u8 {
-        self.of_flow().max(self.of_bodies())
+        self.each().into_iter().fold(0, u8::max)
     }
 
     /// Halvings at most where the gas asks.
     pub fn of_flow(self) -> u8 {
-        match self {
-            Self::Levels(levels) | Self::Apart { flow: levels, .. } => levels,
-            Self::Points(_) => Self::DEEPEST,
-        }
+        self.each()[0]
     }
 
-    /// Halvings at most where bodies ask.
+    /// Halvings at most where bodies are thin.
     pub fn of_bodies(self) -> u8 {
+        self.each()[1]
+    }
+
+    /// Halvings at most where they are bent.
+    pub fn of_bends(self) -> u8 {
+        self.each()[2]
+    }
+
+    /// Of the flow, of thin parts and of bends.
+    fn each(self) -> [u8; 3] {
         match self {
-            Self::Levels(levels) | Self::Apart { bodies: levels, .. } => levels,
-            Self::Points(_) => Self::DEEPEST,
+            Self::Levels(levels) => [levels; 3],
+            Self::Apart {
+                flow,
+                bodies,
+                bends,
+            } => [flow, bodies, bends],
+            Self::Points(_) => [Self::DEEPEST_OF_POINTS; 3],
+        }
+    }
+}
+
+/// As a scene says it.
+impl fmt::Display for Refine {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Levels(levels) => write!(formatter, "{levels}"),
+            Self::Apart {
+                flow,
+                bodies,
+                bends,
+            } if bends == bodies => {
+                write!(formatter, "{{ flow = {flow}, bodies = {bodies} }}")
+            }
+            Self::Apart {
+                flow,
+                bodies,
+                bends,
+            } => write!(
+                formatter,
+                "{{ flow = {flow}, bodies = {bodies}, bends = {bends} }}"
+            ),
+            Self::Points(points) => write!(formatter, "{{ points = {points} }}"),
         }
     }
 }

@@ -4,7 +4,6 @@ use std::path::Path;
 
 use aero::run::{burst, is_of};
 use aero::scene::Scene;
-use aero_solver::method::Refine;
 
 use super::CommandError;
 use super::scene::checked;
@@ -41,7 +40,7 @@ pub fn turned_into_points(mut scene: Scene, earlier: Option<&Path>) -> Result<Sc
             );
             return Ok(scene);
         }
-        Some(refine) => words(refine),
+        Some(refine) => refine.to_string(),
     };
     note!(
         "refine = {words}: about what {minutes} minutes allow on {} threads of this machine",
@@ -51,15 +50,6 @@ pub fn turned_into_points(mut scene: Scene, earlier: Option<&Path>) -> Result<Sc
         .set(&format!("scheme.refine={words}"))
         .map_err(CommandError::wrong)?;
     Ok(scene)
-}
-
-/// As a scene says it.
-fn words(refine: Refine) -> String {
-    match refine {
-        Refine::Levels(levels) => levels.to_string(),
-        Refine::Apart { flow, bodies } => format!("{{ flow = {flow}, bodies = {bodies} }}"),
-        Refine::Points(points) => format!("{{ points = {points} }}"),
-    }
 }
 
 /// `scene` with the points of the run in `folder`, if that was one of the same scene otherwise.

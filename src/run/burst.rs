@@ -61,7 +61,12 @@ impl Burst {
             Refine::Points(points as u64)
         } else {
             let fits = |levels: &u8| marched(gas, *levels, dimension) <= times;
-            Refine::Levels((0..=Refine::DEEPEST).take_while(fits).last().unwrap_or(0))
+            Refine::Levels(
+                (0..=Refine::DEEPEST_OF_POINTS)
+                    .take_while(fits)
+                    .last()
+                    .unwrap_or(0),
+            )
         })
     }
 }

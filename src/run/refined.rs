@@ -22,15 +22,8 @@ pub(super) fn warnings<const D: usize>(flow: &Flow<D>) -> Vec<Warning> {
 
 /// Of a flow that has no points added, whose finest are `spacing` apart.
 fn unrefined(refine: Refine, spacing: f64) -> String {
-    let asked = match refine {
-        Refine::Levels(levels) => format!("refine = {levels}"),
-        Refine::Apart { flow, bodies } => {
-            format!("refine = {{ flow = {flow}, bodies = {bodies} }}")
-        }
-        Refine::Points(points) => format!("refine = {{ points = {points} }}"),
-    };
     format!(
-        "`scheme.{asked}` was asked for, and no point has a smaller spacing than {spacing}: the flow changes too little from cell to cell to get \
+        "`scheme.refine = {refine}` was asked for, and no point has a smaller spacing than {spacing}: the flow changes too little from cell to cell to get \
          any added; for a finer solution take a smaller `spacing`"
     )
 }
@@ -41,10 +34,17 @@ mod tests {
 
     #[test]
     fn what_was_asked_for_is_told_as_it_is_written() {
-        let apart = Refine::Apart { flow: 3, bodies: 1 };
+        let apart = Refine::Apart {
+            flow: 3,
+            bodies: 1,
+            bends: 2,
+        };
         for (refine, words) in [
             (Refine::Levels(4), "`scheme.refine = 4` was"),
-            (apart, "`scheme.refine = { flow = 3, bodies = 1 }` was"),
+            (
+                apart,
+                "`scheme.refine = { flow = 3, bodies = 1, bends = 2 }` was",
+            ),
             (Refine::Points(9), "`scheme.refine = { points = 9 }` was"),
         ] {
             let told = unrefined(refine, 0.1);

@@ -118,7 +118,7 @@ pub struct SchemeEntry {
     pub motion: Option<MotionWord>,
     /// Whether the way to the end matters; `accurate` unless given, `settle` with `stop = "steady"`; of fixed points alone.
     pub time: Option<TimeWord>,
-    /// Halvings of the spacing where the flow and bodies ask for them, or `{ flow = N, bodies = M }` of each, `{ points = N }` or `{ minutes = T }`; none unless given, of fixed points alone.
+    /// Halvings of the spacing where the flow and bodies ask for them, or `{ flow = N, bodies = M, bends = K }` of each, `{ points = N }` or `{ minutes = T }`; none unless given, of fixed points alone.
     pub refine: Option<RefineEntry>,
 }
 

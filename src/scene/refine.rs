@@ -1,4 +1,4 @@
-//! `scheme.refine`: a number of halvings, `{ flow = N, bodies = M }`, `{ points = N }` or `{ minutes = T }`.
+//! `scheme.refine`: a number of halvings, `{ flow = N, bodies = M, bends = K }`, `{ points = N }` or `{ minutes = T }`.
 
 use std::fmt;
 
@@ -23,6 +23,7 @@ pub enum RefineEntry {
 struct Table {
     flow: Option<Halvings>,
     bodies: Option<Halvings>,
+    bends: Option<Halvings>,
     points: Option<Count>,
     minutes: Option<Positive>,
 }
@@ -74,24 +75,31 @@ impl<'de> Visitor<'de> for Either {
         match Table::deserialize(MapAccessDeserializer::new(map))? {
             Table {
                 flow: Some(Halvings(flow)),
-                bodies: Some(Halvings(bodies)),
+                bodies: Some(bodies),
+                bends,
                 points: None,
                 minutes: None,
-            } => Ok(RefineEntry::To(Refine::Apart { flow, bodies })),
+            } => Ok(RefineEntry::To(Refine::Apart {
+                flow,
+                bodies: bodies.0,
+                bends: bends.unwrap_or(bodies).0,
+            })),
             Table {
                 flow: None,
                 bodies: None,
+                bends: None,
                 points: Some(points),
                 minutes: None,
             } => Ok(RefineEntry::To(Refine::Points(points.get() as u64))),
             Table {
                 flow: None,
                 bodies: None,
+                bends: None,
                 points: None,
                 minutes: Some(minutes),
             } => Ok(RefineEntry::Minutes(minutes.get())),
             _ => Err(A::Error::custom(
-                "give one of `points = N` and `minutes = T`, or both `flow = N` and `bodies = M`",
+                "give one of `points = N` and `minutes = T`, or both `flow = N` and `bodies = M`, and `bends = K` beside these",
             )),
         }
     }

@@ -84,8 +84,7 @@ impl<const D: usize> Ground<D> {
         };
         let most = points.refine.levels();
         let plot = plot(problem, &solids, corner(problem));
-        let (kept, cloud) =
-            around_bodies(&plot, points.refine.of_bodies(), limit, problem.disorder)?;
+        let (kept, cloud) = around_bodies(&plot, points.refine, limit, problem.disorder)?;
         let earlier = match &problem.initial {
             Initial::Earlier(earlier) if settles => as_earlier(earlier, &kept, &plot, most),
             _ => None,
@@ -292,24 +291,25 @@ fn as_earlier<const D: usize>(
 /// What bodies ask for, as far as there are points enough.
 fn around_bodies<const D: usize>(
     plot: &Plot<'_, D>,
-    most: u8,
+    refine: Refine,
     limit: Option<u64>,
     disorder: f64,
 ) -> Result<(Levels<D>, Cloud<D>), String> {
-    let mut halvings = most;
+    let mut needs = BodyNeeds {
+        most: refine.of_bodies(),
+        most_of_bends: refine.of_bends(),
+        across: ACROSS,
+        radius: RADIUS,
+        reach: REACH,
+    };
     loop {
-        let needs = BodyNeeds {
-            most: halvings,
-            across: ACROSS,
-            radius: RADIUS,
-            reach: REACH,
-        };
         let levels = needs.levels(plot);
         let cloud = Cloud::lattice(plot, &levels, disorder);
         let count = cloud.places.len() as u64;
         let Some(limit) = limit else {
             return Ok((levels, cloud));
         };
+        let halvings = needs.most.max(needs.most_of_bends);
         if count > limit && halvings == 0 {
             return Err(format!(
                 "`scheme.refine` has {limit} points in all, but a spacing of {} makes {count} before any is added; \
@@ -320,6 +320,6 @@ fn around_bodies<const D: usize>(
         if halvings == 0 || count as f64 <= FOR_BODIES * limit as f64 {
             return Ok((levels, cloud));
         }
-        halvings -= 1;
+        needs = needs.less();
     }
 }

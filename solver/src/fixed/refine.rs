@@ -125,8 +125,10 @@ impl Adaption {
 /// What bodies ask of the spacing of the points around them.
 #[derive(Clone, Copy, Debug)]
 pub struct BodyNeeds {
-    /// How often a cell may be split.
+    /// How often a cell may be split where a part is thin.
     pub most: u8,
+    /// The same where one is bent.
+    pub most_of_bends: u8,
     /// Points across the thickness of a part.
     pub across: f64,
     /// Points along the radius of a bend.
@@ -139,12 +141,12 @@ impl BodyNeeds {
     /// The levels that the bodies ask for before the first step.
     pub fn levels<const D: usize>(&self, plot: &Plot<'_, D>) -> Levels<D> {
         let mut levels = Levels::on(plot);
-        for level in 0..self.most {
+        for level in 0..self.most.max(self.most_of_bends) {
             let grid = Grid::new(plot);
             let near = grid.near_walls(&levels, level, self.reach);
             let wanted: Vec<Site<D>> = near
                 .into_par_iter()
-                .filter(|site| self.asks(plot, &grid.middle(site), grid.spacing(site)))
+                .filter(|site| self.asks(&grid, site))
                 .collect();
             if wanted.is_empty() {
                 break;
@@ -156,17 +158,37 @@ impl BodyNeeds {
         levels
     }
 
-    fn asks<const D: usize>(&self, plot: &Plot<'_, D>, point: &Vector<D>, spacing: f64) -> bool {
-        let Some((body, closest)) = plot.solids.closest(point) else {
+    /// The same with one halving less.
+    #[must_use]
+    pub fn less(self) -> Self {
+        Self {
+            most: self.most.saturating_sub(1),
+            most_of_bends: self.most_of_bends.saturating_sub(1),
+            ..self
+        }
+    }
+
+    /// True where the nearest wall asks for less than the size of the cell; of cells that are large beside a body, whose middle may be far from what
+    /// asks, where it does so of a part.
+    fn asks<const D: usize>(&self, grid: &Grid<'_, D>, site: &Site<D>) -> bool {
+        self.asks_from_middle(grid, site)
+            || grid.spacing(site) > grid.shown
+                && parts(site).any(|part| grid.is_near(&part, self.reach) && self.asks(grid, &part))
+    }
+
+    fn asks_from_middle<const D: usize>(&self, grid: &Grid<'_, D>, site: &Site<D>) -> bool {
+        let (plot, point, spacing) = (grid.plot, grid.middle(site), grid.spacing(site));
+        let Some((body, closest)) = plot.solids.closest(&point) else {
             return false;
         };
-        let bend = if D > 1 {
-            shape_operator(plot.solids.shape(body), point, 0.5 * spacing).norm()
-        } else {
-            0.0
-        };
-        if bend * self.radius * spacing > 1.0 {
-            return true;
+        if D > 1 && site.level < self.most_of_bends {
+            let bend = shape_operator(plot.solids.shape(body), &point, 0.5 * spacing).norm();
+            if bend * self.radius * spacing > 1.0 {
+                return true;
+            }
+        }
+        if site.level >= self.most {
+            return false;
         }
         let from = closest.point - closest.normal * (1e-3 * spacing);
         let to = closest.point - closest.normal * (self.across * spacing);
@@ -184,12 +206,19 @@ impl BodyNeeds {
 struct Grid<'a, const D: usize> {
     plot: &'a Plot<'a, D>,
     counts: [i32; D],
+    /// Cells of this size show where the smallest body is.
+    shown: f64,
 }
 
 impl<'a, const D: usize> Grid<'a, D> {
     fn new(plot: &'a Plot<'a, D>) -> Self {
-        let counts = plot.counts();
-        Self { plot, counts }
+        /// Of the longest edge of a body's box.
+        const SHOWN: f64 = 1.0 / 16.0;
+        Self {
+            plot,
+            counts: plot.counts(),
+            shown: SHOWN * plot.solids.smallest(),
+        }
     }
 
     fn spacing(&self, site: &Site<D>) -> f64 {
@@ -247,11 +276,13 @@ impl<'a, const D: usize> Grid<'a, D> {
             for part in parts(site) {
                 self.descend(levels, &part, level, reach, found);
             }
-        } else if site.level == level {
-            let distance = self.plot.solids.distance(&self.middle(site)).abs();
-            if distance < reach * self.spacing(site) {
-                found.push(*site);
-            }
+        } else if site.level == level && self.is_near(site, reach) {
+            found.push(*site);
         }
+    }
+
+    /// True of a cell whose middle is within `reach` of its size of a wall.
+    fn is_near(&self, site: &Site<D>, reach: f64) -> bool {
+        self.plot.solids.distance(&self.middle(site)).abs() < reach * self.spacing(site)
     }
 }

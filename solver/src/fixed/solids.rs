@@ -50,6 +50,12 @@ impl<const D: usize> Solids<D> {
         self.bodies.is_empty()
     }
 
+    /// Longest edge of the box around the body of which that is least; infinite where none has an end.
+    pub fn smallest(&self) -> f64 {
+        let sizes = self.bodies.iter().map(|(_, bounds)| bounds.size().max());
+        sizes.fold(f64::INFINITY, f64::min)
+    }
+
     /// Body `number`.
     pub fn shape(&self, number: u32) -> &dyn Shape<D> {
         &*self.bodies[number as usize].0

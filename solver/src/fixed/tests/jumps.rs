@@ -110,6 +110,7 @@ fn thin_parts_and_noses_ask_for_points() {
     let scene = Scene::new(domain([-1.0, -1.0], [1.0, 1.0]), vec![wedge], 0.125);
     let needs = BodyNeeds {
         most: 3,
+        most_of_bends: 3,
         across: 4.0,
         radius: 4.0,
         reach: 2.0,

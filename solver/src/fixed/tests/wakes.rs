@@ -51,6 +51,7 @@ fn hardly_any_gas_behind_a_base_settles_with_the_energy_of_the_stream() {
             refine: Refine::Apart {
                 flow: 1,
                 bodies: halvings,
+                bends: halvings,
             },
             ..FixedPoints::default()
         });
