@@ -24,9 +24,9 @@ pub enum Carrier<const D: usize> {
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub enum FlowMemory<'a, const D: usize> {
     /// Of particles.
-    WithTheGas(Memory<'a, D>),
+    WithTheGas(Box<Memory<'a, D>>),
     /// Of points.
-    Fixed(FixedMemory<'a, D>),
+    Fixed(Box<FixedMemory<'a, D>>),
 }
 
 /// Calls the method of the same name on whatever carries the gas.
@@ -58,10 +58,10 @@ impl<const D: usize> Carrier<D> {
     pub fn resume(problem: Problem<D>, memory: FlowMemory<'_, D>) -> Result<Self, String> {
         match memory {
             FlowMemory::WithTheGas(memory) => {
-                Simulation::resume(problem, memory).map(|it| Self::WithTheGas(Box::new(it)))
+                Simulation::resume(problem, *memory).map(|it| Self::WithTheGas(Box::new(it)))
             }
             FlowMemory::Fixed(memory) => {
-                FixedSimulation::resume(problem, memory).map(|it| Self::Fixed(Box::new(it)))
+                FixedSimulation::resume(problem, *memory).map(|it| Self::Fixed(Box::new(it)))
             }
         }
     }
@@ -152,8 +152,8 @@ impl<const D: usize> Carrier<D> {
     /// What [`Self::resume`] needs to go on from here.
     pub fn memory(&self) -> FlowMemory<'_, D> {
         match self {
-            Self::WithTheGas(flow) => FlowMemory::WithTheGas(flow.memory()),
-            Self::Fixed(flow) => FlowMemory::Fixed(flow.memory()),
+            Self::WithTheGas(flow) => FlowMemory::WithTheGas(Box::new(flow.memory())),
+            Self::Fixed(flow) => FlowMemory::Fixed(Box::new(flow.memory())),
         }
     }
 

@@ -2,7 +2,8 @@
 //!
 //! Symmetric Gauss-Seidel sweeps over slopes that its left-hand side does not know are not stable at any Courant number ([`super::relax`]). A fast
 //! stream carries what grows out of the domain before it counts; a slow one lets it swing to and fro. Where the residual grows steps therefore go on
-//! in two stages, and are shortened should it still grow [after the switched evolution relaxation of Mulder & van Leer 1985, J. Comput. Phys. 59,
+//! in two stages, and are shortened should it still grow; in a slow stream also where it hardly falls, for what swings may have stopped to grow
+//! [after the switched evolution relaxation of Mulder & van Leer 1985, J. Comput. Phys. 59,
 //! 232-246].
 
 use serde::{Deserialize, Serialize};
@@ -25,6 +26,12 @@ const WINDOW: u32 = 20;
 /// A residual that is so many times what it was grows; limiters make one cycle by less.
 const GROWN: f64 = 2.0;
 
+/// Windows after which the residual of a slow stream has fallen, unless something keeps it swinging.
+const LONG: u32 = 5;
+
+/// It has not where this part of what it was in the first of them is left.
+const KEPT: f64 = 0.5;
+
 /// The Courant number, and the residuals that it goes by.
 #[derive(Clone, Debug, Serialize, Deserialize)]
 pub struct Pace {
@@ -33,6 +40,9 @@ pub struct Pace {
     window: (f64, u32),
     /// The least of the windows before, as a mean square.
     least: Option<f64>,
+    /// That of the first window, and how many there were.
+    #[serde(default)]
+    begun: (f64, u32),
     /// True once the residual has grown.
     #[serde(default)]
     is_staged: bool,
@@ -44,6 +54,7 @@ impl Default for Pace {
             fastest: FASTEST,
             window: (0.0, 0),
             least: None,
+            begun: (0.0, 0),
             is_staged: false,
         }
     }
@@ -60,11 +71,12 @@ impl Pace {
         (1.0 + RAMP * calm as f64).min(self.fastest)
     }
 
-    /// Goes by the `residual` of an iteration, `since` iterations after points came or went.
-    pub fn go_by(&mut self, residual: f64, since: u64) {
+    /// Goes by the `residual` of an iteration in a stream that `is_slow` or not, `since` iterations after points came or went.
+    pub fn go_by(&mut self, residual: f64, since: u64, is_slow: bool) {
         if RAMP * (since as f64) < FASTEST {
             self.window = (0.0, 0);
             self.least = None;
+            self.begun = (0.0, 0);
             return;
         }
         let (sum, count) = (self.window.0 + residual * residual, self.window.1 + 1);
@@ -79,8 +91,15 @@ impl Pace {
         if has_grown && self.is_staged {
             self.fastest = (0.5 * self.fastest).max(SLOWEST);
         }
-        self.is_staged |= has_grown;
-        self.least = Some(if has_grown { mean } else { mean.min(least) });
+        let least_now = if has_grown { mean } else { mean.min(least) };
+        let (first, windows) = match self.begun {
+            (_, 0) => (mean, 1),
+            (first, windows) => (first, windows.saturating_add(1)),
+        };
+        self.begun = (first, windows);
+        let has_stalled = is_slow && windows == LONG && least_now > KEPT * KEPT * first;
+        self.is_staged |= has_grown || has_stalled;
+        self.least = Some(least_now);
     }
 }
 
@@ -89,9 +108,13 @@ mod tests {
     use super::*;
 
     fn after(residual: impl Fn(f64) -> f64) -> (f64, bool) {
+        in_stream(false, residual)
+    }
+
+    fn in_stream(is_slow: bool, residual: impl Fn(f64) -> f64) -> (f64, bool) {
         let mut pace = Pace::default();
         for calm in 0..400 {
-            pace.go_by(residual(calm as f64), calm);
+            pace.go_by(residual(calm as f64), calm, is_slow);
         }
         (pace.courant(400), pace.is_staged())
     }
@@ -106,10 +129,20 @@ mod tests {
     }
 
     #[test]
+    fn steps_in_slow_streams_are_parted_where_the_residual_hardly_falls() {
+        let swinging = |k: f64| 1.0 + 0.3 * (0.07 * k).sin();
+        assert_eq!(in_stream(true, swinging), (FASTEST, true));
+        assert_eq!(in_stream(true, |k| (-0.001 * k).exp()), (FASTEST, true));
+        // What has fallen may cycle on.
+        let settled = |k: f64| (-0.02 * k).exp().max(0.1) * swinging(k);
+        assert_eq!(in_stream(true, settled), (FASTEST, false));
+    }
+
+    #[test]
     fn what_comes_with_new_points_is_no_growth() {
         let mut pace = Pace::default();
         for calm in (0..300).chain(0..300) {
-            pace.go_by((-0.02 * calm as f64).exp(), calm);
+            pace.go_by((-0.02 * calm as f64).exp(), calm, true);
         }
         assert_eq!(pace.courant(300), FASTEST);
         assert_eq!(pace.courant(5), 3.0);

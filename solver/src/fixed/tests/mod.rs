@@ -31,6 +31,7 @@ mod pockets;
 pub(super) mod ridges;
 mod sheared;
 mod sides;
+mod slow_streams;
 mod space;
 mod tips;
 mod tubes;
