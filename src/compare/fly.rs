@@ -1,6 +1,7 @@
 //! Bodies flown from their files by `aero fly`: whether what is known of each lies in the band that it is given, and how wide that is.
 
 mod bodies;
+mod slow;
 mod truth;
 
 use std::path::Path;
@@ -13,6 +14,7 @@ use super::context::{CompareError, Context, Level};
 use super::program;
 use super::suite::Suite;
 use super::variant::Levels;
+use bodies::Facet;
 use truth::{Known, Quantity, TWELVE};
 
 const NAME: &str = "fly";
@@ -41,7 +43,15 @@ fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
     for known in &known {
         (context.announce)(&format!("{NAME}: {}", known.label));
         let truth = known.truth()?;
-        let found = known.found(&flight(known, &finely, &folder)?);
+        let flight = Flight {
+            label: known.label,
+            file: known.file,
+            facets: (known.body)(),
+            mach: known.mach,
+            incidence: known.incidence,
+            finely,
+        };
+        let found = known.found(&flight.report(&folder)?);
         let judged = |what: &str, judge: &dyn Fn(Subject<'_>) -> Check| {
             let what = format!("{}: {what}", known.label);
             judge(Subject::new(NAME, &what, known.source))
@@ -64,6 +74,7 @@ fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
         ]);
     }
     checks.extend(together(&flown, known.len()));
+    checks.extend(slow::compare(context, &folder)?);
     Ok(checks)
 }
 
@@ -87,28 +98,42 @@ fn together(flown: &[[f64; 2]], all: usize) -> Vec<Check> {
     checks
 }
 
-/// Flies a body as it would be typed, and reads `fly.json`.
-fn flight(known: &Known, finely: &[&str; 2], folder: &Path) -> Result<Value, CompareError> {
-    let file = folder.join(format!("{}.stl", known.file));
-    let file = program::given(&file, &bodies::stl(&(known.body)()))?;
-    let out = folder.join(known.label.replace([' ', ','], "-"));
-    let [mach, incidence] = [known.mach, known.incidence].map(|number| number.to_string());
-    let threads = rayon::current_num_threads().to_string();
-    let typed = [
-        &["fly", &file, "--unit", "m", "--axis=-x,+y", "--overwrite"][..],
-        &[
-            "--altitude",
-            "12km",
-            "--mach",
-            &mach,
-            "--incidence",
-            &incidence,
-        ],
-        &["--threads", &threads, "--out", &program::typed(&out)],
-        finely,
-    ];
-    program::run(&typed.concat())?;
-    program::json(&out.join("fly.json"))
+/// A body, its stream and how finely it is flown.
+struct Flight {
+    label: &'static str,
+    /// Stem of its file.
+    file: &'static str,
+    facets: Vec<Facet>,
+    mach: f64,
+    /// Degrees.
+    incidence: f64,
+    finely: [&'static str; 2],
+}
+
+impl Flight {
+    /// Flies it as it would be typed, and reads `fly.json`.
+    fn report(&self, folder: &Path) -> Result<Value, CompareError> {
+        let file = folder.join(format!("{}.stl", self.file));
+        let file = program::given(&file, &bodies::stl(&self.facets))?;
+        let out = folder.join(self.label.replace([' ', ','], "-"));
+        let [mach, incidence] = [self.mach, self.incidence].map(|number| number.to_string());
+        let threads = rayon::current_num_threads().to_string();
+        let typed = [
+            &["fly", &file, "--unit", "m", "--axis=-x,+y", "--overwrite"][..],
+            &[
+                "--altitude",
+                "12km",
+                "--mach",
+                &mach,
+                "--incidence",
+                &incidence,
+            ],
+            &["--threads", &threads, "--out", &program::typed(&out)],
+            &self.finely,
+        ];
+        program::run(&typed.concat())?;
+        program::json(&out.join("fly.json"))
+    }
 }
 
 impl Known {

@@ -2,8 +2,15 @@
 
 use aero_geometry::{Bounds, Vector};
 
-/// Least Mach number: below it the waves of a body go too far ahead and aside.
-pub const LEAST_MACH: f64 = 1.15;
+/// Below this Mach number waves of a body go so far ahead and aside that its box is one of a stream slower than sound.
+const SLOW: f64 = 1.15;
+
+/// How far the sides of such a box are from the body, in its longest edge, where the stream could not be compressed.
+const FAR: f64 = 4.0;
+
+/// What is felt aside is felt farther by `1 / sqrt(|1 - M^2|)` (Prandtl & Glauert), which is no more than the inverse of this: near the speed of sound
+/// it is not linear.
+const LEAST_STRETCH: f64 = 0.5;
 
 /// A shock off the body goes out at the Mach angle times this, as tangents; it weakens on its way.
 const STEEPER: f64 = 1.6;
@@ -55,9 +62,24 @@ fn room_ahead(bluntness: f64, mach: f64, [thin, wide]: [f64; 2]) -> f64 {
     own * between([AHEAD[0], more], bluntness)
 }
 
+/// True of streams in which what a body does is felt on all sides of it.
+pub fn is_slow(mach: f64) -> bool {
+    mach < SLOW
+}
+
+/// The box around a body in a stream in which it is felt on all sides.
+fn far_around(body: &Bounds<3>, mach: f64) -> Bounds<3> {
+    let stretch = (1.0 - mach * mach).abs().sqrt().max(LEAST_STRETCH);
+    let away = Vector::<3>::repeat(FAR * body.size().max() / stretch);
+    Bounds::new(body.min - away, body.max + away)
+}
+
 /// The box around a body that spans `body`, nose at x = 0, with a front so blunt, in a stream along x turned by so many
 /// degrees.
 pub fn around(body: &Bounds<3>, bluntness: f64, mach: f64, angles: [f64; 2]) -> Bounds<3> {
+    if is_slow(mach) {
+        return far_around(body, mach);
+    }
     let size = body.size();
     let wave = 1.0 / (mach * mach - 1.0).sqrt();
     let half = [1, 2].map(|k| body.max[k].abs().max(body.min[k].abs()));

@@ -71,6 +71,8 @@ pub struct Flight {
     region: Bounds<3>,
     /// Halvings of the spacing near body and shocks.
     halvings: u8,
+    /// How many of them make up for a box that is wider than waves faster than sound ask for.
+    farther: u8,
     /// Halvings beyond these around thin and bent parts of the body: grooves and fins that fall between cells give each run another body, and
     /// values that scatter by all of what such a part adds.
     closer: u8,
@@ -82,11 +84,10 @@ impl Flight {
     /// # Errors
     /// A file that holds no solid; a stream that is too slow.
     pub fn new(wishes: Wishes) -> Result<Self, FlyError> {
-        if !(wishes.mach >= domain::LEAST_MACH && wishes.mach.is_finite()) {
+        if wishes.with_the_gas && domain::is_slow(wishes.mach) {
             return Err(FlyError::Asked(format!(
-                "--mach {}: waves of a body below Mach {} go too far for a box of its own; write a scene (`aero new body`)",
+                "--mach {}: particles have no box as wide as a stream so slow asks for, where points are far apart; leave out `--motion with-the-gas`",
                 wishes.mach,
-                domain::LEAST_MACH
             )));
         }
         let name = Name::like(&files::body_name(&wishes.body));
@@ -116,13 +117,15 @@ impl Flight {
             wishes.mach,
             [wishes.incidence, wishes.sideslip],
         );
+        let farther = halvings_of_far_box(&region, &bounds, &extent, &wishes);
         let halvings = match (wishes.with_the_gas, &extent) {
             (true, _) => 0,
             (false, Extent::Meridian(_)) => 2,
             (false, Extent::Space(_)) => 1,
         };
         Ok(Self {
-            halvings,
+            halvings: halvings + farther,
+            farther,
             closer: 0,
             thinnest: thinnest_part(shape.as_ref(), &bounds),
             region,
@@ -165,6 +168,38 @@ impl Flight {
         self.halvings
     }
 
+    /// The same in a box no wider than waves faster than sound ask for.
+    pub fn near_halvings(&self) -> u8 {
+        self.halvings - self.farther
+    }
+
+    /// Most halvings around thin parts.
+    fn most_halvings(&self) -> u8 {
+        let more = self.more_of_bends();
+        (Refine::DEEPEST_OF_POINTS + self.farther).min(Refine::DEEPEST - more)
+    }
+
+    /// Halvings around bent parts of the body beyond those around thin ones. What a slow stream draws at noses and edges makes up for what it presses
+    /// elsewhere, and the whole drag is what is not made up for; cells along lines are few.
+    fn more_of_bends(&self) -> u8 {
+        const OF_SLOW_STREAMS: u8 = 2;
+        if self.is_slow() { OF_SLOW_STREAMS } else { 0 }
+    }
+
+    /// Where points are added.
+    pub fn refine(&self) -> Refine {
+        Refine::Apart {
+            flow: self.halvings,
+            bodies: self.body_halvings(),
+            bends: self.body_halvings() + self.more_of_bends(),
+        }
+    }
+
+    /// True of a stream in which what the body does is felt on all sides of it.
+    pub fn is_slow(&self) -> bool {
+        domain::is_slow(self.wishes.mach)
+    }
+
     /// The same around thin and bent parts of the body.
     pub fn body_halvings(&self) -> u8 {
         self.halvings + self.closer
@@ -172,7 +207,7 @@ impl Flight {
 
     /// One more of these, if there may be.
     pub fn come_closer(&mut self) -> bool {
-        let may = !self.wishes.with_the_gas && self.body_halvings() < Refine::DEEPEST;
+        let may = !self.wishes.with_the_gas && self.body_halvings() < self.most_halvings();
         self.closer += u8::from(may);
         may
     }
@@ -189,7 +224,7 @@ impl Flight {
         }
         let coarser = Costs::new(self.dimension(), false).coarsest();
         let first = |halvings: u8| finest * coarser * f64::from(1_u32 << halvings);
-        while self.halvings < Refine::DEEPEST && first(self.halvings + 1) <= look {
+        while self.halvings < self.most_halvings() && first(self.halvings + 1) <= look {
             self.halvings += 1;
         }
     }
@@ -248,6 +283,19 @@ impl Flight {
             (region.min[1], region.min[2], region.max[2]) = (0.0, 0.0, 0.0);
         }
         region
+    }
+
+    /// The part of that which pictures of the flow show: about the body, where sides are far from it.
+    pub fn shown(&self) -> Bounds<3> {
+        /// Of the body's longest edge.
+        const AROUND: f64 = 0.75;
+        let mut shown = self.region();
+        if self.is_slow() {
+            let around = Vector::<3>::repeat(AROUND * self.bounds.size().max());
+            shown.min = shown.min.sup(&(self.bounds.min - around));
+            shown.max = shown.max.inf(&(self.bounds.max + around));
+        }
+        shown
     }
 
     /// Gives shocks ahead of the body room for their thickness at a spacing at which the box is that many cells, and the gas behind it a few
@@ -317,6 +365,29 @@ impl Flight {
             },
         }
     }
+}
+
+/// Halvings by which the far sides of a slow stream's box do not make the points near its body fewer.
+fn halvings_of_far_box(
+    region: &Bounds<3>,
+    body: &Bounds<3>,
+    extent: &Extent,
+    wishes: &Wishes,
+) -> u8 {
+    /// Mach number of a stream whose box is near.
+    const FAST: f64 = 1.5;
+    if !domain::is_slow(wishes.mach) {
+        return 0;
+    }
+    let near = domain::around(body, 0.0, FAST, [wishes.incidence, wishes.sideslip]);
+    let dimension = match extent {
+        Extent::Meridian(_) => 2,
+        Extent::Space(_) => 3,
+    };
+    let wider: f64 = (0..dimension)
+        .map(|axis| region.size()[axis] / near.size()[axis])
+        .product();
+    (wider.log2() / dimension as f64).ceil().max(0.0) as u8
 }
 
 /// Box of the triangles.

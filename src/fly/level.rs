@@ -45,7 +45,7 @@ pub struct Coefficients {
 pub struct Level {
     /// Spacing of the lattice.
     pub spacing: f64,
-    /// The smallest one, near body and shocks.
+    /// The smallest one near body and shocks, noses and edges aside where these have smaller ones.
     pub finest: f64,
     /// Folder with what the run has written.
     pub folder: PathBuf,
@@ -122,10 +122,11 @@ impl Level {
         };
         let turn = |axis: usize, load: &[f64; 3]| aside(axis, load) / flight.reference_length();
         let finest = summary.points_per_level.len().saturating_sub(1);
+        let finest = finest.min(usize::from(flight.body_halvings()));
         let swing_cd = swing("cd");
         Ok(Self {
             spacing,
-            finest: spacing / f64::from(1_u32 << finest.min(30)),
+            finest: spacing / f64::from(1_u32 << finest),
             folder: folder.to_owned(),
             points: summary.particles.fluid,
             steps: summary.steps,

@@ -97,7 +97,7 @@ pub(super) fn planes(flight: &Flight, level: &Level) -> Result<Vec<String>, FlyE
     };
     let gas = read::gas(&path)?;
     let is_plane = flight.dimension() == 2;
-    let region = flight.region();
+    let region = flight.shown();
     let both = |axis: usize| {
         let most = region.max[axis].max(-region.min[axis]);
         [-most, most]

@@ -145,9 +145,7 @@ impl Point {
                 order: found.order,
             }
         };
-        // Between nothing and vacuum lies all that a base can feel.
-        let mach = flight.wishes.mach;
-        let model = last.base_area / (GAMMA * mach * mach);
+        let model = last.base_area * half_of_base_pressures(flight.wishes.mach);
         let bands = Bands {
             cd: banded(|c| c.cd, model),
             cd_forebody: banded(|c| c.cd_forebody, 0.0),
@@ -169,7 +167,7 @@ impl Point {
         let centre = (centres.len() == told.len()).then(|| at_none(&centres));
         let has_lift = flight.dimension() == 3 && bands.cl.value.abs() > 1e-6;
         Some(Self {
-            mach,
+            mach: flight.wishes.mach,
             incidence: flight.wishes.incidence,
             sideslip: flight.wishes.sideslip,
             cd: bands.cd.value,
@@ -233,6 +231,13 @@ fn doubting(part: f64, runs: &[(f64, f64)]) -> Extrapolated {
         band: mix(trend.band, none.band),
         order: trend.order.filter(|_| part < 1.0),
     }
+}
+
+/// Half of what lies between no drag and the most that a base can feel, as a pressure coefficient: a vacuum, `2 / (gamma M^2)`, or, in slow streams,
+/// more than is measured behind any body in space [Hoerner 1965, Fluid-Dynamic Drag, chapter 3: 0.1 behind slender ones to 0.4 behind a disc].
+fn half_of_base_pressures(mach: f64) -> f64 {
+    const MOST_DRAWN: f64 = 1.0;
+    0.5 * (2.0 / (GAMMA * mach * mach)).min(MOST_DRAWN)
 }
 
 #[cfg(test)]

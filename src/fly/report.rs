@@ -320,7 +320,7 @@ fn table(flight: &Flight, report: &Report) -> String {
     let _ = write!(
         text,
         "</table><p>Of gauge pressure; area {:.5e} m², length {:.4} m, {}. An inviscid base has no exact \
-         answer: its model band is half of what lies between no drag and a vacuum.</p>",
+         answer: its model band is half of what lies between no drag and a vacuum, or a pressure coefficient of -1 where that is more.</p>",
         report.reference_area,
         report.reference_length,
         flight.centre_words()

@@ -38,9 +38,8 @@ impl Flight {
         say("stop = \"steady\"\n");
         if !w.with_the_gas {
             say(&format!(
-                "[scheme]\nmotion = \"fixed\"\nrefine = {{ flow = {}, bodies = {} }}\n",
-                self.halvings(),
-                self.body_halvings()
+                "[scheme]\nmotion = \"fixed\"\nrefine = {}\n",
+                self.refine()
             ));
         }
         say(&format!("[free_stream]\nmach = {:?}", w.mach));
@@ -61,7 +60,11 @@ impl Flight {
         say(&format!(
             "\n[domain]\nmin = {min}\nmax = {max}\n\n[domain.sides]"
         ));
-        say("x_min = \"inlet\"\nx_max = \"outlet\"");
+        say(if self.is_slow() {
+            "x_min = \"free-stream\"\nx_max = \"free-stream\""
+        } else {
+            "x_min = \"inlet\"\nx_max = \"outlet\""
+        });
         match &self.extent {
             Extent::Meridian(_) => say("y_min = \"axis\"\ny_max = \"free-stream\""),
             Extent::Space(mirrors) => {

@@ -40,7 +40,7 @@ pub(super) fn resolve(
     seconds: f64,
 ) -> Result<(), CommandError> {
     let costs = Costs::new(flight.dimension(), false);
-    let each = f64::from(1_u32 << flight.halvings()).powi(flight.dimension() as i32);
+    let each = f64::from(1_u32 << flight.near_halvings()).powi(flight.dimension() as i32);
     let mut points = Vec::new();
     loop {
         let finest = look / f64::from(1_u32 << flight.body_halvings());

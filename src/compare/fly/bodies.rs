@@ -82,10 +82,15 @@ pub fn cone(degrees: f64) -> Vec<Facet> {
 
 /// A sphere, one across.
 pub fn sphere() -> Vec<Facet> {
+    spheroid(1.0)
+}
+
+/// A spheroid, one long, so many times as long as thick.
+pub fn spheroid(fineness: f64) -> Vec<Facet> {
     let line = (0..=120).map(|n| {
         let (sin, cos) = (PI * f64::from(n) / 120.0).sin_cos();
         let radius = if n % 120 == 0 { 0.0 } else { 0.5 * sin };
-        [0.5 - 0.5 * cos, radius]
+        [0.5 - 0.5 * cos, radius / fineness]
     });
     turned(&line.collect::<Vec<_>>())
 }

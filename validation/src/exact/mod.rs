@@ -31,6 +31,7 @@ mod root;
 pub mod sedov;
 pub mod shock_expansion;
 pub mod sod_tube;
+pub mod spheroid;
 pub mod turning;
 
 /// Density, velocity and pressure of a gas moving along one axis.
