@@ -2,7 +2,7 @@
 //!
 //! Symmetric Gauss-Seidel sweeps over slopes that its left-hand side does not know are not stable at any Courant number ([`super::relax`]). A fast
 //! stream carries what grows out of the domain before it counts; a slow one lets it swing to and fro. Where the residual grows steps therefore go on
-//! in two stages, and are shortened should it still grow; in a slow stream also where it hardly falls, for what swings may have stopped to grow
+//! in two stages, and are shortened should it still grow; in a slow stream without viscosity also where it hardly falls, for what swings may have stopped to grow
 //! [after the switched evolution relaxation of Mulder & van Leer 1985, J. Comput. Phys. 59,
 //! 232-246].
 
@@ -71,8 +71,8 @@ impl Pace {
         (1.0 + RAMP * calm as f64).min(self.fastest)
     }
 
-    /// Goes by the `residual` of an iteration in a stream that `is_slow` or not, `since` iterations after points came or went.
-    pub fn go_by(&mut self, residual: f64, since: u64, is_slow: bool) {
+    /// Goes by the `residual` of an iteration in gas that `may_swing` to and fro or not, `since` iterations after points came or went.
+    pub fn go_by(&mut self, residual: f64, since: u64, may_swing: bool) {
         if RAMP * (since as f64) < FASTEST {
             self.window = (0.0, 0);
             self.least = None;
@@ -97,7 +97,7 @@ impl Pace {
             (first, windows) => (first, windows.saturating_add(1)),
         };
         self.begun = (first, windows);
-        let has_stalled = is_slow && windows == LONG && least_now > KEPT * KEPT * first;
+        let has_stalled = may_swing && windows == LONG && least_now > KEPT * KEPT * first;
         self.is_staged |= has_grown || has_stalled;
         self.least = Some(least_now);
     }
@@ -108,13 +108,13 @@ mod tests {
     use super::*;
 
     fn after(residual: impl Fn(f64) -> f64) -> (f64, bool) {
-        in_stream(false, residual)
+        of_gas(false, residual)
     }
 
-    fn in_stream(is_slow: bool, residual: impl Fn(f64) -> f64) -> (f64, bool) {
+    fn of_gas(may_swing: bool, residual: impl Fn(f64) -> f64) -> (f64, bool) {
         let mut pace = Pace::default();
         for calm in 0..400 {
-            pace.go_by(residual(calm as f64), calm, is_slow);
+            pace.go_by(residual(calm as f64), calm, may_swing);
         }
         (pace.courant(400), pace.is_staged())
     }
@@ -131,11 +131,11 @@ mod tests {
     #[test]
     fn steps_in_slow_streams_are_parted_where_the_residual_hardly_falls() {
         let swinging = |k: f64| 1.0 + 0.3 * (0.07 * k).sin();
-        assert_eq!(in_stream(true, swinging), (FASTEST, true));
-        assert_eq!(in_stream(true, |k| (-0.001 * k).exp()), (FASTEST, true));
+        assert_eq!(of_gas(true, swinging), (FASTEST, true));
+        assert_eq!(of_gas(true, |k| (-0.001 * k).exp()), (FASTEST, true));
         // What has fallen may cycle on.
         let settled = |k: f64| (-0.02 * k).exp().max(0.1) * swinging(k);
-        assert_eq!(in_stream(true, settled), (FASTEST, false));
+        assert_eq!(of_gas(true, settled), (FASTEST, false));
     }
 
     #[test]

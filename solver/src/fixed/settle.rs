@@ -114,7 +114,7 @@ impl<const D: usize> FixedSimulation<D> {
         let (watched, measures) = self.watched().into_iter().unzip();
         let is_viscous = self.fluid.viscous.is_some();
         let is_slow_to_rest = is_viscous || self.throws_sound_back();
-        let is_slow = self.is_slow();
+        let may_swing = self.is_slow() && !is_viscous;
         let is_turned = self.outside.far_field.is_some();
         let settling = &mut self.settling;
         settling.measures = measures;
@@ -122,7 +122,7 @@ impl<const D: usize> FixedSimulation<D> {
         counts.iterations += 1;
         counts.since += 1;
         counts.calm += 1;
-        settling.pace.go_by(residual, counts.since, is_slow);
+        settling.pace.go_by(residual, counts.since, may_swing);
         let counts = *counts;
         if settling.first == 0.0 {
             settling.first = residual;

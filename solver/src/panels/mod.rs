@@ -64,11 +64,12 @@ impl<const D: usize> Panels<D> {
         let region = region(problem);
         let mut all = Vec::new();
         for (number, body) in problem.bodies.iter().enumerate() {
-            let facets = body.shape.facets(longest(problem), &region);
+            let longest = longest_of(problem, &body.shape.bounds());
+            let facets = body.shape.facets(longest, &region);
             for facet in &facets {
                 // What moves crosses the sides as it likes.
                 let region = (!body.motion.is_moving()).then_some(&region);
-                lay(problem, region, &[], facet, &mut |corners| {
+                lay(problem, region, &[], longest, facet, &mut |corners| {
                     all.extend(Panel::new(corners, None, number as u32));
                 });
             }
@@ -80,12 +81,19 @@ impl<const D: usize> Panels<D> {
             let domain = &problem.domain;
             let cuts = rims(domain, axis, end);
             for facet in face(&region, axis, problem.domain.face(axis, end)) {
-                lay(problem, Some(&region), &cuts, &facet, &mut |corners| {
-                    let panel = Panel::new(corners, Some(normal), owner);
-                    let is_wall =
-                        |panel: &Panel<D>| domain.part_at(axis, end, &panel.centre).is_none();
-                    all.extend(panel.filter(is_wall));
-                });
+                lay(
+                    problem,
+                    Some(&region),
+                    &cuts,
+                    longest(problem),
+                    &facet,
+                    &mut |corners| {
+                        let panel = Panel::new(corners, Some(normal), owner);
+                        let is_wall =
+                            |panel: &Panel<D>| domain.part_at(axis, end, &panel.centre).is_none();
+                        all.extend(panel.filter(is_wall));
+                    },
+                );
             }
         }
         let mut all = exposed::part(problem, all);
@@ -153,6 +161,22 @@ fn longest<const D: usize>(problem: &Problem<D>) -> f64 {
     LONGEST * problem.resolution.finest() / f64::from(1_u32 << halvings)
 }
 
+/// The same of a body that spans `bounds`. Beside one in space that is hardly larger than the lattice's spacing, as in the box of a slow stream, it is
+/// that of the points which the flow may ask for, or a hundredth of the body: a wing's own triangles may be as long as its span.
+fn longest_of<const D: usize>(problem: &Problem<D>, bounds: &Bounds<D>) -> f64 {
+    const COARSE: f64 = 1.0 / 12.0;
+    const FINEST: f64 = 1.0 / 100.0;
+    let longest = longest(problem);
+    let size = bounds.size().max();
+    match problem.method.fixed() {
+        Some(points) if D == 3 && longest > COARSE * size => {
+            let halved = longest / f64::from(1_u32 << points.refine.of_flow());
+            halved.max(FINEST * size).min(longest)
+        }
+        _ => longest,
+    }
+}
+
 /// Where panels are laid: the domain, and the buffers of sides that gas or bodies pass through.
 fn region<const D: usize>(problem: &Problem<D>) -> Bounds<D> {
     let domain = &problem.domain;
@@ -187,6 +211,7 @@ fn lay<const D: usize>(
     problem: &Problem<D>,
     region: Option<&Bounds<D>>,
     cuts: &[(usize, f64)],
+    longest: f64,
     facet: &[Vector<D>; D],
     take: &mut impl FnMut([Vector<D>; D]),
 ) {
@@ -216,7 +241,7 @@ fn lay<const D: usize>(
         parts.extend(clipped(&pieces, axis, plane, -1.0));
         pieces = parts;
     }
-    halved(pieces, longest(problem), take);
+    halved(pieces, longest, take);
 }
 
 /// The face of a box across an axis, at another place along it: a point, a segment, or two triangles.

@@ -5,6 +5,7 @@ use nalgebra::Vector3;
 
 use super::seam::body_on_the_lattice;
 use super::*;
+use crate::method::{FixedPoints, Method, Refine};
 use crate::panels::Panels;
 
 fn boxed(shape: impl Shape<2> + 'static, at: [f64; 2]) -> Problem<2> {
@@ -227,4 +228,31 @@ fn what_panels_show_of_what_sides_cut_adds_up_to_the_load() {
             assert!(off.abs() < 1e-9, "{lower:?}: {shown:?} {load:?}");
         }
     }
+}
+
+/// In a lattice wider than a wing, as a slow stream's box has, its long triangles are parted as finely as the flow may be halved.
+#[test]
+fn panels_of_a_body_in_a_wide_lattice_are_finer_than_its_cells() {
+    let longest = |flow: u8| {
+        let sides = [[Side::FreeStream; 2]; 3];
+        let mut wide = crate::fixed::tests::lattice::problem([6; 3], 2.0, sides);
+        let wing = bodies::cuboid([1.0, 0.1, 2.0]).expect("a wing");
+        let place = Placement::default().moved(Vector::from([6.0; 3]));
+        wide.bodies = vec![slip_body(Arc::new(Placed::new(wing, place)))];
+        wide.method = Method::Fixed(FixedPoints {
+            refine: Refine::Levels(flow),
+            ..FixedPoints::default()
+        });
+        let panels = Panels::new(&wide);
+        let edges = panels.all().iter().flat_map(|panel| {
+            let corners = panel.corners;
+            (0..3).map(move |n| (corners[n] - corners[(n + 1) % 3]).norm())
+        });
+        edges.fold(0.0, f64::max)
+    };
+    let [coarse, fine, finest] = [1, 4, 9].map(longest);
+    assert!(coarse > 0.5 && coarse <= 1.0, "{coarse}");
+    assert!(fine > 0.06 && fine <= 0.125 + 1e-12, "{fine}");
+    // No finer than a hundredth of the body.
+    assert!(finest > 0.01 && finest <= 0.02 + 1e-12, "{finest}");
 }
