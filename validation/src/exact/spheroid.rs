@@ -29,21 +29,40 @@ pub fn pitching_moment(fineness: f64, mach: f64, degrees: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Lamb's table: 0.5, 0.5 of the sphere; 0.209, 0.702 at twice as long as thick; 0.082, 0.860 at four times.
+    /// `a0 = l int du / ((l^2 + u)^(3/2) (1 + u))` and `b0 = l int du / ((l^2 + u)^(1/2) (1 + u)^2)` from nothing on, the same article; half of a sphere's.
     #[test]
-    fn masses_are_those_of_the_table() {
-        for (fineness, along, across) in [
-            (1.000_1, 0.5, 0.5),
-            (2.0, 0.209, 0.702),
-            (3.99, 0.082, 0.860),
-            (9.97, 0.021, 0.960),
-        ] {
-            let [a, b] = added_masses(fineness);
+    fn masses_are_those_of_the_integrals() {
+        const STEPS: u32 = 40_000;
+        let integral = |of: &dyn Fn(f64) -> f64| -> f64 {
+            let each = (0..STEPS).map(|n| {
+                let s = (f64::from(n) + 0.5) / f64::from(STEPS);
+                of(s / (1.0 - s)) / ((1.0 - s) * (1.0 - s))
+            });
+            each.sum::<f64>() / f64::from(STEPS)
+        };
+        for l in [1.000_1_f64, 1.5, 4.0, 10.0] {
+            let parts: [&dyn Fn(f64) -> f64; 2] =
+                [&|u| l / ((l * l + u).powf(1.5) * (1.0 + u)), &|u| {
+                    l / ((l * l + u).sqrt() * (1.0 + u).powi(2))
+                }];
+            let [along, across] = parts.map(|part| {
+                let whole = integral(part);
+                whole / (2.0 - whole)
+            });
+            let [a, b] = added_masses(l);
             assert!(
-                (a - along).abs() < 1e-3 && (b - across).abs() < 1e-3,
-                "{fineness}: {a} {b}"
+                (a - along).abs() < 1e-4 && (b - across).abs() < 1e-4,
+                "{l}: {a} {b}"
             );
         }
+        assert!(
+            added_masses(1.000_1)
+                .iter()
+                .all(|mass| (mass - 0.5).abs() < 1e-3)
+        );
+        // Lamb's table.
+        let [along, across] = added_masses(3.99);
+        assert!((along - 0.082).abs() < 1e-3 && (across - 0.860).abs() < 1e-3);
     }
 
     /// Of slender bodies `2 V a / (S l)`, compressed or not.
