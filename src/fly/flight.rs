@@ -6,14 +6,13 @@ use std::sync::Arc;
 
 use aero_geometry::{Bounds, Placed, Shape, Vector, Watch, files};
 use aero_packer::thinnest_part;
-use aero_solver::method::Refine;
 
 use super::attitude::Attitude;
 use super::bluntness::bluntness;
 use super::centre::axis;
 use super::domain;
 use super::error::FlyError;
-use super::estimate::Costs;
+use super::fineness::Fineness;
 use super::likeness::{Likeness, likeness};
 use super::meridian::Meridian;
 use super::silhouette;
@@ -38,6 +37,16 @@ pub enum Extent {
     Meridian(Meridian),
     /// Space on one side of the planes of symmetry across these axes.
     Space(Vec<usize>),
+}
+
+impl Extent {
+    /// Number of dimensions that are computed.
+    pub fn dimension(&self) -> usize {
+        match self {
+            Self::Meridian(_) => 2,
+            Self::Space(_) => 3,
+        }
+    }
 }
 
 /// A body on its way through a stream.
@@ -69,13 +78,8 @@ pub struct Flight {
     pub repairs: Vec<String>,
     /// Box of the flow.
     region: Bounds<3>,
-    /// Halvings of the spacing near body and shocks.
-    halvings: u8,
-    /// How many of them make up for a box that is wider than waves faster than sound ask for.
-    farther: u8,
-    /// Halvings beyond these around thin and bent parts of the body: grooves and fins that fall between cells give each run another body, and
-    /// values that scatter by all of what such a part adds.
-    closer: u8,
+    /// How finely flow and body are resolved.
+    pub(super) fineness: Fineness,
 }
 
 impl Flight {
@@ -117,16 +121,9 @@ impl Flight {
             wishes.mach,
             [wishes.incidence, wishes.sideslip],
         );
-        let farther = halvings_of_far_box(&region, &bounds, &extent, &wishes);
-        let halvings = match (wishes.with_the_gas, &extent) {
-            (true, _) => 0,
-            (false, Extent::Meridian(_)) => 2,
-            (false, Extent::Space(_)) => 1,
-        };
+        let fineness = Fineness::new(&region, &bounds, extent.dimension(), &wishes);
         Ok(Self {
-            halvings: halvings + farther,
-            farther,
-            closer: 0,
+            fineness,
             thinnest: thinnest_part(shape.as_ref(), &bounds),
             region,
             front,
@@ -157,76 +154,12 @@ impl Flight {
 
     /// Number of dimensions that are computed.
     pub fn dimension(&self) -> usize {
-        match self.extent {
-            Extent::Meridian(_) => 2,
-            Extent::Space(_) => 3,
-        }
-    }
-
-    /// Halvings of the spacing near body and shocks.
-    pub fn halvings(&self) -> u8 {
-        self.halvings
-    }
-
-    /// The same in a box no wider than waves faster than sound ask for.
-    pub fn near_halvings(&self) -> u8 {
-        self.halvings - self.farther
-    }
-
-    /// Most halvings around thin parts.
-    fn most_halvings(&self) -> u8 {
-        let more = self.more_of_bends();
-        (Refine::DEEPEST_OF_POINTS + self.farther).min(Refine::DEEPEST - more)
-    }
-
-    /// Halvings around bent parts of the body beyond those around thin ones. What a slow stream draws at noses and edges makes up for what it presses
-    /// elsewhere, and the whole drag is what is not made up for; cells along lines are few.
-    fn more_of_bends(&self) -> u8 {
-        const OF_SLOW_STREAMS: u8 = 2;
-        if self.is_slow() { OF_SLOW_STREAMS } else { 0 }
-    }
-
-    /// Where points are added.
-    pub fn refine(&self) -> Refine {
-        Refine::Apart {
-            flow: self.halvings,
-            bodies: self.body_halvings(),
-            bends: self.body_halvings() + self.more_of_bends(),
-        }
+        self.extent.dimension()
     }
 
     /// True of a stream in which what the body does is felt on all sides of it.
     pub fn is_slow(&self) -> bool {
         domain::is_slow(self.wishes.mach)
-    }
-
-    /// The same around thin and bent parts of the body.
-    pub fn body_halvings(&self) -> u8 {
-        self.halvings + self.closer
-    }
-
-    /// One more of these, if there may be.
-    pub fn come_closer(&mut self) -> bool {
-        let may = !self.wishes.with_the_gas && self.body_halvings() < self.most_halvings();
-        self.closer += u8::from(may);
-        may
-    }
-
-    /// One less.
-    pub fn stand_back(&mut self) {
-        self.closer = self.closer.saturating_sub(1);
-    }
-
-    /// As many more halvings as let the coarsest run of a family down to `finest` be no finer than `look` away from body and shocks.
-    pub fn deepen(&mut self, finest: f64, look: f64) {
-        if self.wishes.with_the_gas {
-            return;
-        }
-        let coarser = Costs::new(self.dimension(), false).coarsest();
-        let first = |halvings: u8| finest * coarser * f64::from(1_u32 << halvings);
-        while self.halvings < self.most_halvings() && first(self.halvings + 1) <= look {
-            self.halvings += 1;
-        }
     }
 
     /// Axes across which the flow is its own mirror image and half of it is left out.
@@ -365,29 +298,6 @@ impl Flight {
             },
         }
     }
-}
-
-/// Halvings by which the far sides of a slow stream's box do not make the points near its body fewer.
-fn halvings_of_far_box(
-    region: &Bounds<3>,
-    body: &Bounds<3>,
-    extent: &Extent,
-    wishes: &Wishes,
-) -> u8 {
-    /// Mach number of a stream whose box is near.
-    const FAST: f64 = 1.5;
-    if !domain::is_slow(wishes.mach) {
-        return 0;
-    }
-    let near = domain::around(body, 0.0, FAST, [wishes.incidence, wishes.sideslip]);
-    let dimension = match extent {
-        Extent::Meridian(_) => 2,
-        Extent::Space(_) => 3,
-    };
-    let wider: f64 = (0..dimension)
-        .map(|axis| region.size()[axis] / near.size()[axis])
-        .product();
-    (wider.log2() / dimension as f64).ceil().max(0.0) as u8
 }
 
 /// Box of the triangles.

@@ -12,6 +12,7 @@ mod error;
 mod estimate;
 mod extrapolate;
 mod figure;
+mod fineness;
 mod flight;
 mod lee;
 mod level;
