@@ -3,27 +3,8 @@
 use std::f64::consts::TAU;
 
 use crate::support::Workplace;
+use crate::support::turned::{cone, turned};
 use aero_validation::exact::cone::cone_flow;
-
-/// A cone of 20 degrees along z, its tip at the origin, of so many facets, as ASCII STL.
-fn cone(around: usize) -> String {
-    let (length, radius) = (1.0, 20_f64.to_radians().tan());
-    let rim = |k: usize| {
-        let (s, c) = (TAU * k as f64 / around as f64).sin_cos();
-        format!("vertex {} {} {length}", radius * c, radius * s)
-    };
-    let mut text = "solid cone\n".to_owned();
-    let mut facet = |corners: [String; 3]| {
-        text += "facet normal 0 0 0\nouter loop\n";
-        text += &corners.join("\n");
-        text += "\nendloop\nendfacet\n";
-    };
-    for k in 0..around {
-        facet(["vertex 0 0 0".into(), rim(k + 1), rim(k)]);
-        facet([format!("vertex 0 0 {length}"), rim(k), rim(k + 1)]);
-    }
-    text + "endsolid cone\n"
-}
 
 /// A cylinder with a cone before it and a groove around it, its tip at the origin.
 const GROOVED: [[f64; 2]; 8] = [
@@ -39,37 +20,6 @@ const GROOVED: [[f64; 2]; 8] = [
 
 /// A ring, straight inside, with a ridge outside.
 const RING: [[f64; 2]; 4] = [[0.0, 0.3], [0.5, 0.34], [1.0, 0.3], [0.0, 0.3]];
-
-/// Corners `(z, radius)` turned about z, of so many facets, as ASCII STL.
-fn turned(line: &[[f64; 2]], around: usize) -> String {
-    let at = |[z, radius]: [f64; 2], k: usize| {
-        let (s, c) = (TAU * (k % around) as f64 / around as f64).sin_cos();
-        format!("vertex {} {} {z}\n", radius * c, radius * s)
-    };
-    let mut text = "solid turned\n".to_owned();
-    for pair in line.windows(2) {
-        for k in 0..around {
-            let [a, b, c, d] = [
-                at(pair[0], k),
-                at(pair[0], k + 1),
-                at(pair[1], k + 1),
-                at(pair[1], k),
-            ];
-            let mut facet = |corners: String| {
-                text += "facet normal 0 0 0\nouter loop\n";
-                text += &corners;
-                text += "endloop\nendfacet\n";
-            };
-            if pair[1][1] > 0.0 {
-                facet(format!("{a}{c}{d}"));
-            }
-            if pair[0][1] > 0.0 {
-                facet(format!("{a}{b}{c}"));
-            }
-        }
-    }
-    text + "endsolid turned\n"
-}
 
 /// What faces away in a groove has the body behind it: its drag goes with that of the groove's other side.
 #[test]

@@ -1,6 +1,7 @@
 //! What the command-line tests share: the program, a folder of its own for each test, small scenes.
 
 pub mod forces;
+pub mod turned;
 
 use std::path::{Path, PathBuf};
 
