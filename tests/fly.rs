@@ -331,7 +331,10 @@ fn what_cannot_be_flown_is_refused_with_the_mend() {
     let fly = |more: &[&str]| place.aero(&[&["fly", "cone.stl"], more].concat());
     fly(&["--mach", "0.8", "--motion", "with-the-gas"]).refuses(&["leave out `--motion"]);
     for (more, word) in [
-        (["--mach", "2", "--axis", "w"], "no direction"),
+        (
+            ["--mach", "2", "--axis", "w"],
+            "not a direction of the file",
+        ),
         (["--mach", "2", "--pressure", "1e5"], "--temperature"),
         (["--mach", "2", "--altitude", "high"], "12km"),
     ] {

@@ -44,37 +44,38 @@ fn half_an_outline_at_a_mirror_has_the_force_of_the_whole() {
     assert!(answer.out.contains(told), "{}", answer.out);
 }
 
+/// The diamond of a wing, from its root on to a tip of so much of its chord, and its image.
+fn tapered(root: f64, tip: f64, is_closed: bool, is_whole: bool) -> String {
+    let section = |z: f64, part: f64| {
+        [[0.0, 0.0], [0.5, -0.12], [1.0, 0.0], [0.5, 0.12]].map(|[x, y]| [part * x, part * y, z])
+    };
+    let (a, b) = (section(root, 1.0), section(0.6, tip));
+    let mut facets = Vec::new();
+    for (i, j) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
+        facets.extend([[a[i], a[j], b[j]], [a[i], b[j], b[i]]]);
+    }
+    facets.extend([[b[0], b[1], b[2]], [b[0], b[2], b[3]]]);
+    if is_closed {
+        facets.extend([[a[0], a[2], a[1]], [a[0], a[3], a[2]]]);
+    }
+    if is_whole {
+        let image = |[x, y, z]: [f64; 3]| [x, y, -z];
+        let images: Vec<_> = facets
+            .iter()
+            .map(|&[a, b, c]| [b, a, c].map(image))
+            .collect();
+        facets.extend(images);
+    }
+    ascii_stl("wing", &facets)
+}
+
+/// The same, as wide at its tip.
+fn wing(root: f64, is_closed: bool, is_whole: bool) -> String {
+    tapered(root, 1.0, is_closed, is_whole)
+}
+
 #[test]
 fn half_a_file_at_a_mirror_has_the_force_of_the_whole_closed_or_open() {
-    // The diamond of a wing, from its root on, and its image.
-    let wing = |root: f64, is_closed: bool, is_whole: bool| {
-        let section = |z: f64| {
-            [
-                [0.0, 0.0, z],
-                [0.5, -0.12, z],
-                [1.0, 0.0, z],
-                [0.5, 0.12, z],
-            ]
-        };
-        let (a, b) = (section(root), section(0.6));
-        let mut facets = Vec::new();
-        for (i, j) in [(0, 1), (1, 2), (2, 3), (3, 0)] {
-            facets.extend([[a[i], a[j], b[j]], [a[i], b[j], b[i]]]);
-        }
-        facets.extend([[b[0], b[1], b[2]], [b[0], b[2], b[3]]]);
-        if is_closed {
-            facets.extend([[a[0], a[2], a[1]], [a[0], a[3], a[2]]]);
-        }
-        if is_whole {
-            let image = |[x, y, z]: [f64; 3]| [x, y, -z];
-            let images: Vec<_> = facets
-                .iter()
-                .map(|&[a, b, c]| [b, a, c].map(image))
-                .collect();
-            facets.extend(images);
-        }
-        ascii_stl("wing", &facets)
-    };
     let scene = scene(3, 0.1, "stl = { file = \"wing.stl\" }", "incidence = 3.0")
         .replace("min = [-1.2, -1.0, -1.0]", "min = [-0.4, -0.6, 0.0]")
         .replace("max = [1.4, 1.0, 1.0]", "max = [1.2, 0.6, 1.0]")
@@ -87,4 +88,78 @@ fn half_a_file_at_a_mirror_has_the_force_of_the_whole_closed_or_open() {
         place.write("wing.stl", wing(root, is_closed, false));
         assert_eq!(force(&place, &scene, FIXED), expected, "{root} {is_closed}");
     }
+}
+
+#[test]
+fn half_a_file_is_made_whole_where_a_scene_says_which_way_the_other_half_lies() {
+    let entry = "stl = { file = \"wing.stl\" }";
+    let whole = scene(3, 0.1, entry, "incidence = 3.0")
+        .replace("min = [-1.2, -1.0, -1.0]", "min = [-0.4, -0.6, -1.0]")
+        .replace("max = [1.4, 1.0, 1.0]", "max = [1.2, 0.6, 1.0]");
+    let half = |way: &str| {
+        let told = format!("stl = {{ file = \"wing.stl\", half = \"{way}\" }}");
+        whole.replace(entry, &told)
+    };
+    let place = Workplace::new();
+    let ghosts = |scene: &str| {
+        place.write("scene.toml", scene);
+        place
+            .aero(&["pack", "scene.toml", "--out", "packed"])
+            .succeeds();
+        std::fs::read(place.path("packed/scene-ghosts.vtp")).unwrap()
+    };
+    place.write("wing.stl", tapered(0.0, 0.5, false, true));
+    let expected = ghosts(&whole);
+    for is_closed in [true, false] {
+        place.write("wing.stl", tapered(0.0, 0.5, is_closed, false));
+        assert!(ghosts(&half("-z")) == expected, "{is_closed}");
+    }
+    for (way, words) in [("+x", "toward +x"), ("w", "not a direction of the file")] {
+        place.run(&half(way), &[]).refuses(&[words]);
+    }
+    let packed = place.aero(&["pack", "wing.stl", "--half", "-z", "--spacing", "0.05"]);
+    packed.succeeds();
+    let told = "joined the other half of the body, toward -z";
+    assert!(packed.out.contains(told), "{}", packed.out);
+}
+
+#[test]
+fn half_a_file_is_flown_whole_if_that_is_said_and_told_of_if_not() {
+    let place = Workplace::new();
+    place.write("whole.stl", tapered(0.0, 0.5, false, true));
+    place.write("open.stl", tapered(0.0, 0.5, false, false));
+    place.write("closed.stl", tapered(0.0, 0.5, true, false));
+    let flown = |file: &str, more: &[&str]| {
+        let common = ["fly", file, "--mach", "2", "--incidence", "3"];
+        let common = common
+            .into_iter()
+            .chain(["--minutes", "0.05", "--overwrite"]);
+        let asked: Vec<&str> = common
+            .chain(["--scene", "flown.toml"])
+            .chain(more.iter().copied())
+            .collect();
+        place.aero(&asked)
+    };
+    let scene = |file: &str, more: &[&str]| {
+        let answer = flown(file, more);
+        answer.succeeds();
+        let text = std::fs::read_to_string(place.path("flown.toml")).unwrap();
+        let lines = text.lines().filter(|line| {
+            let is_its_own = ["title", "name", "shape"].map(|key| line.starts_with(key));
+            !is_its_own.contains(&true)
+        });
+        (lines.collect::<Vec<_>>().join("\n"), text, answer.out)
+    };
+    let (whole, _, out) = scene("whole.stl", &[]);
+    assert!(!out.contains("--half"), "{out}");
+    let (joined, text, out) = scene("open.stl", &["--half", "-z"]);
+    assert_eq!(joined, whole);
+    assert!(text.contains(", half = \"-z\" }"), "{text}");
+    assert!(out.contains("joined the other half") && !out.contains("--half"));
+    // As it is, it is flown with a word, or refused with one where it is open.
+    let asks = "flat where it ends toward -z of the file";
+    let (alone, text, out) = scene("closed.stl", &["--fill"]);
+    assert!(alone != whole && out.contains(asks), "{out}");
+    assert!(text.contains(", fill = true }"), "{text}");
+    flown("open.stl", &[]).refuses(&["`--half -z`", "half = \"-z\"", "`--fill`"]);
 }

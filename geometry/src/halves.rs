@@ -9,7 +9,7 @@ use crate::stl::Facet;
 use crate::{Bounds, MirrorPlane, Vector};
 
 /// What ends this near to a plane, in parts of a body's size, ends in it: numbers of single precision are off by a hundredth of that.
-const ROUNDED: f64 = 1e-5;
+pub(crate) const ROUNDED: f64 = 1e-5;
 
 /// Those of `planes` that a body of this extent ends in, with how near to a plane is in it; not those of an axis with one at either end, between which a
 /// body is a part of a row.
@@ -52,6 +52,23 @@ pub fn made_whole(facets: &[Facet], planes: &[MirrorPlane]) -> Option<Vec<Facet>
         let half = whole.as_deref().unwrap_or(facets);
         joined(half, plane, tolerance).or(whole)
     })
+}
+
+/// The body of which `facets` are one half and the other lies beyond their highest place on an axis, or their lowest; none where nothing of them ends there in
+/// a face or an opening.
+pub fn whole_from_half(facets: &[Facet], axis: usize, beyond_lowest: bool) -> Option<Vec<Facet>> {
+    let bounds = around(facets.iter().flatten().copied())?;
+    let end = if beyond_lowest {
+        bounds.min
+    } else {
+        bounds.max
+    };
+    let plane = MirrorPlane {
+        axis,
+        position: end[axis],
+        shows_above: beyond_lowest,
+    };
+    made_whole(facets, &[plane])
 }
 
 /// The same at one plane, which all facets are above.

@@ -27,7 +27,7 @@ mod watch;
 pub use bounds::Bounds;
 pub use crease::Crease;
 pub use error::GeometryError;
-pub use halves::{made_whole, may_be_half};
+pub use halves::{made_whole, may_be_half, whole_from_half};
 pub use mending::{Mending, Solid};
 pub use mesh::{Mesh, Sheet};
 pub use mirrored::{MirrorPlane, Mirrored};

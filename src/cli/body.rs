@@ -1,15 +1,19 @@
 //! What commands that fly a body from its file share: how it lies, the air, what coefficients refer to.
 
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 use aero::fly::{Air, Axes, Centre, Wishes};
 use aero::scene::number::{Altitude, StreamAngle};
-use aero::scene::shapes::Unit;
-use clap::{Args, ValueEnum};
+use clap::Args;
+
+use super::mesh::MeshArgs;
+use super::numbers::positive;
 
 /// A body in a stream, but for its speed.
 #[derive(Args, Clone, Debug, Default, PartialEq)]
 pub struct BodyArgs {
+    #[command(flatten)]
+    mesh: MeshArgs,
     /// Turn of the body about its length, degrees; none unless given
     #[arg(long, value_name = "DEG", allow_hyphen_values = true, value_parser = angle)]
     roll: Option<f64>,
@@ -22,9 +26,6 @@ pub struct BodyArgs {
     /// Temperature of the stream, K, with a pressure
     #[arg(long, value_name = "K", requires = "pressure", value_parser = positive)]
     temperature: Option<f64>,
-    /// Unit of the file; metres unless given
-    #[arg(long, value_enum)]
-    unit: Option<UnitWord>,
     /// Directions of the file out of the nose and up, such as -x,+z; as the body looks unless given
     #[arg(long, value_name = "NOSE[,UP]", allow_hyphen_values = true)]
     axis: Option<Axes>,
@@ -50,12 +51,7 @@ impl BodyArgs {
     /// The flight of `body` at a Mach number, an incidence and a sideslip.
     pub fn wishes(&self, body: &Path, [mach, incidence, sideslip]: [f64; 3]) -> Wishes {
         Wishes {
-            body: PathBuf::from(body),
-            unit: self.unit.map(|unit| match unit {
-                UnitWord::M => Unit::M,
-                UnitWord::Mm => Unit::Mm,
-                UnitWord::In => Unit::In,
-            }),
+            body: self.mesh.entry(body),
             axes: self.axis,
             roll: self.roll.unwrap_or(0.0),
             mach,
@@ -71,13 +67,6 @@ impl BodyArgs {
             centre: self.centre,
         }
     }
-}
-
-#[derive(Clone, Copy, Debug, PartialEq, Eq, ValueEnum)]
-enum UnitWord {
-    M,
-    Mm,
-    In,
 }
 
 /// An angle in degrees.
@@ -108,12 +97,6 @@ pub fn is_body(path: &Path) -> bool {
     [".stl", ".obj", ".ply"]
         .iter()
         .any(|end| name.ends_with(end))
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let number = text.parse::<f64>().ok();
-    let number = number.filter(|x| x.is_finite() && *x > 0.0);
-    number.ok_or_else(|| "is not a positive number".into())
 }
 
 /// A height in m, typed in m, km or thousands of feet.

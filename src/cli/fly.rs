@@ -165,6 +165,7 @@ pub fn words(flight: &Flight) -> Vec<String> {
     let w = &flight.wishes;
     let size = flight.bounds.size();
     let mut lines = flight.attitude.words(&size, w.incidence, w.sideslip);
+    lines.extend(telling::half(flight));
     lines.extend(
         flight
             .repairs

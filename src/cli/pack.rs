@@ -5,13 +5,14 @@ use std::path::{Path, PathBuf};
 
 use aero::output::write_packing;
 use aero::pack::{AnyPacked, PackFile, pack_mesh, pack_scene};
-use aero::scene::number::Positive;
-use aero::scene::shapes::{StlEntry, Unit};
+use aero::scene::shapes::StlEntry;
 use aero::scene::{PackWishes, Scene};
 use aero_geometry::Watch;
-use clap::{Args, ValueEnum};
+use clap::Args;
 
 use super::CommandError;
+use super::mesh::MeshArgs;
+use super::numbers::positive;
 use super::progress::watched;
 
 /// What `aero pack` takes.
@@ -32,17 +33,10 @@ pub struct PackArgs {
     /// Pack all the same where more than two per cent of the surface would have no ghosts
     #[arg(long)]
     allow_loss: bool,
-    /// Unit of length of the body's file [default: m]
-    #[arg(long)]
-    unit: Option<UnitWord>,
-    /// Close all holes of the body's surface
-    #[arg(long, conflicts_with_all = ["thicken", "wrap"])]
-    fill: bool,
-    /// Make a solid so many metres thick of a sheet: terrain, a sail, panels
-    #[arg(long, value_name = "T", value_parser = positive, conflicts_with = "wrap")]
-    thicken: Option<f64>,
+    #[command(flatten)]
+    mesh: MeshArgs,
     /// Lay a closed surface around whatever the file holds, as fine as the spacing
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = ["fill", "thicken"])]
     wrap: bool,
     /// Folder for the results; `out/NAME` unless given
     #[arg(long, value_name = "DIR")]
@@ -51,27 +45,6 @@ pub struct PackArgs {
 
 /// The report and the files that were written.
 type ReportAndFiles = (PackFile, Vec<PathBuf>);
-
-/// A unit of length.
-#[derive(Clone, Copy, Debug, ValueEnum)]
-enum UnitWord {
-    /// Metres
-    M,
-    /// Millimetres
-    Mm,
-    /// Inches
-    In,
-}
-
-impl From<UnitWord> for Unit {
-    fn from(word: UnitWord) -> Self {
-        match word {
-            UnitWord::M => Self::M,
-            UnitWord::Mm => Self::Mm,
-            UnitWord::In => Self::In,
-        }
-    }
-}
 
 /// Packs the body or the bodies and says how good the packing is.
 pub fn pack(args: &PackArgs) -> Result<(), CommandError> {
@@ -95,13 +68,8 @@ fn make(args: &PackArgs, watch: Watch) -> Result<ReportAndFiles, CommandError> {
         let packed = pack_mesh(&body(args), &wishes);
         return write(&packed.map_err(CommandError::wrong)?, args, &wishes.watch);
     }
-    let flags = [
-        ("unit", args.unit.is_some()),
-        ("fill", args.fill),
-        ("thicken", args.thicken.is_some()),
-        ("wrap", args.wrap),
-    ];
-    if let Some((flag, _)) = flags.iter().find(|(_, given)| *given) {
+    let wrap = args.wrap.then_some("wrap");
+    if let Some(flag) = args.mesh.given().or(wrap) {
         return Err(CommandError::wrong(format!(
             "`--{flag}` goes with a body's file, as an STL; a scene says `{flag}` in the body's shape"
         )));
@@ -114,12 +82,8 @@ fn make(args: &PackArgs, watch: Watch) -> Result<ReportAndFiles, CommandError> {
 /// The body's file as a scene would have it.
 fn body(args: &PackArgs) -> StlEntry {
     StlEntry {
-        file: args.input.clone(),
-        unit: args.unit.map(Unit::from),
-        fill: Some(args.fill),
-        // Checked when it was read.
-        thicken: args.thicken.and_then(|t| Positive::try_from(t).ok()),
         wrap: Some(args.wrap),
+        ..args.mesh.entry(&args.input)
     }
 }
 
@@ -201,9 +165,4 @@ fn lines(file: &PackFile, files: &[PathBuf]) -> String {
         let _ = writeln!(text, "wrote `{}`", path.display());
     }
     text
-}
-
-fn positive(text: &str) -> Result<f64, String> {
-    let value: f64 = text.parse().map_err(|_| "not a number".to_owned())?;
-    Positive::try_from(value).map(Positive::get)
 }

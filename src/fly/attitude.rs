@@ -1,13 +1,12 @@
 //! How a body of a file lies in the stream: which end meets it, which side is up.
 
-use aero_solver::problem::AXES;
-use std::fmt;
 use std::str::FromStr;
 
 use aero_geometry::{Bounds, Placed, Placement, Shape, Vector};
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion};
 
 use super::error::FlyError;
+use crate::scene::way::Way;
 
 /// Lines across a section, to measure it.
 const ACROSS: usize = 32;
@@ -27,45 +26,6 @@ const FLAT: f64 = 1.5;
 /// A body is round where so much of it is still itself after an eighth of a turn.
 const ROUND: f64 = 0.9;
 
-/// A direction of the file: an axis and a sign.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub struct Way {
-    axis: usize,
-    is_negative: bool,
-}
-
-impl Way {
-    fn vector(self) -> Vector<3> {
-        let mut vector = Vector::<3>::zeros();
-        vector[self.axis] = if self.is_negative { -1.0 } else { 1.0 };
-        vector
-    }
-}
-
-impl fmt::Display for Way {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let sign = if self.is_negative { "-" } else { "+" };
-        write!(f, "{sign}{}", AXES[self.axis])
-    }
-}
-
-impl FromStr for Way {
-    type Err = String;
-
-    fn from_str(text: &str) -> Result<Self, String> {
-        let text = text.trim();
-        let (is_negative, letter) = match text.strip_prefix('-') {
-            Some(rest) => (true, rest),
-            None => (false, text.strip_prefix('+').unwrap_or(text)),
-        };
-        let axis = AXES.iter().position(|name| *name == letter);
-        let axis = axis.ok_or_else(|| {
-            format!("`{text}` is no direction; write NOSE or NOSE,UP as in -x or -x,+z")
-        })?;
-        Ok(Self { axis, is_negative })
-    }
-}
-
 /// Directions of the file that point out of the nose and up.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Axes {
@@ -77,9 +37,13 @@ impl FromStr for Axes {
     type Err = String;
 
     fn from_str(text: &str) -> Result<Self, String> {
+        let way = |part: &str| {
+            let way = part.parse::<Way>();
+            way.map_err(|error| format!("{error}; write NOSE or NOSE,UP as in -x or -x,+z"))
+        };
         let (nose, up) = match text.split_once(',') {
-            Some((nose, up)) => (nose.parse::<Way>()?, Some(up.parse::<Way>()?)),
-            None => (text.parse()?, None),
+            Some((nose, up)) => (way(nose)?, Some(way(up)?)),
+            None => (way(text)?, None),
         };
         if up.is_some_and(|up| up.axis == nose.axis) {
             return Err(format!(
@@ -313,7 +277,7 @@ mod tests {
         let axes: Axes = "-z,+y".parse().unwrap();
         assert_eq!(axes.nose.to_string(), "-z");
         assert_eq!(axes.up.unwrap().to_string(), "+y");
-        for (text, words) in [("w", "no direction"), ("x,-x", "same axis")] {
+        for (text, words) in [("w", "not a direction"), ("x,-x", "same axis")] {
             assert!(text.parse::<Axes>().unwrap_err().contains(words));
         }
     }

@@ -13,13 +13,14 @@ use super::centre::axis;
 use super::domain;
 use super::error::FlyError;
 use super::fineness::Fineness;
+use super::flat::flat_side;
 use super::likeness::{Likeness, likeness};
 use super::meridian::Meridian;
 use super::silhouette;
 use super::wishes::{Air, Wishes};
 use crate::scene::atmosphere::GAS_CONSTANT;
 use crate::scene::number::Name;
-use crate::scene::shapes::StlEntry;
+use crate::scene::way::Way;
 
 /// Ratio of specific heats of air.
 pub(super) const GAMMA: f64 = 1.4;
@@ -66,6 +67,8 @@ pub struct Flight {
     pub extent: Extent,
     /// Axes across which it is its own mirror image but for so much, m.
     pub nearly: Vec<(usize, f64)>,
+    /// Where it ends flat, as a half does where it was cut, if that was not said to be half of it.
+    pub flat: Option<Way>,
     /// Where the middle of its volume lies, above the middle of the box and to the left of it.
     axis: [f64; 2],
     /// Its frontal area.
@@ -94,19 +97,19 @@ impl Flight {
                 wishes.mach,
             )));
         }
-        let name = Name::like(&files::body_name(&wishes.body));
+        let name = Name::like(&files::body_name(&wishes.body.file));
         let name = name.as_str().to_owned();
         let body =
             |error: &dyn std::fmt::Display| FlyError::Body(format!("body `{name}`: {error}"));
-        let entry = StlEntry {
-            file: wishes.body.clone(),
-            unit: wishes.unit,
-            ..StlEntry::default()
-        };
         let watch = Watch::default();
-        let soup = entry.read(Path::new(""), &watch).map_err(|e| body(&e))?;
-        let solid = entry.solid(soup, 0.0, &watch).map_err(|e| body(&e))?;
+        let soup = wishes
+            .body
+            .read(Path::new(""), &watch)
+            .map_err(|e| body(&e))?;
+        let solid = wishes.body.solid(soup, 0.0, &watch).map_err(|e| body(&e))?;
         let attitude = Attitude::new(solid.shape.as_ref(), wishes.axes, wishes.roll)?;
+        let is_told = wishes.body.half.is_some();
+        let flat = (!is_told).then(|| flat_side(solid.shape.as_ref(), &attitude));
         let shape: Arc<dyn Shape<3>> = Arc::new(Placed::new(solid.shape, attitude.placement()?));
         let bounds = box_of(shape.as_ref());
         let (extent, nearly) = extent(shape.as_ref(), &bounds, &wishes);
@@ -134,6 +137,7 @@ impl Flight {
             },
             extent,
             nearly,
+            flat: flat.flatten(),
             bounds,
             shape,
             attitude,

@@ -13,6 +13,7 @@ mod estimate;
 mod extrapolate;
 mod figure;
 mod fineness;
+mod flat;
 mod flight;
 mod lee;
 mod level;

@@ -249,6 +249,7 @@ mod tests {
     use aero_geometry::{bodies, stl};
 
     use super::super::wishes::{Air, Wishes};
+    use crate::scene::shapes::StlEntry;
 
     /// A sphere of radius one in space, 10 degrees to a stream of Mach 2.
     fn flight() -> Flight {
@@ -259,8 +260,10 @@ mod tests {
         stl::write_binary(&mut bytes, &facets).unwrap();
         std::fs::write(&file, bytes).unwrap();
         Flight::new(Wishes {
-            body: file,
-            unit: None,
+            body: StlEntry {
+                file,
+                ..StlEntry::default()
+            },
             axes: Some("-x,+y".parse().unwrap()),
             roll: 0.0,
             mach: 2.0,

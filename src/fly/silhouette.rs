@@ -1,23 +1,29 @@
-//! What a stream along x sees of a body.
+//! What a stream sees of a body.
 
 use aero_geometry::{Bounds, Shape};
 
 /// Pixels of the silhouette, each way.
 const PIXELS: usize = 1500;
 
-/// Half the sum of `|n_x| area`, which is the silhouette of a body without hollows, is believed where the pixels are this near.
+/// Half the sum of `|n| area` along the stream, which is the silhouette of a body without hollows, is believed where the pixels are this near.
 const ALIKE: f64 = 0.01;
 
 /// Area of the silhouette along x of a body that fills `bounds`.
 pub fn frontal_area(shape: &dyn Shape<3>, bounds: &Bounds<3>) -> f64 {
+    area_along(shape, bounds, 0)
+}
+
+/// The same along an axis.
+pub fn area_along(shape: &dyn Shape<3>, bounds: &Bounds<3>, axis: usize) -> f64 {
+    let across = [(axis + 1) % 3, (axis + 2) % 3];
     let facets = shape.facets(f64::INFINITY, bounds);
     let size = bounds.size();
-    let pixel = [1, 2].map(|k| size[k] / PIXELS as f64);
+    let pixel = across.map(|k| size[k] / PIXELS as f64);
     let mut seen = vec![false; PIXELS * PIXELS];
     let mut sum = 0.0;
     for facet in &facets {
-        let [a, b, c] =
-            [0, 1, 2].map(|n| [1, 2].map(|k| (facet[n][k] - bounds.min[k]) / pixel[k - 1]));
+        let [a, b, c] = [0, 1, 2]
+            .map(|n| [0, 1].map(|k| (facet[n][across[k]] - bounds.min[across[k]]) / pixel[k]));
         let double = (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
         sum += 0.25 * double.abs() * pixel[0] * pixel[1];
         fill(&mut seen, [a, b, c], double);

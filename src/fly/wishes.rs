@@ -1,11 +1,9 @@
 //! What is asked of a flight.
 
-use std::path::PathBuf;
-
 use super::attitude::Axes;
 use super::centre::Centre;
 use crate::scene::atmosphere;
-use crate::scene::shapes::Unit;
+use crate::scene::shapes::StlEntry;
 
 /// The state of the stream at rest.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -32,10 +30,8 @@ impl Air {
 /// What is asked for.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Wishes {
-    /// File of the body.
-    pub body: PathBuf,
-    /// Its unit.
-    pub unit: Option<Unit>,
+    /// The body's file, and how it is read.
+    pub body: StlEntry,
     /// How it lies; as it looks if none.
     pub axes: Option<Axes>,
     /// Turn about its length, degrees.

@@ -7,7 +7,7 @@ use super::domain;
 use super::error::FlyError;
 use super::flight::{Extent, Flight};
 use super::wishes::Air;
-use crate::scene::shapes::Unit;
+use crate::scene::shapes::{StlEntry, Unit};
 
 impl Flight {
     /// The scene at `spacing`, from the flow of an earlier `frame` if one is given.
@@ -109,22 +109,31 @@ impl Flight {
                 Ok(text)
             }
             Extent::Space(_) => {
-                let file = std::path::absolute(&self.wishes.body)
+                let file = std::path::absolute(&self.wishes.body.file)
                     .map_err(|error| FlyError::Body(error.to_string()))?;
-                let unit = match self.wishes.unit {
-                    None => String::new(),
-                    Some(Unit::M) => ", unit = \"m\"".into(),
-                    Some(Unit::Mm) => ", unit = \"mm\"".into(),
-                    Some(Unit::In) => ", unit = \"in\"".into(),
-                };
                 Ok(format!(
-                    "shape = {{ stl = {{ file = {}{unit} }} }}\nplace = {}",
+                    "shape = {{ stl = {{ file = {}{} }} }}\nplace = {}",
                     quoted(&file),
+                    keys(&self.wishes.body),
                     self.attitude.scene_place()
                 ))
             }
         }
     }
+}
+
+/// The keys of a body's file beside its path, each after a comma.
+fn keys(body: &StlEntry) -> String {
+    let unit = body.unit.map(|unit| match unit {
+        Unit::M => "unit = \"m\"".to_owned(),
+        Unit::Mm => "unit = \"mm\"".into(),
+        Unit::In => "unit = \"in\"".into(),
+    });
+    let half = body.half.map(|way| format!("half = \"{way}\""));
+    let fill = body.fill.map(|fill| format!("fill = {fill}"));
+    let thicken = body.thicken.map(|t| format!("thicken = {:?}", t.get()));
+    let all = [unit, half, fill, thicken].into_iter().flatten();
+    all.fold(String::new(), |keys, key| keys + ", " + &key)
 }
 
 /// A path as a scene has it.

@@ -83,6 +83,7 @@ mod vector;
 mod views;
 pub mod viscosity;
 pub mod wall;
+pub mod way;
 mod words;
 
 pub use bodies::{BodyPlan, PackWishes};

@@ -193,7 +193,7 @@ fn comment(attributes: &[Attribute]) -> String {
 
 /// What a scene spells of a type's keys: all where it is read as it stands, and none otherwise.
 fn keys_of(attributes: &[Attribute], keys: Vec<Key>) -> Vec<Key> {
-    if derives_reading(attributes) {
+    if derives_reading(attributes) && !is_converted(attributes) {
         keys
     } else {
         Vec::new()
@@ -204,6 +204,16 @@ fn derives_reading(attributes: &[Attribute]) -> bool {
     attributes.iter().any(|attribute| match &attribute.meta {
         Meta::List(list) if list.path.is_ident("derive") => {
             list.tokens.to_string().contains("Deserialize")
+        }
+        _ => false,
+    })
+}
+
+/// True of what is read as something else, a number or a word, and made from that.
+fn is_converted(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|attribute| match &attribute.meta {
+        Meta::List(list) if list.path.is_ident("serde") => {
+            list.tokens.to_string().contains("try_from")
         }
         _ => false,
     })

@@ -1,6 +1,8 @@
 //! Openings of the surface: those that lie inside of other parts are no holes of the body, as where a
 //! fin's shell is open at its root. The others are filled if that is asked for, or refused.
 
+use std::fmt::Write as _;
+
 use rayon::prelude::*;
 
 use super::caps::span;
@@ -10,7 +12,9 @@ use super::rims::{Hole, rims, tell};
 use super::triangle::normal;
 use super::weld::{Indexed, bounds};
 use super::winding::OFF_SKIN;
+use crate::Bounds;
 use crate::error::{FILL, GeometryError, THICKEN, WRAP};
+use crate::halves::ROUNDED;
 
 /// An opening counts as inside of another part where it stands out of that by less than this part of
 /// the body's diagonal: roots end on the true surface, a tessellated one cuts below it.
@@ -63,7 +67,7 @@ impl Caps {
         if !fill && (is_soup || rims.iter().any(|rim| rim.len() > MOST_CORNERS)) {
             let vertices = mesh.facets.iter().flatten();
             let extent = bounds(vertices.map(|&v| mesh.vertices[v as usize]));
-            return Err(caps.refusal(&caps.holes, extent.size().norm()));
+            return Err(caps.refusal(&caps.holes, &extent));
         }
         for (number, rim) in rims.iter().enumerate() {
             let (_, patch) = span(mesh, rim);
@@ -119,7 +123,7 @@ impl Caps {
         let buried: Vec<Hole> = of(false).map(|(hole, _)| *hole).collect();
         let open: Vec<Hole> = of(true).map(|(hole, _)| *hole).collect();
         if !open.is_empty() && !fill {
-            return Err(self.refusal(&open, diagonal));
+            return Err(self.refusal(&open, &extent));
         }
         if !buried.is_empty() {
             repairs.push(format!(
@@ -133,20 +137,40 @@ impl Caps {
         Ok(())
     }
 
-    fn refusal(&self, open: &[Hole], diagonal: f64) -> GeometryError {
+    /// That the body, of this `extent`, is `open`.
+    fn refusal(&self, open: &[Hole], extent: &Bounds<3>) -> GeometryError {
+        let diagonal = extent.size().norm();
         let widest = open
             .iter()
-            .fold(0.0, |most: f64, hole| most.max(hole.width));
-        let remedy = if open.len() * SOUP > self.first {
+            .fold(0.0, |most: f64, hole| most.max(hole.width()));
+        let mut remedy = if open.len() * SOUP > self.first {
             format!("{THICKEN}, {WRAP}")
         } else if widest > SHEET * diagonal {
             format!("{THICKEN}, {FILL}")
         } else {
             FILL.to_owned()
         };
+        if let Some(way) = cut(open, extent) {
+            let _ = write!(
+                remedy,
+                ", `--half {way}` (in a scene, `half = \"{way}\"`) joins the mirror image of half a body"
+            );
+        }
         let holes = tell(open);
         GeometryError::Surface(format!("is open at {holes}; close it, or {remedy}"))
     }
+}
+
+/// The direction in which the other half of a body may lie that is `open` only where it ends that way, at the end of its `extent`.
+fn cut(open: &[Hole], extent: &Bounds<3>) -> Option<String> {
+    let tolerance = ROUNDED * extent.size().norm();
+    let ends = (0..3).flat_map(|axis| [("-", axis, extent.min), ("+", axis, extent.max)]);
+    let mut cut = ends.filter(|(_, axis, end)| {
+        open.iter()
+            .all(|hole| hole.lies_in(*axis, end[*axis], tolerance))
+    });
+    cut.next()
+        .map(|(sign, axis, _)| format!("{sign}{}", ["x", "y", "z"][axis]))
 }
 
 /// How much of a cap's triangle is not inside of other parts, nor nearly so.

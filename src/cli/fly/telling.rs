@@ -47,6 +47,7 @@ pub fn warnings(flight: &Flight) -> Vec<String> {
             flight.attitude.nose, flight.attitude.up
         ));
     }
+    warnings.extend(half(flight));
     warnings.extend(flight.nearly.iter().map(|(axis, off)| {
         let halves = match axis {
             1 => "upper and lower half",
@@ -63,4 +64,13 @@ pub fn warnings(flight: &Flight) -> Vec<String> {
         warnings.push("a roll makes no difference to a body of revolution along the stream".into());
     }
     warnings
+}
+
+/// That the body may be half of one.
+pub fn half(flight: &Flight) -> Option<String> {
+    flight.flat.map(|way| {
+        format!(
+            "the body is flat where it ends toward {way} of the file, as half of one is where it was cut; if it is, `--half {way}` joins the other half"
+        )
+    })
 }

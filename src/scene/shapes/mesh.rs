@@ -5,10 +5,12 @@ use std::path::{Path, PathBuf};
 use aero_geometry::stl::{Facet, Soup};
 use aero_geometry::{
     GeometryError, Mending, Placed, Solid, Watch, files, made_whole, may_be_half, stl,
+    whole_from_half,
 };
 use serde::Deserialize;
 
 use super::super::number::Positive;
+use super::super::way::Way;
 use super::Making;
 use super::made::Made;
 use super::place::{PlaceEntry, place_in_space};
@@ -36,14 +38,16 @@ impl From<Unit> for stl::Unit {
     }
 }
 
-/// `stl = { file, unit, fill, thicken, wrap }`: STL, OBJ or PLY, packed as `.gz` or not.
-#[derive(Clone, Debug, Default, Deserialize)]
+/// `stl = { file, unit, half, fill, thicken, wrap }`: STL, OBJ or PLY, packed as `.gz` or not.
+#[derive(Clone, Debug, Default, Deserialize, PartialEq)]
 #[serde(deny_unknown_fields)]
 pub struct StlEntry {
     /// The file; a relative path starts at the scene's folder.
     pub file: PathBuf,
     /// Its unit of length; metres unless given.
     pub unit: Option<Unit>,
+    /// Where the other half of the body lies of which the file holds one: its mirror image is joined there; none unless given.
+    pub half: Option<Way>,
     /// Closes all holes.
     pub fill: Option<bool>,
     /// Makes a sheet so many metres thick.
@@ -57,7 +61,13 @@ impl StlEntry {
     pub(crate) fn read(&self, folder: &Path, watch: &Watch) -> Result<Soup, GeometryError> {
         watch.begin("reading");
         let unit = self.unit.map_or(stl::Unit::Metre, Into::into);
-        files::read(&folder.join(&self.file), unit)
+        let path = folder.join(&self.file);
+        let mut soup = files::read(&path, unit)?;
+        if let Some(way) = self.half {
+            soup.facets = whole_from_half(&soup.facets, way.axis, way.is_negative)
+                .ok_or_else(|| not_half(path, way))?;
+        }
+        Ok(soup)
     }
 
     /// True where the body depends on the spacing at which it is packed.
@@ -77,8 +87,27 @@ impl StlEntry {
         if wanted.next().is_some() {
             return Err("`fill`, `thicken` and `wrap` exclude each other; give one".into());
         }
-        Solid::new(soup, mending, watch)
-            .map_err(|error| format!("`{}`: {error}", self.file.display()))
+        let mut solid = Solid::new(soup, mending, watch)
+            .map_err(|error| format!("`{}`: {error}", self.file.display()))?;
+        if let Some(way) = self.half {
+            let joined = format!("joined the other half of the body, toward {way} of the file");
+            solid.repairs.insert(0, joined);
+        }
+        Ok(solid)
+    }
+}
+
+/// A body that does not end that way as a half does.
+fn not_half(path: PathBuf, way: Way) -> GeometryError {
+    let source = GeometryError::File {
+        format: "half",
+        reason: format!(
+            "the body has neither a flat face nor an opening where it ends toward {way}; give the direction in which its other half lies"
+        ),
+    };
+    GeometryError::In {
+        path,
+        source: Box::new(source),
     }
 }
 
