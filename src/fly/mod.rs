@@ -15,6 +15,7 @@ mod figure;
 mod fineness;
 mod flat;
 mod flight;
+mod halvings;
 mod lee;
 mod level;
 mod likeness;

@@ -6,7 +6,8 @@ use super::attached::{AttachedShock, is_perfect};
 use super::bend::Bend;
 use super::cells::RADIAL;
 use super::chain::Chain;
-use super::conical::{Conical, OnRay};
+use super::cone_field::Field;
+use super::conical::Conical;
 use super::equation_of_state::EquationOfState;
 use super::fan::{SONIC, SUPERSONIC, rise};
 use super::state::{Primitive, dot};
@@ -20,13 +21,6 @@ const STRAIGHT: f64 = 0.1;
 
 /// So far, in spacings, it is at least.
 const LEAST: f64 = 2.0;
-
-/// Gas behind the shock may be off the flow of the cone by what the shock changes up to so far from the tip, in spacings, by the inverse square of the distance
-/// from there on, and by a part of it at least: that of a nose that bends is another, which slopes know better.
-const BEGINNING: f64 = 8.0;
-
-/// See [`BEGINNING`].
-const OFF: [f64; 2] = [0.02, 0.5];
 
 impl<const D: usize> Chain<'_, D> {
     /// All tips on the axis that a `stream` along it meets, and how far the wall goes on straight from each, in spacings.
@@ -88,54 +82,6 @@ impl<const D: usize> Chain<'_, D> {
     }
 }
 
-/// The gas between a cone and its shock.
-#[derive(Clone, Debug)]
-pub struct Field<const D: usize> {
-    conical: Conical,
-    front: Primitive<D>,
-    speed: f64,
-    /// Directions of the axis and away from it.
-    axes: [[f64; D]; 2],
-}
-
-impl<const D: usize> Field<D> {
-    /// The gas at a place as seen from the tip.
-    pub fn at(&self, place: &[f64; D]) -> Primitive<D> {
-        let [along, away] = self.axes.map(|axis| dot(place, &axis));
-        self.state(&self.conical.at(away.atan2(along)))
-    }
-
-    /// How far gas in the state `own`, so many spacings `away` from the tip, may be taken for what is `known` of it.
-    pub fn agreement(&self, own: &Primitive<D>, known: &Primitive<D>, away: f64) -> f64 {
-        let strength = self.conical.surface().pressure.ln();
-        let off = (own.pressure / known.pressure).ln().abs() / strength;
-        let least = (OFF[1] * (BEGINNING / away).powi(2)).clamp(OFF[0], OFF[1]);
-        1.0 - rise(off, least, 2.0 * least)
-    }
-
-    /// How far from the tip the shock is reached by what happens on the cone so far from there: along Mach lines.
-    pub fn felt(&self, away: f64) -> f64 {
-        let angle = (1.0 / self.conical.mach).asin();
-        let rise = self.conical.shock - self.conical.angle();
-        away * angle.sin() / (angle - rise).sin().max(f64::MIN_POSITIVE)
-    }
-
-    /// How far a place is from the axis.
-    pub fn radius(&self, place: &[f64; D]) -> f64 {
-        dot(place, &self.axes[1])
-    }
-
-    fn state(&self, on: &OnRay) -> Primitive<D> {
-        let [along, away] = on.velocity.map(|part| part * self.speed);
-        let [axis, out] = &self.axes;
-        Primitive {
-            density: self.front.density * on.density,
-            velocity: std::array::from_fn(|k| along * axis[k] + away * out[k]),
-            pressure: self.front.pressure * on.pressure,
-        }
-    }
-}
-
 impl<const D: usize> AttachedShock<D> {
     /// The shock at the tip of a cone of gas in the state `front` ahead of it, if one stands there. Behind it, as told once for all of it, is gas on the cone.
     pub fn at_apex<G: EquationOfState>(
@@ -156,13 +102,8 @@ impl<const D: usize> AttachedShock<D> {
         let share = rise(square, SONIC, SUPERSONIC) * rise(on_cone, SONIC, ATTACHED);
         let (sine, cosine) = conical.shock.sin_cos();
         let surface = conical.surface();
-        let field = Field {
-            conical,
-            front: *front,
-            speed,
-            axes: [bend.before, bend.up],
-        };
-        let rear = field.state(&surface);
+        let field = Field::new(conical, front, speed, [bend.before, bend.up]);
+        let rear = field.on_cone();
         (share > 0.0 && is_perfect(gas, gamma, front, &rear)).then(|| Self {
             rear,
             normal: std::array::from_fn(|k| cosine * bend.up[k] - sine * bend.before[k]),

@@ -4,8 +4,8 @@
 //! would feel a shock that is not done, and the gas that goes along them would keep what it got there. But how the gas is there is known: as in front
 //! on one side of a straight shock, as behind it on the other.
 
-use super::apex::Field;
 use super::bend::Bend;
+use super::cone_field::Field;
 use super::equation_of_state::EquationOfState;
 use super::fan::{SONIC, SUPERSONIC, rise};
 use super::oblique::{largest_turn, ratios, weak_shock};

@@ -4,7 +4,7 @@ use aero_geometry::Vector;
 
 use super::bent::{Layout, fans, press, turn};
 use super::cloven::{self, Cleaving};
-use super::cone_cells::press_rings;
+use super::cone_rings::press_rings;
 use super::energy::EnergyFlux;
 use super::equation_of_state::EquationOfState;
 use super::fluxes::{Passed, Through};

@@ -26,6 +26,8 @@ mod cloud;
 mod cloven;
 mod columns;
 mod cone_cells;
+mod cone_field;
+mod cone_rings;
 mod conical;
 mod cornered;
 mod crests;
