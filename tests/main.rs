@@ -20,6 +20,7 @@ mod free;
 mod gaps;
 mod halves;
 mod hot_air;
+mod house;
 mod inlet;
 mod leaks;
 mod liquids;
