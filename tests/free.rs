@@ -164,6 +164,41 @@ fn a_disc_that_a_shock_blows_away_moves_by_its_own_force() {
     assert!(drift.expect("a number") < 1e-12);
 }
 
+/// The gas that its impulsive start drives into it is sent back by both of its halves.
+#[test]
+fn a_disc_that_a_plane_of_symmetry_halves_is_not_turned_by_what_it_sends_back() {
+    let place = Workplace::new();
+    let scene = "\
+dimension = 2
+spacing = 0.1
+end_time = 0.3
+[free_stream]
+mach = 2.0
+density = 1.0
+pressure = 0.7142857142857143
+[domain]
+min = [-1.0, 1.0]
+max = [2.0, 2.5]
+[domain.sides]
+x_min = \"inlet\"
+x_max = \"outlet\"
+y_min = \"symmetry\"
+y_max = \"free-stream\"
+[[body]]
+name = \"disc\"
+shape = { circle = { radius = 0.5 } }
+place = { translate = [0.0, 1.0] }
+motion = { free = { mass = 3.0, inertia = 1.0 } }
+";
+    place.run(scene, &[]).succeeds();
+    let summary = place.json("results/summary.json");
+    assert!(summary["returned"].as_u64() > Some(0), "{summary}");
+    let motion = &summary["bodies"]["disc"]["motion"];
+    let of = |key: &str, axis: usize| motion[key][axis].as_f64().unwrap();
+    assert!(of("velocity", 0) > 0.01, "{motion}");
+    assert!(of("angular_velocity", 2).abs() < 1e-12, "{motion}");
+}
+
 #[test]
 fn check_says_how_a_body_is_free() {
     let place = Workplace::new();
