@@ -61,7 +61,7 @@ impl<const D: usize> Simulation<D> {
             rebound(problem, times[1], fluid, walls, books);
         }
         buffers.exchange(problem, times, fluid, books);
-        closed::bring_back(&problem.domain, fluid);
+        books.receive(&closed::bring_back(&problem.domain, fluid));
         books.extremes.updates += fluid.len() as u64;
         match walls.contact(problem, times[1]) {
             Some(contact) => Err(self.touched(&contact)),
