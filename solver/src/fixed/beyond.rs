@@ -51,14 +51,16 @@ impl<const D: usize> Beyond<D> {
             SideKind::Symmetry | SideKind::Axis => Ok(Self::Mirror),
             side => Answering::of(problem, side, place)
                 .map(|answering| {
-                    let mut drift = stream.velocity;
-                    drift[axis] = 0.0;
+                    let mut drift = [0.0; D];
+                    if answering.drifts() {
+                        drift = stream.velocity;
+                        drift[axis] = 0.0;
+                    }
                     match answering {
                         Answering::Held(held) if held.relaxes() => {
                             Self::Rides(Riding::new(held), drift)
                         }
-                        Answering::Held(_) => Self::Answers(answering, drift),
-                        Answering::Reservoir(_) => Self::Answers(answering, [0.0; D]),
+                        _ => Self::Answers(answering, drift),
                     }
                 })
                 .ok_or_else(|| {

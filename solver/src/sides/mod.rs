@@ -98,6 +98,14 @@ impl Answering {
         }
     }
 
+    /// True where gas beyond moves along the side as the free stream does; else it comes from rest.
+    pub fn drifts(&self) -> bool {
+        match self {
+            Self::Reservoir(_) => false,
+            Self::Held(_) => true,
+        }
+    }
+
     /// The state beyond a face that `gas` reaches from a cell whose `mean` is at this `distance` before it; all speeds are out of the domain.
     pub fn beyond(&self, gas: &Along, mean: &Along, distance: f64) -> Along {
         match self {
