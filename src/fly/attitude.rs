@@ -72,14 +72,23 @@ pub struct Attitude {
 }
 
 impl Attitude {
-    /// That of `shape` as told by `axes`, or as it looks.
+    /// That of `shape` as told by `axes`, or as it looks; of one made whole from its `half`, which was cut from top to bottom, up is in the cut.
     ///
     /// # Errors
     /// A turn that is no number.
-    pub fn new(shape: &dyn Shape<3>, axes: Option<Axes>, roll: f64) -> Result<Self, FlyError> {
+    pub fn new(
+        shape: &dyn Shape<3>,
+        axes: Option<Axes>,
+        half: Option<Way>,
+        roll: f64,
+    ) -> Result<Self, FlyError> {
         let nose = axes.map_or_else(|| nose(shape), |axes| axes.nose);
         let told = axes.and_then(|axes| axes.up);
-        let up = told.unwrap_or_else(|| up(shape, nose));
+        let in_cut = half.filter(|half| half.axis != nose.axis).map(|half| Way {
+            axis: 3 - nose.axis - half.axis,
+            is_negative: false,
+        });
+        let up = told.or(in_cut).unwrap_or_else(|| up(shape, nose));
         let [x, y] = [-nose.vector(), up.vector()];
         let z = x.cross(&y);
         let rows = Matrix3::from_rows(&[x.transpose(), y.transpose(), z.transpose()]);
@@ -304,14 +313,14 @@ mod tests {
             bodies::cuboid([1.0, 0.1, 0.1]).unwrap(),
             bodies::cuboid([0.3, 1.0, 0.02]).unwrap(),
         );
-        let attitude = Attitude::new(&body, None, 0.0).unwrap();
+        let attitude = Attitude::new(&body, None, None, 0.0).unwrap();
         assert_eq!((attitude.nose.axis, attitude.up.axis), (0, 2));
         // The same with wings along z.
         let body = Aircraft(
             bodies::cuboid([1.0, 0.1, 0.1]).unwrap(),
             bodies::cuboid([0.3, 0.02, 1.0]).unwrap(),
         );
-        let attitude = Attitude::new(&body, None, 0.0).unwrap();
+        let attitude = Attitude::new(&body, None, None, 0.0).unwrap();
         assert_eq!((attitude.nose.axis, attitude.up.axis), (0, 1));
         assert!(attitude.is_guess);
     }
@@ -319,24 +328,34 @@ mod tests {
     #[test]
     fn a_round_body_shorter_than_wide_flies_along_its_axis() {
         let shield = bodies::cone(60.0, 0.5).unwrap();
-        let attitude = Attitude::new(&shield, None, 0.0).unwrap();
+        let attitude = Attitude::new(&shield, None, None, 0.0).unwrap();
         assert_eq!((attitude.nose.axis, attitude.nose.is_negative), (0, true));
         let turned = Placement::default()
             .rotated_about(&Vector::<3>::z(), std::f64::consts::FRAC_PI_2)
             .unwrap();
-        let attitude = Attitude::new(&Placed::new(shield, turned), None, 0.0).unwrap();
+        let attitude = Attitude::new(&Placed::new(shield, turned), None, None, 0.0).unwrap();
         assert_eq!((attitude.nose.axis, attitude.nose.is_negative), (1, true));
     }
 
     #[test]
     fn a_cuboid_told_to_fly_along_z_lies_along_the_stream() {
         let body = bodies::cuboid([1.0, 2.0, 3.0]).unwrap();
-        let attitude = Attitude::new(&body, Some("+z,+x".parse().unwrap()), 0.0).unwrap();
+        let attitude = Attitude::new(&body, Some("+z,+x".parse().unwrap()), None, 0.0).unwrap();
         let placement = attitude.placement().unwrap();
         // The nose, +z, comes to x = 0; the tail lies downstream.
         let nose = placement.point(&Vector::<3>::new(0.0, 0.0, 1.5));
         let top = placement.direction(&Vector::<3>::new(1.0, 0.0, 0.0));
         assert!(nose.norm() < 1e-12, "{nose}");
         assert!((top - Vector::<3>::new(0.0, 1.0, 0.0)).norm() < 1e-12);
+    }
+
+    #[test]
+    fn a_body_made_whole_from_its_half_flies_with_the_cut_upright() {
+        let body = bodies::cuboid([2.0, 0.5, 0.4]).unwrap();
+        for (half, up) in [("-z", "+y"), ("+y", "+z"), ("+x", "+z")] {
+            let half: Way = half.parse().unwrap();
+            let attitude = Attitude::new(&body, None, Some(half), 0.0).unwrap();
+            assert_eq!(attitude.up.to_string(), up, "{half}");
+        }
     }
 }

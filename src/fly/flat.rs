@@ -50,7 +50,7 @@ mod tests {
     use super::*;
 
     fn side(shape: &dyn Shape<3>) -> Option<String> {
-        let attitude = Attitude::new(shape, None, 0.0).unwrap();
+        let attitude = Attitude::new(shape, None, None, 0.0).unwrap();
         flat_side(shape, &attitude).map(|way| way.to_string())
     }
 

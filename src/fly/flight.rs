@@ -107,7 +107,12 @@ impl Flight {
             .read(Path::new(""), &watch)
             .map_err(|e| body(&e))?;
         let solid = wishes.body.solid(soup, 0.0, &watch).map_err(|e| body(&e))?;
-        let attitude = Attitude::new(solid.shape.as_ref(), wishes.axes, wishes.roll)?;
+        let attitude = Attitude::new(
+            solid.shape.as_ref(),
+            wishes.axes,
+            wishes.body.half,
+            wishes.roll,
+        )?;
         let is_told = wishes.body.half.is_some();
         let flat = (!is_told).then(|| flat_side(solid.shape.as_ref(), &attitude));
         let shape: Arc<dyn Shape<3>> = Arc::new(Placed::new(solid.shape, attitude.placement()?));
