@@ -11,12 +11,17 @@ const GAS: IdealGas = IdealGas::new(1.4);
 
 /// On the right of a cell about the origin.
 fn side(beyond: Beyond<2>) -> Side<2> {
+    side_about([0.1, 0.0], beyond)
+}
+
+/// The same about this place.
+fn side_about(centre: [f64; 2], beyond: Beyond<2>) -> Side<2> {
     let face = SideFace {
         i: 0,
         axis: 0,
         end: 1,
         area: [0.5, 0.0].into(),
-        centre: [0.1, 0.0].into(),
+        centre: centre.into(),
     };
     Side::new(&face, &Vector::zeros(), beyond)
 }
@@ -77,20 +82,13 @@ fn gas_faster_than_sound_leaves_an_outlet_as_it_is_there() {
 /// The face of a cell that a wall cuts askew lies further up than the cell, and gas there is as the slopes say.
 #[test]
 fn gas_reaches_the_middle_of_its_face() {
-    let face = SideFace {
-        i: 0,
-        axis: 0,
-        end: 1,
-        area: [0.5, 0.0].into(),
-        centre: [0.1, 0.05].into(),
-    };
     let held = SideKind::HeldOutlet {
         pressure: 0.7,
         relaxation: 0.25,
     };
     let problem = problem([10, 10], 0.1, [[SideKind::Symmetry, held]; 2]);
     let beyond = Beyond::of(&problem, held, Place::whole(&problem.domain, 0, 1)).unwrap();
-    let side = Side::new(&face, &Vector::zeros(), beyond);
+    let side = side_about([0.1, 0.05], beyond);
     let cell = gas([0.4, 0.2]);
     let mut slopes = Slopes::<2>::LEVEL;
     slopes.along[0].velocity[0] = 0.3;
