@@ -185,3 +185,15 @@ fn gas_that_comes_back_in_has_nothing_of_what_slides_along_the_side() {
         assert!((out.momentum[1] / out.mass - 2.0).abs() < 1e-12);
     }
 }
+
+/// What comes out of a reservoir comes from rest, and does not go along the side as the stream does.
+#[test]
+fn gas_from_a_reservoir_does_not_go_along_the_side() {
+    let reservoir = SideKind::Reservoir { relaxation: None };
+    let mut problem = problem([10, 10], 0.1, [[SideKind::Symmetry, reservoir]; 2]);
+    problem.free_stream.velocity = [0.0, 0.3].into();
+    let beyond = Beyond::of(&problem, reservoir, Place::whole(&problem.domain, 0, 1)).unwrap();
+    let flux = side(beyond).flux(&GAS, &gas([-0.2, 2.0]), &Slopes::LEVEL, None);
+    assert!(flux.mass < 0.0, "{flux:?}");
+    assert!(flux.momentum[1].abs() < 1e-14, "{flux:?}");
+}
