@@ -142,7 +142,7 @@ impl Caps {
         let diagonal = extent.size().norm();
         let widest = open
             .iter()
-            .fold(0.0, |most: f64, hole| most.max(hole.width()));
+            .fold(0.0, |most: f64, hole| most.max(hole.width));
         let mut remedy = if open.len() * SOUP > self.first {
             format!("{THICKEN}, {WRAP}")
         } else if widest > SHEET * diagonal {

@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, HashMap};
 
 use super::edges::{HalfEdge, by_edge};
 use super::weld::{Indexed, bounds};
-use crate::{Bounds, Vector};
+use crate::Vector;
+use crate::halves::ROUNDED;
 
 /// So many holes are told of one by one.
 const TOLD: usize = 3;
@@ -64,40 +65,40 @@ pub(super) fn rims(half_edges: &[HalfEdge]) -> Vec<Vec<u32>> {
 pub(super) struct Hole {
     /// The mean of its rim.
     pub place: Vector<3>,
-    /// The box around its rim.
-    extent: Bounds<3>,
+    /// Diagonal of the box around its rim.
+    pub width: f64,
+    /// The axis across which its rim is flat, if there is one. Of a million holes little is kept of each.
+    flat: Option<u8>,
 }
 
 impl Hole {
     pub fn of(mesh: &Indexed, rim: &[u32]) -> Self {
         let points = || rim.iter().map(|&v| mesh.vertices[v as usize]);
+        let size = bounds(points()).size();
+        let width = size.norm();
         Self {
             place: points().sum::<Vector<3>>() / rim.len() as f64,
-            extent: bounds(points()),
+            width,
+            flat: (0..3_u8).find(|&axis| size[usize::from(axis)] <= ROUNDED * width),
         }
-    }
-
-    /// Diagonal of the box around its rim.
-    pub fn width(&self) -> f64 {
-        self.extent.size().norm()
     }
 
     /// True where its rim lies in the plane across an axis through this place, to within a tolerance.
     pub fn lies_in(&self, axis: usize, place: f64, tolerance: f64) -> bool {
-        let ends = [self.extent.min[axis], self.extent.max[axis]];
-        ends.iter().all(|end| (end - place).abs() <= tolerance)
+        let is_flat = self.flat.is_some_and(|flat| usize::from(flat) == axis);
+        is_flat && (self.place[axis] - place).abs() <= tolerance
     }
 }
 
 /// How many holes there are, and how wide and where the widest are.
 pub(super) fn tell(holes: &[Hole]) -> String {
     let mut widest: Vec<&Hole> = holes.iter().collect();
-    widest.sort_by(|a, b| b.width().total_cmp(&a.width()));
+    widest.sort_by(|a, b| b.width.total_cmp(&a.width));
     let told: Vec<String> = widest
         .iter()
         .take(TOLD)
         .map(|hole| {
-            let (p, width) = (hole.place, hole.width());
+            let (p, width) = (hole.place, hole.width);
             format!("{width:.3e} wide near ({:.6}, {:.6}, {:.6})", p.x, p.y, p.z)
         })
         .collect();
