@@ -47,6 +47,24 @@ fn a_body_has_twice_the_drag_of_its_half() {
     assert!(off.abs() < 0.01, "{off} off");
 }
 
+/// Its mirror image goes with it.
+#[test]
+fn a_half_that_ends_in_a_mirror_moves_along_it_as_the_whole_does_and_not_through_it() {
+    let moved = |lowest: f64, velocity: [f64; 2]| {
+        let shape = format!("polygon = {{ points = [[0.0, 0.0], [0.8, {lowest}], [0.8, 0.3]] }}");
+        let motion = format!("}} }}\nmotion = {{ velocity = {velocity:?} }}");
+        scene(2, 0.05, &shape, "")
+            .replace("min = [-1.2, -1.0]", "min = [-1.2, 0.0]")
+            .replace("y_min = \"free-stream\"", "y_min = \"symmetry\"")
+            .replacen("} }", &motion, 1)
+    };
+    let [whole, half] = [-0.3, 0.0].map(|lowest| mean_drag(&moved(lowest, [-0.2, 0.0])));
+    assert!((half / whole - 1.0).abs() < 1e-9, "{half}, {whole}");
+    let through = moved(-0.3, [0.0, 0.1]);
+    let words = ["body.body.motion", "through the mirror", "y_min"];
+    Workplace::new().run(&through, &[]).refuses(&words);
+}
+
 /// Nothing presses the foot of what stands on another solid, and where they are flush their surface is one.
 #[test]
 fn the_force_on_what_stands_on_another_solid_is_the_integral_of_its_surface() {

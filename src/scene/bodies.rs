@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use aero_geometry::kernel::SMOOTHING_RATIO;
-use aero_geometry::{Bounds, MirrorPlane, Watch};
+use aero_geometry::{Bounds, MirrorPlane, Vector, Watch};
 use aero_packer::{PackOptions, Packing};
 
 use super::axis;
@@ -12,6 +12,7 @@ use super::cover::check_covered_sides;
 use super::domain::{BUFFER, ghost_region, number};
 use super::error::SceneError;
 use super::file::{BodyEntry, SceneFile};
+use super::mirror;
 use super::motion::motion;
 use super::number::Positive;
 use super::packed;
@@ -21,7 +22,7 @@ use super::surface;
 use super::vector::vector;
 use aero_solver::layers::GHOSTS;
 use aero_solver::method::Method;
-use aero_solver::problem::{AXES, Body, Domain, Side, State};
+use aero_solver::problem::{AXES, Body, Domain, Motion, Side, State};
 
 /// So many times finer than the flow's may a body's own spacing be. The gas feels ghosts through kernels of
 /// its own size, so half is usual [Villodi & Ramachandran 2024, section 4.7] and more only serves corners and
@@ -85,13 +86,11 @@ pub(super) fn plans<const D: usize>(
             }
             check_spacing(entry, file, wishes)?;
             let own = entry.spacing.unwrap_or(file.spacing).get();
+            // Whatever it turns about.
+            let motion = motion(name, entry.motion.as_ref(), Vector::zeros())?;
             let making = Making {
                 folder,
-                mirrors: if entry.motion.is_none() {
-                    mirrors(domain)
-                } else {
-                    Vec::new()
-                },
+                mirrors: mirrors(domain, &motion),
                 axisymmetric: domain.is_axisymmetric(),
                 spacing: wishes.spacing.unwrap_or(own),
                 watch: &wishes.watch,
@@ -101,6 +100,7 @@ pub(super) fn plans<const D: usize>(
                 .make::<D>(entry.place.as_ref(), &making)
                 .map_err(|message| SceneError::body(name, message))?;
             check_inside(name, &made.shape.bounds(), domain)?;
+            mirror::check_motion(name, domain, &made.shape.bounds(), &motion)?;
             Ok(BodyPlan {
                 entry: entry.clone(),
                 made,
@@ -113,10 +113,10 @@ pub(super) fn plans<const D: usize>(
     Ok(plans)
 }
 
-/// The mirrors at the sides of a domain.
-fn mirrors<const D: usize>(domain: &Domain<D>) -> Vec<MirrorPlane> {
+/// The mirrors at the sides of a domain that what moves like this goes along.
+fn mirrors<const D: usize>(domain: &Domain<D>, motion: &Motion<D>) -> Vec<MirrorPlane> {
     let sides = domain.each_side();
-    let sides = sides.filter(|(_, _, side, _)| *side == Side::Symmetry);
+    let sides = sides.filter(|(axis, _, side, _)| *side == Side::Symmetry && motion.keeps(*axis));
     let planes = sides.map(|(axis, end, _, position)| MirrorPlane {
         axis,
         position,

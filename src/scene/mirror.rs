@@ -1,7 +1,9 @@
-//! What a scene with mirrors must satisfy: the stream goes along them.
+//! What a scene with mirrors must satisfy: the stream goes along them, and so do the bodies that they cut.
+
+use aero_geometry::Bounds;
 
 use super::vector::side_key;
-use aero_solver::problem::{AXES, Domain, Side, State};
+use aero_solver::problem::{AXES, Domain, Motion, Side, State};
 
 use super::error::SceneError;
 
@@ -11,6 +13,41 @@ const ROUND_OFF: f64 = 1e-9;
 /// Part of the stream from which on it goes at the mirror, or away from it, rather than along: gas that two halves run into one another with, or part
 /// with.
 const AT_IT: f64 = 0.71;
+
+/// Part of a body's length that rounding may put beyond a mirror.
+const ROUNDED: f64 = 1e-9;
+
+/// Refuses a body that a mirror cuts and that moves through it: what is beyond it would go the other way.
+pub(super) fn check_motion<const D: usize>(
+    name: &str,
+    domain: &Domain<D>,
+    extent: &Bounds<D>,
+    motion: &Motion<D>,
+) -> Result<(), SceneError> {
+    let crossed = domain.each_side().find(|&(axis, _, side, plane)| {
+        let slack = ROUNDED * extent.size().norm();
+        let is_cut = extent.min[axis] < plane - slack && plane + slack < extent.max[axis];
+        side == Side::Symmetry && is_cut && !motion.keeps(axis)
+    });
+    let Some((axis, end, ..)) = crossed else {
+        return Ok(());
+    };
+    let side = side_key(axis, end);
+    let letter = AXES[axis];
+    let turning = if D == 2 {
+        "not turn".to_owned()
+    } else {
+        format!("turn about {letter} alone")
+    };
+    Err(SceneError::value(
+        format!("body.{name}.motion"),
+        format!(
+            "goes through the mirror at {side}, which cuts the body: its other half would go the other way, and part from it or run into it; let it \
+             move along the mirror ({letter} of `velocity` and `acceleration` 0) and {turning}, or give the domain and the body both sides of \
+             the plane"
+        ),
+    ))
+}
 
 /// Refuses a mirror that the free stream goes along and through, where the gas starts in it or it comes in somewhere.
 pub(super) fn check<const D: usize>(
@@ -60,7 +97,9 @@ fn comes_in<const D: usize>(domain: &Domain<D>) -> bool {
 
 #[cfg(test)]
 mod tests {
-    use aero_geometry::{Bounds, Vector};
+    use aero_geometry::Vector;
+    use aero_solver::problem::Turning;
+    use nalgebra::Vector3;
 
     use super::*;
 
@@ -95,5 +134,43 @@ mod tests {
         for speed in [-0.6, 0.6] {
             assert_eq!(refusal([0.0, speed], Side::FreeStream, true), None);
         }
+    }
+
+    #[test]
+    fn a_body_that_a_mirror_cuts_moves_along_it() {
+        let domain = Domain {
+            bounds: Bounds::new(Vector::<3>::zeros(), Vector::<3>::new(1.0, 1.0, 1.0)),
+            sides: [
+                [Side::Outlet; 2],
+                [Side::Outlet; 2],
+                [Side::Symmetry, Side::Outlet],
+            ],
+            openings: Vec::new(),
+        };
+        let refusal = |velocity: [f64; 3], rate: [f64; 3], lowest: f64| {
+            let extent = Bounds::new(
+                Vector::<3>::new(0.2, 0.2, lowest),
+                Vector::<3>::new(0.6, 0.6, 0.3),
+            );
+            let motion = Motion {
+                velocity: velocity.into(),
+                acceleration: Vector::<3>::zeros(),
+                turning: Turning::Steady(Vector3::from(rate)),
+                pivot: Vector::<3>::zeros(),
+                free: None,
+            };
+            let found = check_motion("wing", &domain, &extent, &motion);
+            found.err().map(|error| error.to_string())
+        };
+        let (still, up) = ([0.0; 3], [0.0, 0.0, 1.0]);
+        let through = refusal(up, still, -0.3).expect("a refusal");
+        for word in ["body.wing.motion", "z_min", "z of `velocity`"] {
+            assert!(through.contains(word), "{through}");
+        }
+        assert!(refusal(still, [1.0, 0.0, 0.0], -0.3).is_some());
+        assert_eq!(refusal([1.0, 1.0, 0.0], up, -0.3), None);
+        // Two bodies that part, and one that comes to the mirror.
+        assert_eq!(refusal(up, still, 0.0), None);
+        assert_eq!(refusal(up, still, 0.1), None);
     }
 }

@@ -105,3 +105,23 @@ pub enum Turning {
         rates: Vec<f64>,
     },
 }
+
+impl<const D: usize> Motion<D> {
+    /// True where a body that is its own mirror image in a plane across this axis remains so: it neither moves along the axis, by itself or by
+    /// what is not the gas's, nor turns but about it.
+    pub fn keeps(&self, axis: usize) -> bool {
+        self.velocity[axis] == 0.0 && self.acceleration[axis] == 0.0 && self.turning.is_about(axis)
+    }
+}
+
+impl Turning {
+    /// True where it is about this axis alone, or none.
+    fn is_about(&self, axis: usize) -> bool {
+        let about = match self {
+            Self::Steady(rate) => rate,
+            Self::Cosine { amplitude, .. } => amplitude,
+            Self::Table { axis, .. } => axis,
+        };
+        (0..3).all(|k| k == axis || about[k] == 0.0)
+    }
+}
