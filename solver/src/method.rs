@@ -37,6 +37,8 @@ pub struct FixedPoints {
     pub refine: Refine,
     /// Courant number of a step where it does.
     pub cfl: f64,
+    /// Points that there is memory for: what asks for more is refused, a run that would add more stops. No bound where that is not known.
+    pub room: Option<u64>,
 }
 
 impl Default for FixedPoints {
@@ -45,6 +47,7 @@ impl Default for FixedPoints {
             time: Time::default(),
             refine: Refine::default(),
             cfl: 0.8,
+            room: None,
         }
     }
 }
@@ -93,6 +96,14 @@ impl Refine {
     /// Halvings of the scene's spacing at most.
     pub fn levels(self) -> u8 {
         self.each().into_iter().fold(0, u8::max)
+    }
+
+    /// The number of points that it may take, where one is given.
+    pub fn points(self) -> Option<u64> {
+        match self {
+            Self::Points(points) => Some(points),
+            Self::Levels(_) | Self::Apart { .. } => None,
+        }
     }
 
     /// Halvings at most where the gas asks.

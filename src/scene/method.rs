@@ -1,6 +1,7 @@
 //! What carries the gas, from `[scheme]`.
 
 use super::SceneError;
+use super::budget;
 use super::file::SchemeEntry;
 use super::refine::RefineEntry;
 use super::words::MotionWord;
@@ -31,6 +32,7 @@ pub(super) fn method(entry: &SchemeEntry, stop: Stop) -> Result<Method, SceneErr
             time,
             refine: entry.refine.map_or(Ok(usual.refine), refine)?,
             cfl,
+            room: budget::room_for_points(),
         }));
     }
     let of_points = [
@@ -92,5 +94,19 @@ fn refuse(keys: &[(&str, bool)], message: &str) -> Result<(), SceneError> {
     match keys.iter().find(|(_, is_given)| *is_given) {
         Some((key, _)) => Err(SceneError::value(*key, message)),
         None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn points_that_stay_know_what_memory_holds_where_the_system_tells() {
+        let entry: SchemeEntry = toml::from_str("motion = \"fixed\"").unwrap();
+        let method = method(&entry, Stop::EndTime).unwrap();
+        let room = method.fixed().and_then(|points| points.room);
+        assert_eq!(room.is_some(), cfg!(target_os = "linux"));
+        assert!(room.is_none_or(|room| room > 1000));
     }
 }

@@ -94,7 +94,7 @@ impl<const D: usize> FixedSimulation<D> {
         if carry == Carry::Wholly && self.can_wait(ground, &changes) {
             return Ok(0);
         }
-        let levels = ground.heard(&changes);
+        let levels = ground.asked(&changes)?;
         if levels == ground.levels {
             return Ok(0);
         }

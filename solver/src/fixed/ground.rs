@@ -9,10 +9,11 @@ use super::cut_cell::CutCell;
 use super::levels::Levels;
 use super::plot::{Plot, corner};
 use super::refine::{Adaption, BodyNeeds, Wish};
+use super::refusal;
 use super::site::Site;
 use super::solids::Solids;
 use super::wishes::wishes;
-use crate::method::{Refine, Time};
+use crate::method::{FixedPoints, Time};
 use crate::problem::{Earlier, Initial, Problem};
 
 /// Points across the thickness of a part of a body.
@@ -56,6 +57,8 @@ pub struct Ground<const D: usize> {
     deepest: u8,
     /// Points at most.
     limit: Option<u64>,
+    /// Points that there is memory for.
+    room: Option<u64>,
     settles: bool,
     /// True where the points are those of an earlier flow, which has settled on them.
     starts_settled: bool,
@@ -72,10 +75,7 @@ impl<const D: usize> Ground<D> {
             problem.resolution.lattice(),
         );
         let points = problem.method.fixed().copied().unwrap_or_default();
-        let limit = match points.refine {
-            Refine::Points(limit) => Some(limit),
-            Refine::Levels(_) | Refine::Apart { .. } => None,
-        };
+        let limit = points.refine.points();
         let settles = points.time == Time::Settle;
         let around = if settles {
             AROUND_SETTLING
@@ -84,7 +84,7 @@ impl<const D: usize> Ground<D> {
         };
         let most = points.refine.levels();
         let plot = plot(problem, &solids, corner(problem));
-        let (kept, cloud) = around_bodies(&plot, points.refine, limit, problem.disorder)?;
+        let (kept, cloud) = around_bodies(&plot, &points, problem.disorder)?;
         let earlier = match &problem.initial {
             Initial::Earlier(earlier) if settles => as_earlier(earlier, &kept, &plot, most),
             _ => None,
@@ -112,6 +112,7 @@ impl<const D: usize> Ground<D> {
             },
             deepest: most,
             limit,
+            room: points.room,
             settles,
             solids,
         };
@@ -187,6 +188,19 @@ impl<const D: usize> Ground<D> {
     }
 
     /// What is to be split where the gas changes by `changes`.
+    ///
+    /// # Errors
+    /// More points than there is memory for.
+    pub fn asked(&self, changes: &[f64]) -> Result<Levels<D>, String> {
+        let levels = self.heard(changes);
+        let count = self.points_of(&levels);
+        match self.room {
+            Some(room) if count > room => Err(refusal::no_room("the flow asks", count, room)),
+            _ => Ok(levels),
+        }
+    }
+
+    /// The same whether there is room for it or not.
     pub fn heard(&self, changes: &[f64]) -> Levels<D> {
         let Some(limit) = self.limit else {
             return self.heard_by(self.adaption, changes, 1.0);
@@ -236,9 +250,7 @@ impl<const D: usize> Ground<D> {
 
     /// About so many points other levels would make.
     fn points_of(&self, levels: &Levels<D>) -> u64 {
-        let each = (1_u64 << D) - 1;
-        let before = each * self.levels.len() as u64;
-        (self.cloud.places.len() as u64 + each * levels.len() as u64).saturating_sub(before)
+        (self.cloud.places.len() + levels.added()).saturating_sub(self.levels.added()) as u64
     }
 }
 
@@ -291,10 +303,11 @@ fn as_earlier<const D: usize>(
 /// What bodies ask for, as far as there are points enough.
 fn around_bodies<const D: usize>(
     plot: &Plot<'_, D>,
-    refine: Refine,
-    limit: Option<u64>,
+    points: &FixedPoints,
     disorder: f64,
 ) -> Result<(Levels<D>, Cloud<D>), String> {
+    let FixedPoints { refine, room, .. } = *points;
+    let limit = refine.points();
     let mut needs = BodyNeeds {
         most: refine.of_bodies(),
         most_of_bends: refine.of_bends(),
@@ -303,13 +316,23 @@ fn around_bodies<const D: usize>(
         reach: REACH,
     };
     loop {
-        let levels = needs.levels(plot);
+        let halvings = needs.most.max(needs.most_of_bends);
+        let levels = match needs.levels(plot, room) {
+            Ok(levels) => levels,
+            Err(_) if limit.is_some() && halvings > 0 => {
+                needs = needs.less();
+                continue;
+            }
+            Err(count) => {
+                let room = room.unwrap_or(count);
+                return Err(refusal::no_room("the bodies ask", count, room));
+            }
+        };
         let cloud = Cloud::lattice(plot, &levels, disorder);
         let count = cloud.places.len() as u64;
         let Some(limit) = limit else {
             return Ok((levels, cloud));
         };
-        let halvings = needs.most.max(needs.most_of_bends);
         if count > limit && halvings == 0 {
             return Err(format!(
                 "`scheme.refine` has {limit} points in all, but a spacing of {} makes {count} before any is added; \

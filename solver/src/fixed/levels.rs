@@ -52,6 +52,11 @@ impl<const D: usize> Levels<D> {
         self.split.len()
     }
 
+    /// By how many cells all of their parts are more than what they were split from.
+    pub fn added(&self) -> usize {
+        ((1 << D) - 1) * self.split.len()
+    }
+
     /// The site, or the one that a periodic lattice has in its place; none beyond the ends.
     pub fn inside(&self, site: &Site<D>) -> Option<Site<D>> {
         let Some(counts) = self.counts else {

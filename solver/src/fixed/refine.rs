@@ -139,7 +139,15 @@ pub struct BodyNeeds {
 
 impl BodyNeeds {
     /// The levels that the bodies ask for before the first step.
-    pub fn levels<const D: usize>(&self, plot: &Plot<'_, D>) -> Levels<D> {
+    ///
+    /// # Errors
+    /// About how many points they would make, more than there is `room` for.
+    pub fn levels<const D: usize>(
+        &self,
+        plot: &Plot<'_, D>,
+        room: Option<u64>,
+    ) -> Result<Levels<D>, u64> {
+        let lattice: u64 = plot.counts().iter().map(|&count| count as u64).product();
         let mut levels = Levels::on(plot);
         for level in 0..self.most.max(self.most_of_bends) {
             let grid = Grid::new(plot);
@@ -154,8 +162,12 @@ impl BodyNeeds {
             for site in &wanted {
                 levels.split(site);
             }
+            let count = lattice + levels.added() as u64;
+            if room.is_some_and(|room| count > room) {
+                return Err(count);
+            }
         }
-        levels
+        Ok(levels)
     }
 
     /// The same with one halving less.

@@ -96,3 +96,21 @@ pub fn vacuum(place: &[f64]) -> String {
         place.join(", ")
     )
 }
+
+/// Refuses more points than memory holds.
+pub fn no_room(who: &str, count: u64, room: u64) -> String {
+    format!(
+        "{who} for about {} million points by halvings of the spacing, and there is memory for {}; take fewer halvings, or give a number \
+         of points: `scheme.refine = {{ points = {} }}`",
+        millions(count),
+        millions(room),
+        room / 2
+    )
+}
+
+/// Rounded to three digits.
+fn millions(count: u64) -> String {
+    let millions = count as f64 * 1e-6;
+    let digits = (2 - millions.log10().floor() as i32).clamp(0, 6) as usize;
+    format!("{millions:.digits$}")
+}

@@ -39,7 +39,7 @@ pub fn slender(middle: [f64; 2]) -> Arc<dyn Shape<2>> {
 }
 
 /// Gas under pressure in a corner of a closed box, with a cylinder and a diamond in its way.
-fn blast(refine: Refine) -> Problem<2> {
+pub fn blast(refine: Refine) -> Problem<2> {
     let mut blast = problem([16, 12], 1.0 / 16.0, [[WALL, WALL], [WALL, WALL]]);
     let place = Placement::default().moved(Vector::<2>::new(0.63, 0.34));
     blast.bodies = vec![

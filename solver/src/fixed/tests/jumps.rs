@@ -115,7 +115,7 @@ fn thin_parts_and_noses_ask_for_points() {
         radius: 4.0,
         reach: 2.0,
     };
-    let levels = needs.levels(&scene.plot());
+    let levels = needs.levels(&scene.plot(), None).unwrap();
     let made = scene.made_with(&levels);
     let at_wall = made
         .cloud

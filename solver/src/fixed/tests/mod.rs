@@ -29,6 +29,7 @@ mod passing;
 mod plane;
 mod pockets;
 pub(super) mod ridges;
+mod room;
 mod sheared;
 mod sides;
 mod slow_streams;
