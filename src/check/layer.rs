@@ -39,7 +39,8 @@ pub(super) fn look<const D: usize>(problem: &Problem<D>, found: &mut Check) {
         }
         _ => None,
     });
-    let levels = problem.method.fixed().map_or(0, |p| p.refine.levels());
+    // Bodies ask for none where they are neither thin nor bent.
+    let levels = problem.method.fixed().map_or(0, |p| p.refine.of_flow());
     let finest = problem.resolution.lattice() / f64::from(1_u32 << levels.min(20));
     for (name, length, ends) in bodies.chain(sides) {
         let reynolds = per_length * length;
@@ -119,6 +120,12 @@ y_max = "free-stream"
         assert!(told[0].contains("spacing = 1.6e-3") && told[0].contains("refine = 3"));
         let mended = ["gas.viscosity={ reynolds = 1e5 }", "scheme.refine=3"];
         assert!(warnings(&mended).is_empty());
+        let for_bodies = [mended[0], "scheme.refine={ flow = 1, bodies = 3 }"];
+        let told = warnings(&for_bodies);
+        assert!(
+            told.len() == 1 && told[0].contains("3.2 spacings"),
+            "{told:?}"
+        );
         let slides = [
             "domain.sides.y_min={ wall = {} }",
             "gas.viscosity={ reynolds = 1e5 }",
