@@ -120,6 +120,9 @@ pub enum CompareError {
     /// A shape that the project makes cannot be packed.
     #[error(transparent)]
     Pack(#[from] aero_packer::PackError),
+    /// The table of quick limits is wrong.
+    #[error("validation/quick-limits.json: {0}")]
+    Limits(#[from] serde_json::Error),
     /// A picture cannot be written.
     #[error(transparent)]
     Picture(#[from] aero_validation::pictures::PictureError),

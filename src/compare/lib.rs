@@ -23,6 +23,7 @@ mod free;
 mod inclined_cone;
 mod intake;
 mod jet;
+mod limits;
 mod mms;
 mod mms_walls;
 mod nozzle;
@@ -64,6 +65,7 @@ use aero_validation::table::Check;
 
 use comparison::Compare;
 pub use context::{CompareError, Context, Level};
+use limits::Limits;
 pub use variant::{Motion, Scheme};
 
 /// A case by the name that is typed, and what it compares.
@@ -170,11 +172,19 @@ pub fn compare(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, Co
         })
         .flat_map(|(_, (_, comparisons))| comparisons.iter().copied())
         .collect();
+    // What is set on top of the runs may change every row.
+    let is_held = context.level == Level::Quick && context.settings.is_empty();
+    let limits = if is_held {
+        Limits::of_the_quick_level()?
+    } else {
+        Limits::default()
+    };
     let rows = Mutex::new(vec![Vec::new(); chosen.len()]);
     let run = |number: usize| {
         let mut checks = chosen[number].compare(context)?;
         for check in &mut checks {
             context.name(check);
+            limits.hold(check);
         }
         let mut rows = rows.lock().unwrap_or_else(PoisonError::into_inner);
         rows[number] = checks;
@@ -190,8 +200,12 @@ pub fn compare(names: &[String], context: &Context<'_>) -> Result<Vec<Check>, Co
     let side_by_side = beside.into_par_iter().with_max_len(1);
     side_by_side.try_for_each(run)?;
     after.into_iter().try_for_each(run)?;
-    Ok(rows
+    let mut checks = rows
         .into_inner()
         .unwrap_or_else(PoisonError::into_inner)
-        .concat())
+        .concat();
+    if names.is_empty() {
+        checks.extend(limits.unanswered(&checks));
+    }
+    Ok(checks)
 }

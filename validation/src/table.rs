@@ -29,6 +29,23 @@ pub struct Check {
     pub source: String,
 }
 
+impl Check {
+    /// Allows an error of `limit` per cent, unless less is allowed already; a row that only informs, or that keeps a bound,
+    /// stays as it is.
+    pub fn allow_at_most(&mut self, limit: f64) {
+        if self.allowed_percent.is_some_and(|allowed| limit < allowed) {
+            self.allowed_percent = Some(limit);
+            self.pass = is_allowed(self.error_percent, self.allowed_percent);
+        }
+    }
+}
+
+/// A comparison with NaN is false, so a value that is not a number never passes; round-off in the percentages must not fail
+/// an error that is just allowed.
+fn is_allowed(error: f64, allowed: Option<f64>) -> bool {
+    allowed.is_none_or(|limit| error.abs() <= limit * (1.0 + 1e-12))
+}
+
 /// What a row is about.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Subject<'a> {
@@ -113,9 +130,6 @@ impl<'a> Subject<'a> {
     }
 
     fn row(self, measured: f64, reference: f64, error: f64, allowed: Option<f64>) -> Check {
-        // A comparison with NaN is false, so a value that is not a number never passes; round-off in
-        // the percentages must not fail an error that is just allowed.
-        let pass = allowed.is_none_or(|limit| error.abs() <= limit * (1.0 + 1e-12));
         Check {
             case: self.case.to_owned(),
             quantity: self.quantity.to_owned(),
@@ -123,7 +137,7 @@ impl<'a> Subject<'a> {
             reference,
             error_percent: error,
             allowed_percent: allowed,
-            pass,
+            pass: is_allowed(error, allowed),
             source: self.source.to_owned(),
         }
     }
