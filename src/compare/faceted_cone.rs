@@ -1,4 +1,5 @@
-//! A cone as few long facets, some more, and exact, a quarter in space: the drag of its forebody, and what its surface shows.
+//! A cone as few long facets, some more, and exact, in space: the drag of its forebody and what its surface shows, by a quarter; the side
+//! force, which there is none of, by the whole.
 
 use std::f64::consts::PI;
 
@@ -37,7 +38,50 @@ const FEW: u32 = 10;
 /// Where along the axis the surface is read: from a quarter of the outlet's radius on.
 const STATIONS: [f64; 2] = [0.5, 1.75];
 
-/// What the cone is made of.
+/// Side force over drag that is allowed.
+const SIDE: f64 = 0.01;
+
+/// The same by points, which stand alike on all sides.
+const SIDE_BY_POINTS: f64 = 1e-4;
+
+/// A cone, and how much of it is flown.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub struct Cone {
+    surface: Surface,
+    /// All of it, its axis beside the lattice's lines; a quarter between two planes of symmetry otherwise.
+    is_whole: bool,
+}
+
+impl Cone {
+    const fn quarter(surface: Surface) -> Self {
+        Self {
+            surface,
+            is_whole: false,
+        }
+    }
+
+    /// Settings of the scene, which is a quarter's.
+    fn settings(self) -> Vec<String> {
+        let mut settings = vec![self.surface.setting()];
+        if self.is_whole {
+            settings.extend(WHOLE.map(str::to_owned));
+        }
+        settings
+    }
+}
+
+/// What makes the scene of a quarter that of a whole cone off the lattice.
+const WHOLE: [&str; 4] = [
+    "domain.min=[-0.3, -1.2, -1.2]",
+    "domain.sides.y_min=free-stream",
+    "domain.sides.z_min=free-stream",
+    "body.cone.place={ translate = [0.0, 0.013, -0.021] }",
+];
+
+/// What is flown.
+const SURFACES: [Surface; 3] = [Surface::Facets(24), Surface::Facets(96), Surface::Exact];
+
+/// What a cone is made of.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Surface {
     /// A round one.
@@ -73,33 +117,48 @@ impl Surface {
     }
 }
 
-pub const FACETED_CONE: Comparison<Surface> = Comparison {
+pub const FACETED_CONE: Comparison<Cone> = Comparison {
     case: "cone-faceted",
     scene: scene!("cone-faceted"),
     length: RADIUS,
     keep: Keep::Panels,
     variants: || {
-        let few = Variant::new(15, Surface::Facets(24));
-        let more = Variant::new(15, Surface::Facets(96));
+        let of = |surface| Variant::new(15, Cone::quarter(surface));
+        let [few, more, exact] = SURFACES.map(of);
+        let whole = |of: Variant<Cone>| {
+            of.cells(10).with(Cone {
+                is_whole: true,
+                ..of.own
+            })
+        };
         vec![
             few.cells(6).quick(),
             few.cells(6).settled().quick(),
             few,
             more,
-            Variant::new(15, Surface::Exact),
+            exact,
             few.cells(10).settled(),
             more.cells(10).settled(),
+            whole(few).cells(6).settled().both(),
+            whole(few),
+            whole(more),
+            whole(exact),
         ]
     },
     label: |v| {
-        let surface = match v.own {
+        let surface = match v.own.surface {
             Surface::Exact => "exact".to_owned(),
             Surface::Facets(around) => format!("{around} facets"),
         };
-        format!("{surface}, {} dx in radius, {}", v.cells, v.scheme.brief())
+        let part = if v.own.is_whole { ", whole" } else { "" };
+        format!(
+            "{surface}{part}, {} dx in radius, {}",
+            v.cells,
+            v.scheme.brief()
+        )
     },
     settings: |v, _| {
-        let mut settings = vec![v.own.setting()];
+        let mut settings = v.own.settings();
         if !v.scheme.is_of_points() {
             settings.push(FRAMES.into());
             settings.extend((v.cells < FEW).then(|| STEP.into()));
@@ -111,8 +170,20 @@ pub const FACETED_CONE: Comparison<Surface> = Comparison {
     together: None,
 };
 
-fn rows(flow: &Flow<'_, Surface>) -> Result<Vec<Row>, CompareError> {
-    let (angle, area) = flow.variant.own.angle_and_area();
+fn rows(flow: &Flow<'_, Cone>) -> Result<Vec<Row>, CompareError> {
+    if flow.variant.own.is_whole {
+        let loads = &flow.outcome.summary.bodies["cone"];
+        // The stream's density and speed of sound are 1.
+        let pressed = 0.5 * MACH * MACH * loads.reference_area;
+        let drag = loads.cd_mean.unwrap_or(f64::NAN) * pressed;
+        let side = loads.force_mean[1].hypot(loads.force_mean[2]) / drag;
+        return Ok(vec![
+            Row::at_most("side force / forebody drag, gauge", "symmetry", side, SIDE)
+                .by_points(flow.variant.scheme.is_of_points(), SIDE_BY_POINTS),
+            flow.no_leaks(),
+        ]);
+    }
+    let (angle, area) = flow.variant.own.surface.angle_and_area();
     let theory = cone_flow(MACH, angle, GAMMA)?;
     let drag = flow.outcome.summary.bodies["cone"].cd_mean;
     let is_of_points = flow.variant.scheme.is_of_points();
@@ -156,7 +227,7 @@ fn shown_at(panels: &PanelFrame) -> f64 {
 }
 
 /// The pressure beside a plane of symmetry.
-fn pictures(flow: &Flow<'_, Surface>) -> Result<(), CompareError> {
+fn pictures(flow: &Flow<'_, Cone>) -> Result<(), CompareError> {
     let pressure = &flow.outcome.gas.pressure;
     let mut view = flow.view("Cone of 15 degrees at Mach 3", pressure, "pressure");
     let line = |angle: f64| vec![[0.0, 0.0], [1.8, 1.8 * angle.tan()]];
