@@ -99,11 +99,6 @@ impl Outline {
         self.faces[index]
     }
 
-    /// Number of smooth faces.
-    pub fn face_count(&self) -> usize {
-        self.faces.iter().max().map_or(0, |&last| last as usize + 1)
-    }
-
     /// The creases, in the order of travel.
     pub fn corners(&self) -> &[Corner] {
         &self.corners

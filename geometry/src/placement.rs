@@ -112,14 +112,6 @@ impl Placement<3> {
         let axis = nalgebra::Unit::new_unchecked(axis / length);
         Ok(self.turned(*nalgebra::Rotation3::from_axis_angle(&axis, angle).matrix()))
     }
-
-    /// The same placement, then turned about the fixed x, y and z axes in this order by the
-    /// given angles (radians): roll, pitch, yaw.
-    #[must_use]
-    pub fn rotated_xyz(self, angles: [f64; 3]) -> Self {
-        let [roll, pitch, yaw] = angles;
-        self.turned(*nalgebra::Rotation3::from_euler_angles(roll, pitch, yaw).matrix())
-    }
 }
 
 /// A shape seen through a placement.

@@ -6,7 +6,9 @@ use approx::assert_relative_eq;
 
 /// A brick pitched by 20 degrees, which `z = 0.1` cuts askew.
 fn brick(shows_above: bool) -> Mirrored<Box<dyn Shape<3>>, 3> {
-    let pitched = Placement::default().rotated_xyz([0.0, 20_f64.to_radians(), 0.0]);
+    let pitched = Placement::default()
+        .rotated_about(&Vector::y(), 20_f64.to_radians())
+        .unwrap();
     let brick = Placed::new(cuboid([2.0, 1.0, 0.8]).unwrap(), pitched);
     let plane = MirrorPlane {
         axis: 2,

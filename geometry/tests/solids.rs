@@ -210,7 +210,9 @@ fn mirror_planes_survive_the_placements_that_keep_them() {
         .moved(at(1.0, 2.0, 3.0));
     planes = Placed::new(cone(20.0, 1.0).unwrap(), upright).mirror_planes();
     assert_eq!(planes, vec![(0, 1.0), (2, 3.0)]);
-    let pitched = Placement::<3>::default().rotated_xyz([0.0, 0.1, 0.0]);
+    let pitched = Placement::<3>::default()
+        .rotated_about(&Vector::y(), 0.1)
+        .unwrap();
     planes = Placed::new(cone(20.0, 1.0).unwrap(), pitched).mirror_planes();
     assert_eq!(planes, vec![(1, 0.0)]);
 }

@@ -1,4 +1,4 @@
-//! Area, perimeter and centroid of an outline, exact for lines and arcs.
+//! Area and centroid of an outline, exact for lines and arcs.
 
 use super::piece::{Piece, cross};
 use super::{Ends, Outline};
@@ -48,11 +48,6 @@ impl Outline {
     /// Area of the solid; `None` where it is endless.
     pub fn area(&self) -> Option<f64> {
         self.is_finite().then(|| signed_area(&self.pieces))
-    }
-
-    /// Length of the boundary; infinite where it is endless.
-    pub fn perimeter(&self) -> f64 {
-        self.chains.iter().map(|chain| chain.length).sum()
     }
 
     /// Centre of area; `None` where the solid is endless.

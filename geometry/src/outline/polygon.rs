@@ -197,7 +197,7 @@ mod tests {
         }
         list.push([-1.0, 0.0]);
         let half_disc = polygon(&points(&list)).unwrap();
-        assert_eq!(half_disc.face_count(), 2);
+        assert_eq!(half_disc.faces.iter().max(), Some(&1));
         assert_eq!(half_disc.corners().len(), 2);
     }
 
@@ -212,11 +212,11 @@ mod tests {
             [-1.0, -1.0],
         ];
         let diamond = [[0.0, 0.0], [0.5, -0.05], [1.0, 0.0], [0.5, 0.05]];
-        for (list, count) in [(&ramp[..], 5), (&diamond[..], 4)] {
+        for (list, count) in [(&ramp[..], 5_u32), (&diamond[..], 4)] {
             let outline = polygon(&points(list)).unwrap();
-            assert_eq!(outline.face_count(), count);
+            assert_eq!(outline.faces.iter().max(), Some(&(count - 1)));
             let place = crate::Placement::default().rotated(0.3);
-            assert_eq!(outline.placed(&place).corners().len(), count);
+            assert_eq!(outline.placed(&place).corners().len(), count as usize);
         }
     }
 }

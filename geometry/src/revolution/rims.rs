@@ -114,7 +114,8 @@ mod tests {
         let place = Placement::<3>::default()
             .scaled(2.0)
             .unwrap()
-            .rotated_xyz([0.0, 0.0, PI])
+            .rotated_about(&Vector::z(), PI)
+            .unwrap()
             .moved(Vector::<3>::new(5.0, 0.0, 0.0));
         let placed = Placed::new(shoulder(), place);
         let upper = Bounds::new(Vector::<3>::new(2.0, 0.0, 0.0), Vector::repeat(9.0));

@@ -1,6 +1,6 @@
 //! Numbers that are known of single bodies, and dimensions that are refused.
 
-use std::f64::consts::{FRAC_PI_3, PI, TAU};
+use std::f64::consts::{FRAC_PI_3, PI};
 
 use aero_geometry::bodies::{
     Nozzle, biconvex, blunt_wedge, circle, compression_corner, forward_step, rectangle, wall,
@@ -9,7 +9,7 @@ use aero_geometry::outline::{Outline, Piece};
 use aero_geometry::{Shape, Vector};
 use approx::assert_relative_eq;
 
-use super::{at, bodies};
+use super::{at, bodies, last_face};
 
 /// Distance by walking along every piece.
 fn sampled_distance(outline: &Outline, p: &Vector<2>) -> f64 {
@@ -40,14 +40,12 @@ fn distances_agree_with_a_walk_along_the_curve() {
 }
 
 #[test]
-fn areas_perimeters_and_centroids_are_exact() {
+fn areas_and_centroids_are_exact() {
     let disc = circle(0.8).unwrap();
     assert_relative_eq!(disc.area().unwrap(), PI * 0.64, max_relative = 1e-14);
-    assert_relative_eq!(disc.perimeter(), TAU * 0.8, max_relative = 1e-14);
     let square = rectangle(1.0, 2.0, 0.1).unwrap();
-    let (area, perimeter) = (2.0 - (4.0 - PI) * 0.01, 6.0 - 0.8 + TAU * 0.1);
+    let area = 2.0 - (4.0 - PI) * 0.01;
     assert_relative_eq!(square.area().unwrap(), area, max_relative = 1e-14);
-    assert_relative_eq!(square.perimeter(), perimeter, max_relative = 1e-14);
     // A half disc: its centroid lies 4 R / (3 pi) off the flat side.
     let half = Outline::new(vec![vec![
         Piece::arc(at(1.0, 1.0), 2.0, 0.0, PI),
@@ -74,7 +72,7 @@ fn the_tips_of_the_aerofoil_have_the_angle_of_its_arcs() {
         );
     }
     assert_relative_eq!(corners[0].bisector, at(1.0, 0.0), epsilon = 1e-12);
-    assert_eq!(aerofoil.face_count(), 2);
+    assert_eq!(last_face(&aerofoil), 1);
     let tip = aerofoil.closest(&at(-0.3, 0.0));
     assert_eq!(tip.point, at(0.0, 0.0));
     assert_relative_eq!(tip.normal, at(-1.0, 0.0));

@@ -13,6 +13,12 @@ use aero_geometry::bodies::{
 };
 use aero_geometry::outline::Outline;
 
+/// Number of the last smooth face.
+fn last_face(outline: &Outline) -> u32 {
+    let faces = (0..outline.pieces().len()).map(|piece| outline.face(piece));
+    faces.max().expect("an outline has pieces")
+}
+
 fn at(x: f64, y: f64) -> Vector<2> {
     Vector::<2>::new(x, y)
 }

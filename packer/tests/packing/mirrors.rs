@@ -10,7 +10,9 @@ const SPACING: f64 = 0.05;
 /// A cone of triangles, of which a turn by a part of a facet leaves no plane of symmetry through its axis.
 static CONE: LazyLock<Placed<Mesh, 3>> = LazyLock::new(|| {
     let cone = bodies::cone(15.0, 1.6).unwrap().tessellate(96);
-    let turned = Placement::default().rotated_xyz([1.1_f64.to_radians(), 0.0, 0.0]);
+    let turned = Placement::default()
+        .rotated_about(&Vector::x(), 1.1_f64.to_radians())
+        .unwrap();
     Placed::new(Mesh::from_facets(cone).unwrap(), turned)
 });
 

@@ -96,7 +96,11 @@ mod tests {
     #[test]
     fn a_face_askew_shows_an_even_pressure_evenly() {
         let block = bodies::cuboid([6.0, 6.0, 2.0]).unwrap();
-        let place = Placement::default().rotated_xyz([0.56, 0.3, 0.0]);
+        let place = Placement::default()
+            .rotated_about(&Vector::x(), 0.56)
+            .unwrap()
+            .rotated_about(&Vector::y(), 0.3)
+            .unwrap();
         let place = place.moved([0.0, 0.0, -1.2].into());
         let block: Arc<dyn Shape<3>> = Arc::new(Placed::new(block, place));
         let bounds = [[-1.0, 0.0, -1.0], [1.0, 1.0, 1.0]];

@@ -136,21 +136,6 @@ impl<const D: usize> Simulation<D> {
         self.books.inflow()
     }
 
-    /// Rates of the fluid's momentum and energy by the pair sums of the last evaluation. In a
-    /// periodic box both are zero to round-off.
-    pub fn rates_of_totals(&self) -> Totals {
-        let mut rates = Totals::default();
-        for (particle, rate) in self.fluid.iter().zip(self.fluid.rates()) {
-            let acceleration = rate.acceleration + rate.wall_acceleration;
-            for k in 0..D {
-                rates.momentum[k] += particle.mass * acceleration[k];
-            }
-            let power = particle.velocity.dot(&acceleration) + rate.energy;
-            rates.energy += particle.mass * power;
-        }
-        rates
-    }
-
     /// Conserved totals of the fluid now.
     pub fn totals(&self) -> Totals {
         let mut totals = Totals::default();

@@ -171,7 +171,9 @@ fn a_rolled_wing_has_the_drag_of_one_along_the_lattice() {
     }
     let drag = |roll: f64| {
         let mesh = Mesh::from_facets(facets.clone()).unwrap();
-        let place = Placement::default().rotated_xyz([roll, 0.0, 0.0]);
+        let place = Placement::default()
+            .rotated_about(&Vector::x(), roll)
+            .unwrap();
         let wing: Arc<dyn Shape<3>> = Arc::new(Placed::new(mesh, place));
         let bounds = [[-0.2, -0.5, -0.9], [1.2, 0.5, 0.9]];
         let mut flow = FixedSimulation::new(stream(3.0, bounds, 0.1, vec![wing])).unwrap();

@@ -65,7 +65,8 @@ impl Corner {
             [3.0, -fall],
         ];
         let place = Placement::<3>::default()
-            .rotated_xyz([0.0, self.turned, 0.0])
+            .rotated_about(&Vector::y(), self.turned)
+            .unwrap()
             .moved(Vector::from(self.moved) * self.dx);
         let corner = Placed::new(prism(&section, self.ends), place);
         let (deep, is_straight) = (

@@ -9,7 +9,12 @@ fn boxed() -> Domain<3> {
 
 fn turned(edges: [f64; 3]) -> Arc<dyn Shape<3>> {
     let place = Placement::default()
-        .rotated_xyz([0.1, 0.2, 0.3])
+        .rotated_about(&Vector::x(), 0.1)
+        .unwrap()
+        .rotated_about(&Vector::y(), 0.2)
+        .unwrap()
+        .rotated_about(&Vector::z(), 0.3)
+        .unwrap()
         .moved(Vector::<3>::new(0.011, -0.007, 0.017));
     Arc::new(Placed::new(bodies::cuboid(edges).unwrap(), place))
 }
@@ -142,7 +147,9 @@ fn edges_of_plates_boxes_and_fins_leave_no_false_walls() {
         6.0,
     );
     let placed = |shape: Arc<dyn Shape<3>>, turn: f64, z: f64| -> Arc<dyn Shape<3>> {
-        let place = Placement::default().rotated_xyz([0.0, 0.0, turn]);
+        let place = Placement::default()
+            .rotated_about(&Vector::z(), turn)
+            .unwrap();
         Arc::new(Placed::new(
             shape,
             place.moved(Vector::<3>::new(0.0, 0.0, z)),
