@@ -32,19 +32,8 @@ fn takes_of(key: &Key, types: &Types, is_choice: bool) -> String {
         Some(value) if is_choice => words(value, types),
         None => "the word".into(),
         Some(Value::Optional(inner)) => words(inner, types),
-        Some(value @ Value::Named(name)) if is_section(name, types) => words(value, types),
-        Some(value @ Value::List(inner, None)) if is_section(inner.name(), types) => {
-            words(value, types)
-        }
         Some(value) => format!("{}, **needed**", words(value, types)),
     }
-}
-
-/// True for what may be left out because all that it holds may be.
-fn is_section(name: &str, types: &Types) -> bool {
-    let keys = types.keys(name);
-    let may_be_left_out = |key: &Key| matches!(key.value, Some(Value::Optional(_)));
-    name == "BodyEntry" || (!keys.is_empty() && keys.iter().all(may_be_left_out))
 }
 
 fn words(value: &Value, types: &Types) -> String {

@@ -86,7 +86,11 @@ impl Types {
                 };
                 let keys = fields.named.into_iter().map(|field| Key {
                     name: renamed(&field.attrs).unwrap_or_else(|| field.ident.unwrap().to_string()),
-                    value: Some(value(&field.ty)),
+                    value: Some(if has_default(&field.attrs) {
+                        Value::Optional(Box::new(value(&field.ty)))
+                    } else {
+                        value(&field.ty)
+                    }),
                     text: comment(&field.attrs),
                 });
                 let keys = keys_of(&item.attrs, keys.collect());
@@ -231,6 +235,16 @@ fn renamed(attributes: &[Attribute]) -> Option<String> {
             }
             _ => None,
         })
+}
+
+/// True of a field that has a value where a scene has none for it.
+fn has_default(attributes: &[Attribute]) -> bool {
+    attributes.iter().any(|attribute| match &attribute.meta {
+        Meta::List(list) if list.path.is_ident("serde") => {
+            list.tokens.to_string().starts_with("default")
+        }
+        _ => false,
+    })
 }
 
 fn separator(attributes: &[Attribute]) -> char {

@@ -72,7 +72,7 @@ fn room(series: &[Series]) -> Option<[f64; 2]> {
 const MOST: f64 = 1e3;
 
 /// Of the treatments in their order, the same in every panel: those of Okabe & Ito 2008, violet and grey.
-const COLOURS: [Colour; 8] = [
+const COLOURS: [Colour; ALL.len()] = [
     [0, 114, 178],
     [213, 94, 0],
     [0, 158, 115],

@@ -8,7 +8,7 @@ use super::treatments::ALL;
 use crate::context::{CompareError, Context};
 
 /// Of the treatments in their order: those of Okabe & Ito 2008.
-const COLOURS: [Colour; 6] = [
+const COLOURS: [Colour; ALL.len()] = [
     [0, 114, 178],
     [230, 159, 0],
     [213, 94, 0],
