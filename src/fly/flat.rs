@@ -3,7 +3,7 @@
 use aero_geometry::{Bounds, Shape, Vector};
 
 use super::attitude::Attitude;
-use super::silhouette::area_along;
+use crate::scene::silhouette::area_along;
 use crate::scene::way::Way;
 
 /// A body ends flat where faces in the plane in which it ends are at least this part of what is seen of it from there.

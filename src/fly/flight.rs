@@ -16,10 +16,10 @@ use super::fineness::Fineness;
 use super::flat::flat_side;
 use super::likeness::{Likeness, likeness};
 use super::meridian::Meridian;
-use super::silhouette;
 use super::wishes::{Air, Wishes};
 use crate::scene::atmosphere::GAS_CONSTANT;
 use crate::scene::number::Name;
+use crate::scene::silhouette::area_along;
 use crate::scene::way::Way;
 
 /// Ratio of specific heats of air.
@@ -120,7 +120,7 @@ impl Flight {
         let (extent, nearly) = extent(shape.as_ref(), &bounds, &wishes);
         let front = match &extent {
             Extent::Meridian(line) => line.frontal_area(),
-            Extent::Space(_) => silhouette::frontal_area(shape.as_ref(), &bounds),
+            Extent::Space(_) => area_along(shape.as_ref(), &bounds, 0),
         };
         let area = wishes.area.unwrap_or(front);
         let region = domain::around(

@@ -27,7 +27,6 @@ mod read;
 mod report;
 mod round;
 mod section;
-mod silhouette;
 mod skins;
 mod spans;
 mod wishes;

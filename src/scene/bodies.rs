@@ -280,8 +280,14 @@ impl<const D: usize> BodyPlan<D> {
             packed_fluid: packed::fluid(&packing),
             ghosts: packing.ghosts,
             report: packing.report,
-            reference_area: area
-                .unwrap_or_else(|| frontal_area(&size, &free_stream.velocity, domain)),
+            reference_area: area.unwrap_or_else(|| {
+                frontal_area(
+                    self.made.shape.as_ref(),
+                    &part,
+                    &free_stream.velocity,
+                    domain,
+                )
+            }),
             reference_length: length.unwrap_or_else(|| size.max()),
             moment_centre,
         })

@@ -298,11 +298,11 @@ pub struct BodyEntry {
     pub place: Option<PlaceEntry>,
     /// How it moves.
     pub motion: Option<MotionEntry>,
-    /// Area (3D) or length (2D) of the force coefficients.
+    /// Area (3D) or length (2D) of the force coefficients; what a stream along the axis nearest to it sees of the body unless given.
     pub reference_area: Option<Positive>,
-    /// Length of the moment coefficients.
+    /// Length of the moment coefficients; the largest extent of the body unless given.
     pub reference_length: Option<Positive>,
-    /// Point of the moments.
+    /// Point of the moments; the middle of the box about the body unless given.
     pub moment_centre: Option<Vec<Finite>>,
 }
 

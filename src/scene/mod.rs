@@ -73,6 +73,7 @@ pub mod shapes;
 pub mod side;
 mod side_tables;
 pub mod side_words;
+pub(crate) mod silhouette;
 pub mod spin;
 mod state;
 mod stream;
