@@ -1,6 +1,6 @@
 //! Numbers of the faces of thin parts: one bit each.
 
-use aero_geometry::{Shape, Vector};
+use aero_geometry::{Pencils, Shape, Vector};
 
 use super::across::Across;
 use super::{FaceSet, NOWHERE};
@@ -24,8 +24,9 @@ pub struct Numbers<const D: usize> {
     bits: Vec<(Key, u32)>,
 }
 
-/// At least this part of the ghosts between two faces must have a foot on both; where fewer have, the body is a wire
-/// or a cone's point rather than a plate, and all its gas goes by the ghosts' own normals.
+/// At least this part of the ghosts between two faces must have a foot on both, and the ways across one face that is its own opposite be alike
+/// in each place by this mean square of their cosines; where less is, the body is a wire or a cone's point rather than a plate, and all its gas goes by
+/// the ghosts' own normals.
 const FLAT: f64 = 0.75;
 
 impl<const D: usize> Numbers<D> {
@@ -35,15 +36,19 @@ impl<const D: usize> Numbers<D> {
         shape: &dyn Shape<D>,
         crossings: &[Across<D>],
         first: usize,
+        spacing: f64,
     ) -> (Self, Vec<[u32; 2]>) {
         let mut numbers = Self {
             frames: frames(shape, crossings),
             bits: Vec::new(),
         };
+        let round = round(&numbers.frames, crossings, spacing);
         let mut pairs: Vec<([Key; 2], [usize; 2])> = Vec::new();
-        for crossing in crossings {
-            let mut pair =
-                [&crossing.near, &crossing.far].map(|foot| numbers.key(foot.face, &foot.normal));
+        for crossing in crossings
+            .iter()
+            .filter(|crossing| !is_one_of(&round, crossing))
+        {
+            let mut pair = numbers.pair(crossing);
             pair.sort_unstable();
             let known = pairs.iter().position(|(known, _)| *known == pair);
             let index = known.unwrap_or_else(|| {
@@ -74,6 +79,17 @@ impl<const D: usize> Numbers<D> {
         (numbers, opposite)
     }
 
+    /// The faces on both sides of a ghost. Of a face that is its own opposite they lie along one axis of the frame, to which the way across is
+    /// nearest: each normal alone may be nearer to another one, where ghosts stand between two.
+    fn pair(&self, crossing: &Across<D>) -> [Key; 2] {
+        let (near, far) = (&crossing.near, &crossing.far);
+        if near.face != far.face {
+            return [near, far].map(|foot| self.key(foot.face, &foot.normal));
+        }
+        let way = near.normal - far.normal;
+        [way, -way].map(|way| self.key(near.face, &way))
+    }
+
     /// Number of faces that have a bit.
     pub fn len(&self) -> usize {
         self.bits.len()
@@ -95,6 +111,49 @@ impl<const D: usize> Numbers<D> {
         });
         Key { face, part }
     }
+}
+
+/// Those of the faces that are their own opposite which are so all around in space, as wires, rods and cones are: in one place of their middle
+/// there are ghosts with many ways across, where a sheet, however bent, has one.
+fn round<const D: usize>(
+    frames: &[(u32, Matrix<D>)],
+    crossings: &[Across<D>],
+    spacing: f64,
+) -> Vec<u32> {
+    let is_round = |face: u32| {
+        let own = || {
+            crossings
+                .iter()
+                .filter(move |crossing| is_one_of(&[face], crossing))
+        };
+        let ways: Vec<Vector<D>> = own()
+            .map(|crossing| (crossing.near.normal - crossing.far.normal).normalize())
+            .collect();
+        let middles: Vec<Vector<D>> = own()
+            .map(|crossing| (crossing.near.point + crossing.far.point) * 0.5)
+            .collect();
+        let pencils = Pencils::new(&middles, spacing);
+        let [mut alike, mut all] = [0.0; 2];
+        for (way, middle) in ways.iter().zip(&middles) {
+            pencils.for_each_run_near(middle, middle, spacing, |run| {
+                for &other in &pencils.order()[run] {
+                    let other = other as usize;
+                    if (middles[other] - middle).norm() < spacing {
+                        alike += way.dot(&ways[other]).powi(2);
+                        all += 1.0;
+                    }
+                }
+            });
+        }
+        alike < FLAT * all
+    };
+    let faces = frames.iter().map(|(face, _)| *face);
+    faces.filter(|&face| D == 3 && is_round(face)).collect()
+}
+
+/// True of a ghost with one of these faces on both sides.
+fn is_one_of<const D: usize>(faces: &[u32], crossing: &Across<D>) -> bool {
+    crossing.near.face == crossing.far.face && faces.contains(&crossing.near.face)
 }
 
 /// A mirror plane whose normal has more than this along the way across a part is across that way itself.
