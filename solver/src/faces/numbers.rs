@@ -1,6 +1,6 @@
 //! Numbers of the faces of thin parts: one bit each.
 
-use aero_geometry::{Pencils, Shape, Vector};
+use aero_geometry::{Shape, Vector};
 
 use super::across::Across;
 use super::{FaceSet, NOWHERE};
@@ -24,9 +24,8 @@ pub struct Numbers<const D: usize> {
     bits: Vec<(Key, u32)>,
 }
 
-/// At least this part of the ghosts between two faces must have a foot on both, and the ways across one face that is its own opposite be alike
-/// in each place by this mean square of their cosines; where less is, the body is a wire or a cone's point rather than a plate, and all its gas goes by
-/// the ghosts' own normals.
+/// At least this part of the ghosts between two faces must have a foot on both; where fewer have, the body is a wire
+/// or a cone's point rather than a plate, and all its gas goes by the ghosts' own normals.
 const FLAT: f64 = 0.75;
 
 impl<const D: usize> Numbers<D> {
@@ -36,18 +35,13 @@ impl<const D: usize> Numbers<D> {
         shape: &dyn Shape<D>,
         crossings: &[Across<D>],
         first: usize,
-        spacing: f64,
     ) -> (Self, Vec<[u32; 2]>) {
         let mut numbers = Self {
             frames: frames(shape, crossings),
             bits: Vec::new(),
         };
-        let round = round(&numbers.frames, crossings, spacing);
         let mut pairs: Vec<([Key; 2], [usize; 2])> = Vec::new();
-        for crossing in crossings
-            .iter()
-            .filter(|crossing| !is_one_of(&round, crossing))
-        {
+        for crossing in crossings {
             let mut pair = numbers.pair(crossing);
             pair.sort_unstable();
             let known = pairs.iter().position(|(known, _)| *known == pair);
@@ -79,17 +73,6 @@ impl<const D: usize> Numbers<D> {
         (numbers, opposite)
     }
 
-    /// The faces on both sides of a ghost. Of a face that is its own opposite they lie along one axis of the frame, to which the way across is
-    /// nearest: each normal alone may be nearer to another one, where ghosts stand between two.
-    fn pair(&self, crossing: &Across<D>) -> [Key; 2] {
-        let (near, far) = (&crossing.near, &crossing.far);
-        if near.face != far.face {
-            return [near, far].map(|foot| self.key(foot.face, &foot.normal));
-        }
-        let way = near.normal - far.normal;
-        [way, -way].map(|way| self.key(near.face, &way))
-    }
-
     /// Number of faces that have a bit.
     pub fn len(&self) -> usize {
         self.bits.len()
@@ -102,6 +85,18 @@ impl<const D: usize> Numbers<D> {
         found.map_or(0, |(_, bit)| 1 << bit)
     }
 
+    /// The faces on both sides of a ghost. Of a face that is its own opposite they lie along one axis of the frame, that to which the way across is
+    /// nearest: each normal alone may be nearer to another one where a ghost stands between two, and parts that lie side by side be taken for
+    /// the two sides of a plate.
+    fn pair(&self, crossing: &Across<D>) -> [Key; 2] {
+        let (near, far) = (&crossing.near, &crossing.far);
+        if near.face != far.face {
+            return [near, far].map(|foot| self.key(foot.face, &foot.normal));
+        }
+        let way = near.normal - far.normal;
+        [way, -way].map(|way| self.key(near.face, &way))
+    }
+
     fn key(&self, face: u32, normal: &Vector<D>) -> Key {
         let frame = self.frames.iter().find(|(known, _)| *known == face);
         let part = frame.map_or(0, |(_, frame)| {
@@ -111,49 +106,6 @@ impl<const D: usize> Numbers<D> {
         });
         Key { face, part }
     }
-}
-
-/// Those of the faces that are their own opposite which are so all around in space, as wires, rods and cones are: in one place of their middle
-/// there are ghosts with many ways across, where a sheet, however bent, has one.
-fn round<const D: usize>(
-    frames: &[(u32, Matrix<D>)],
-    crossings: &[Across<D>],
-    spacing: f64,
-) -> Vec<u32> {
-    let is_round = |face: u32| {
-        let own = || {
-            crossings
-                .iter()
-                .filter(move |crossing| is_one_of(&[face], crossing))
-        };
-        let ways: Vec<Vector<D>> = own()
-            .map(|crossing| (crossing.near.normal - crossing.far.normal).normalize())
-            .collect();
-        let middles: Vec<Vector<D>> = own()
-            .map(|crossing| (crossing.near.point + crossing.far.point) * 0.5)
-            .collect();
-        let pencils = Pencils::new(&middles, spacing);
-        let [mut alike, mut all] = [0.0; 2];
-        for (way, middle) in ways.iter().zip(&middles) {
-            pencils.for_each_run_near(middle, middle, spacing, |run| {
-                for &other in &pencils.order()[run] {
-                    let other = other as usize;
-                    if (middles[other] - middle).norm() < spacing {
-                        alike += way.dot(&ways[other]).powi(2);
-                        all += 1.0;
-                    }
-                }
-            });
-        }
-        alike < FLAT * all
-    };
-    let faces = frames.iter().map(|(face, _)| *face);
-    faces.filter(|&face| D == 3 && is_round(face)).collect()
-}
-
-/// True of a ghost with one of these faces on both sides.
-fn is_one_of<const D: usize>(faces: &[u32], crossing: &Across<D>) -> bool {
-    crossing.near.face == crossing.far.face && faces.contains(&crossing.near.face)
 }
 
 /// A mirror plane whose normal has more than this along the way across a part is across that way itself.
@@ -204,7 +156,50 @@ fn mirrored<const D: usize>(mut way: Vector<D>, planes: &[(usize, f64)]) -> Opti
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::{FRAC_PI_4, PI};
+
+    use aero_geometry::bodies;
+
+    use super::super::Foot;
     use super::*;
+
+    /// Ghosts of a round body on the diagonals of its frame, where rounding decides which part either side is of.
+    #[test]
+    fn parts_of_a_round_face_are_opposite_across_it_alone() {
+        let cone = bodies::cone(15.0, 1.0).expect("a cone");
+        let foot = |angle: f64| {
+            let normal = Vector::<3>::new(0.0, angle.cos(), angle.sin());
+            Foot {
+                point: normal * 0.1,
+                normal,
+                face: 0,
+            }
+        };
+        let crossing = |eighth: i32| {
+            let angle = FRAC_PI_4 * f64::from(eighth);
+            Across {
+                ghost: 0,
+                near: foot(angle),
+                far: foot(angle + PI),
+                has_foot: true,
+                is_own: true,
+            }
+        };
+        let crossings: Vec<_> = (-4..4).map(crossing).collect();
+        let (numbers, pairs) = Numbers::new(&cone, &crossings, 0);
+        let part = |bit: u32| {
+            let (key, _) = numbers
+                .bits
+                .iter()
+                .find(|(_, known)| *known == bit)
+                .expect("a part");
+            key.part
+        };
+        assert!(!pairs.is_empty());
+        for [a, b] in pairs {
+            assert_eq!(part(a) / 2, part(b) / 2, "side by side");
+        }
+    }
 
     #[test]
     fn a_direction_is_along_or_across_each_mirror_plane() {

@@ -61,10 +61,9 @@ pub fn thin_parts<const D: usize>(problem: &Problem<D>) -> Option<ThinParts<D>> 
     };
     for (number, body) in problem.bodies.iter().enumerate() {
         parts.hidden.push(vec![0; body.ghosts.position.len()]);
-        let spacing = problem.resolution.lattice();
-        let crossings = crossings(body, spacing);
-        let first = parts.faces.opposite.len();
-        let (numbers, pairs) = Numbers::new(body.shape.as_ref(), &crossings, first, spacing);
+        let crossings = crossings(body, problem.resolution.lattice());
+        let (numbers, pairs) =
+            Numbers::new(body.shape.as_ref(), &crossings, parts.faces.opposite.len());
         if pairs.is_empty() {
             continue;
         }
@@ -84,7 +83,7 @@ pub fn thin_parts<const D: usize>(problem: &Problem<D>) -> Option<ThinParts<D>> 
             ),
             numbers,
         });
-        let ends = ends(body, &crossings, spacing);
+        let ends = ends(body, &crossings, problem.resolution.lattice());
         parts.look_at(problem, body, &[crossings, ends].concat());
     }
     (!parts.faces.bodies.is_empty()).then_some(parts)

@@ -1,7 +1,4 @@
-use std::f64::consts::{FRAC_PI_2, PI};
-
-use aero_geometry::outline::Piece;
-use aero_geometry::{Placed, Placement, Revolution, Shape, bodies};
+use aero_geometry::{Placed, Placement, Shape, bodies};
 use aero_packer::{Ghosts, PackReport};
 
 use super::seam::body_on_the_lattice;
@@ -168,37 +165,6 @@ fn without_tags_a_thin_plate_lets_the_pressure_through() {
 fn a_thick_plate_has_no_thin_parts() {
     let problem = plate_2d(12);
     assert!(start(problem).walls.faces().is_none());
-}
-
-/// Gas all around a wire or the point of a cone sees all of it, and itself: ghosts between two parts of their one face would part gas there.
-#[test]
-fn gas_around_round_bodies_in_space_is_not_parted() {
-    let wire = bodies::round_rod(0.15, 0.9).expect("a wire");
-    let cone = bodies::cone(15.0, 1.2).expect("a cone");
-    for shape in [wire, cone] {
-        assert!(start(short_plate(2, shape)).walls.faces().is_none());
-    }
-}
-
-/// A disc and a ring, each of one face that bends around its edges.
-#[test]
-fn gas_on_both_sides_of_sheets_with_round_edges_is_parted() {
-    let at = Vector::<2>::new;
-    let disc = Revolution::new(vec![
-        Piece::segment(at(-0.1, 0.0), at(-0.1, 0.6)),
-        Piece::arc(at(0.0, 0.6), 0.1, PI, -PI),
-        Piece::segment(at(0.1, 0.6), at(0.1, 0.0)),
-    ]);
-    let ring = Revolution::new(vec![
-        Piece::segment(at(0.5, 0.7), at(-0.5, 0.7)),
-        Piece::arc(at(-0.5, 0.6), 0.1, FRAC_PI_2, PI),
-        Piece::segment(at(-0.5, 0.5), at(0.5, 0.5)),
-        Piece::arc(at(0.5, 0.6), 0.1, -FRAC_PI_2, PI),
-    ]);
-    for shape in [disc, ring] {
-        let problem = short_plate(2, shape.expect("a sheet"));
-        assert!(start(problem).walls.faces().is_some());
-    }
 }
 
 /// Flow that is symmetric about the middle of a thin plate, and its upper half above a symmetry plane.
