@@ -23,8 +23,6 @@ pub const HALF_ANGLE: f64 = 20.0;
 const GAMMA: f64 = 1.4;
 /// Where along the axis the surface is read: far from the tip, which the kernel rounds, and from the outlet.
 const STATIONS: [f64; 2] = [1.0, 1.4];
-/// What mirror images leave of lift and moment.
-const ROUND_OFF: [f64; 2] = [1e-9; 2];
 /// Distance from tip and ends at which the shock is read, in smoothing lengths.
 const CLEARANCE: f64 = 6.0;
 
@@ -137,7 +135,6 @@ fn rows(flow: &Flow<'_, Model>) -> Result<Vec<Row>, CompareError> {
             0.02,
         ));
     }
-    rows.extend(flow.no_lift("cone", ROUND_OFF));
     Ok(rows)
 }
 

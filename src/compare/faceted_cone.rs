@@ -22,15 +22,15 @@ const GAMMA: f64 = 1.4;
 const RADIUS: f64 = 0.5;
 /// Largest errors of the drag, per cent, at the quick level's spacing and at the full one's: it is of first order in spacing over
 /// radius.
-const DRAG: [f64; 2] = [8.0, 3.0];
+const DRAG: [f64; 2] = [6.0, 3.0];
 
 /// The same of the pressure on the surface.
 const PRESSURE: [f64; 2] = [2.0; 2];
 /// What particles show swings by 0.4 % from instant to instant: a mean over ten is judged.
 const FRAMES: &str = "output.frames=20";
 /// At the usual step gas moves by nine tenths of a spacing, always the same places beside the ghosts are met again, and which those are (the
-/// length of a step, a ghost moved by a hair) makes 1 % either way of what is shown at six cells to the radius and 0.1 % at ten; at half
-/// the step 0.2 % at six.
+/// length of a step, a ghost moved by a hair) makes 1 % either way of what is shown at six cells to the radius, at half the step 0.3 % at
+/// eight, and 0.1 % at ten.
 const STEP: &str = "scheme.cfl=0.25";
 /// Cells to the radius below which that is taken.
 const FEW: u32 = 10;
@@ -38,7 +38,7 @@ const FEW: u32 = 10;
 /// Where along the axis the surface is read: from a quarter of the outlet's radius on.
 const STATIONS: [f64; 2] = [0.5, 1.75];
 
-/// Side force over drag that is allowed.
+/// Side force over drag, and moment over drag and length, that are allowed.
 const SIDE: f64 = 0.01;
 
 /// The same by points, which stand alike on all sides.
@@ -132,7 +132,7 @@ pub const FACETED_CONE: Comparison<Cone> = Comparison {
             })
         };
         vec![
-            few.cells(6).quick(),
+            few.cells(8).quick(),
             few.cells(6).settled().quick(),
             few,
             more,
@@ -177,9 +177,15 @@ fn rows(flow: &Flow<'_, Cone>) -> Result<Vec<Row>, CompareError> {
         let pressed = 0.5 * MACH * MACH * loads.reference_area;
         let drag = loads.cd_mean.unwrap_or(f64::NAN) * pressed;
         let side = loads.force_mean[1].hypot(loads.force_mean[2]) / drag;
+        let moment = loads.moment.iter().map(|m| m * m).sum::<f64>().sqrt();
+        let moment = moment / (drag * loads.reference_length);
+        let is_of_points = flow.variant.scheme.is_of_points();
+        let judged = |quantity, value| {
+            Row::at_most(quantity, "symmetry", value, SIDE).by_points(is_of_points, SIDE_BY_POINTS)
+        };
         return Ok(vec![
-            Row::at_most("side force / forebody drag, gauge", "symmetry", side, SIDE)
-                .by_points(flow.variant.scheme.is_of_points(), SIDE_BY_POINTS),
+            judged("side force / forebody drag, gauge", side),
+            judged("moment / (forebody drag, gauge, x length)", moment),
             flow.no_leaks(),
         ]);
     }

@@ -28,6 +28,9 @@ const PROBE: f64 = 0.05;
 /// Part of the probe's depth that may be lacking: a bend of about ten degrees.
 const LACKING: f64 = 0.02;
 
+/// So far over the surface, in spacings, the way to it is known.
+const OVER: f64 = 0.05;
+
 /// So near, in spacings, to where the two faces of a part meet its tip begins, however slender the part is.
 const TIP: f64 = 0.25;
 
@@ -193,6 +196,20 @@ pub fn foot_on<const D: usize>(
     (!is_edge(shape, &seen, spacing)).then(|| Foot::of(&seen))
 }
 
+/// The point of the surface closest to `point`, with the way from it to `point` for a normal where that is known: over an edge between
+/// two facets of a mesh it lies between their normals, while rounding decides which of them the mesh tells of.
+pub fn beneath<const D: usize>(
+    shape: &dyn Shape<D>,
+    point: &Vector<D>,
+    spacing: f64,
+) -> Closest<D> {
+    let mut seen = shape.closest(point);
+    if seen.distance > OVER * spacing {
+        seen.normal = (point - seen.point) / seen.distance;
+    }
+    seen
+}
+
 /// True where the closest point lies on an edge: the solid below it is shallower than below a smooth surface, and that not because it
 /// is thin there. A slender part is thinner than the probe far from its tip, and still has two faces.
 pub fn is_edge<const D: usize>(shape: &dyn Shape<D>, seen: &Closest<D>, spacing: f64) -> bool {
@@ -220,7 +237,7 @@ impl<const D: usize> Foot<D> {
 
 #[cfg(test)]
 mod tests {
-    use aero_geometry::bodies;
+    use aero_geometry::{Mesh, bodies};
 
     use super::*;
 
@@ -239,6 +256,23 @@ mod tests {
         let seen = shape.closest(&above);
         assert!((seen.distance - 0.5).abs() < 1e-9, "{seen:?}");
         is_edge(&shape, &seen, 1.0)
+    }
+
+    #[test]
+    fn over_an_edge_between_two_facets_the_way_to_it_is_seen() {
+        let facets = bodies::cone(15.0, 1.0).unwrap().tessellate(24);
+        let shape = Mesh::from_facets(facets).unwrap();
+        let straight = Vector::<3>::new(
+            -15.0_f64.to_radians().sin(),
+            15.0_f64.to_radians().cos(),
+            0.0,
+        );
+        let edge = Vector::<3>::new(0.5, 0.5 * 15.0_f64.to_radians().tan(), 0.0);
+        for aside in [-1e-9, 0.0, 1e-9] {
+            let above = edge + straight * 0.1 + Vector::<3>::z() * aside;
+            let seen = beneath(&shape, &above, 0.1);
+            assert!((seen.normal - straight).norm() < 1e-6, "{aside}: {seen:?}");
+        }
     }
 
     /// A plate of 0.3 spacings with edges of seven is thinner than the probe over two spacings at its tips.

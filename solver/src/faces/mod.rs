@@ -20,6 +20,7 @@ use serde::{Deserialize, Serialize};
 use super::walls::rigid::Pose;
 use numbers::Numbers;
 
+use across::beneath;
 pub use across::{Foot, foot_on, is_edge};
 pub use sights::part_thin_sides;
 pub use views::{ThinParts, View, thin_parts};
@@ -83,7 +84,7 @@ impl<const D: usize> Faces<D> {
             if !body.bounds.grown(reach).contains(&origin) {
                 continue;
             }
-            let seen = body.shape.closest(&origin);
+            let seen = beneath(body.shape.as_ref(), &origin, self.spacing);
             let face = body.numbers.set(seen.face, &seen.normal);
             if face != 0 && !(seen.distance > 0.0 && is_edge(&body.shape, &seen, self.spacing)) {
                 faces |= face;

@@ -15,6 +15,18 @@ pub struct Key {
     part: u8,
 }
 
+impl Key {
+    /// The frame's axis that the part looks along.
+    fn axis(self) -> usize {
+        usize::from(self.part / 2)
+    }
+
+    /// Which way along it.
+    fn sign(self) -> f64 {
+        if self.part % 2 == 1 { 1.0 } else { -1.0 }
+    }
+}
+
 /// Which faces of a body take part in thin parts.
 #[derive(Clone, Debug)]
 pub struct Numbers<const D: usize> {
@@ -27,6 +39,9 @@ pub struct Numbers<const D: usize> {
 /// At least this part of the ghosts between two faces must have a foot on both; where fewer have, the body is a wire
 /// or a cone's point rather than a plate, and all its gas goes by the ghosts' own normals.
 const FLAT: f64 = 0.75;
+
+/// Parts of a face are as near to a normal where their cosines differ by less.
+const TIE: f64 = 0.02;
 
 impl<const D: usize> Numbers<D> {
     /// Finds the pairs of opposite faces among `crossings` of `shape` and numbers them from `first` on; returns the
@@ -78,11 +93,14 @@ impl<const D: usize> Numbers<D> {
         self.bits.len()
     }
 
-    /// The bit of a face, as a set; empty for one that takes no part.
+    /// The bit of a face, as a set; empty for one that takes no part, and two or three where `normal` lies midway between parts.
     pub fn set(&self, face: u32, normal: &Vector<D>) -> FaceSet {
-        let key = self.key(face, normal);
-        let found = self.bits.iter().find(|(known, _)| *known == key);
-        found.map_or(0, |(_, bit)| 1 << bit)
+        let along = self.along(face, normal);
+        let bits = self.bits.iter().filter(|(known, _)| {
+            known.face == face
+                && along.is_none_or(|along| along[known.axis()] * known.sign() > along.amax() - TIE)
+        });
+        bits.fold(0, |set, (_, bit)| set | 1 << bit)
     }
 
     /// The faces on both sides of a ghost. Of a face that is its own opposite they lie along one axis of the frame, that to which the way across is
@@ -98,13 +116,17 @@ impl<const D: usize> Numbers<D> {
     }
 
     fn key(&self, face: u32, normal: &Vector<D>) -> Key {
-        let frame = self.frames.iter().find(|(known, _)| *known == face);
-        let part = frame.map_or(0, |(_, frame)| {
-            let along = frame * normal;
+        let part = self.along(face, normal).map_or(0, |along| {
             let axis = along.iamax();
             2 * axis as u8 + u8::from(along[axis] > 0.0)
         });
         Key { face, part }
+    }
+
+    /// `way` in the frame of a face that is its own opposite.
+    fn along(&self, face: u32, way: &Vector<D>) -> Option<Vector<D>> {
+        let (_, frame) = self.frames.iter().find(|(known, _)| *known == face)?;
+        Some(frame * way)
     }
 }
 
@@ -198,6 +220,10 @@ mod tests {
         assert!(!pairs.is_empty());
         for [a, b] in pairs {
             assert_eq!(part(a) / 2, part(b) / 2, "side by side");
+        }
+        for (angle, parts) in [(0.3, 1), (FRAC_PI_4 + 1e-3, 2), (FRAC_PI_4 - 1e-3, 2)] {
+            let seen = numbers.set(0, &foot(angle).normal);
+            assert_eq!(seen.count_ones(), parts, "{angle}");
         }
     }
 

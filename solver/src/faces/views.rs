@@ -3,7 +3,7 @@
 use aero_geometry::parallel::prelude::*;
 use aero_geometry::{Bounds, Pencils, Shape, Vector};
 
-use super::across::{Across, Foot, across, across_end, foot_on, is_edge};
+use super::across::{Across, Foot, across, across_end, beneath, foot_on, is_edge};
 use super::numbers::Numbers;
 use super::{FaceSet, Faces, Sight, ThinBody};
 use crate::neighbourhood::reach::LAYERS;
@@ -175,7 +175,7 @@ impl<const D: usize> ThinParts<D> {
                     beyond,
                     LAYERS * problem.resolution.at(&position),
                 ) {
-                    let seen = body.shape.closest(&image);
+                    let seen = beneath(body.shape.as_ref(), &image, problem.resolution.at(&image));
                     let there = self.faces.bodies[self.faces.bodies.len() - 1]
                         .numbers
                         .set(seen.face, &seen.normal);
@@ -259,7 +259,7 @@ impl<const D: usize> Faces<D> {
             for foot in crossings.iter().flat_map(|c| [&c.near, &c.far]) {
                 let own = numbers.set(foot.face, &foot.normal);
                 let bit = own.trailing_zeros() as usize;
-                if own == 0 || images[bit] != 0 {
+                if own.count_ones() != 1 || images[bit] != 0 {
                     continue;
                 }
                 let mut place = foot.point + foot.normal * lift;

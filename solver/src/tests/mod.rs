@@ -1,6 +1,7 @@
 //! Golden physics: what must hold whatever the speed.
 
 mod agreement;
+mod axis;
 mod bends;
 mod calm;
 mod combinations;

@@ -12,6 +12,9 @@ use super::plane::SideWall;
 use super::{Ghost, Origin, Shown, WallAbove};
 use crate::problem::Problem;
 
+/// A foot that lies farther from the nearest point of the surface, as a part of the depth, is another one.
+const ASIDE: f64 = 0.1;
+
 /// So high over its foot, in spacings, a ghost's own face is the nearest.
 const ABOVE: f64 = 0.1;
 
@@ -40,8 +43,10 @@ pub fn ghosts<const D: usize>(
                 .par_iter_mut()
                 .zip(&body.ghosts.face)
                 .for_each(|(ghost, &face)| {
-                    // On a ridge another face is as near.
-                    let is_own = body.shape.closest(&ghost.position).face == face;
+                    // On a ridge another face is as near, or another place of the same one.
+                    let seen = body.shape.closest(&ghost.position);
+                    let aside = (seen.point - ghost.foot()).norm();
+                    let is_own = seen.face == face && aside < ASIDE * ghost.depth;
                     let lift = ghost.normal * (ABOVE * problem.resolution.at(&ghost.position));
                     let place = if is_own {
                         ghost.position
