@@ -134,16 +134,18 @@ impl<const D: usize> Whole<'_, D> {
                     .map(|(piece, _)| piece)
             };
             let mut part = Part::new();
-            let mut rim: Piece<D> = Vec::new();
+            let mut rim: Vec<RimStretch<D>> = Vec::new();
             for (facet, piece) in members() {
                 let outline = piece.iter().map(|stretch| (stretch.from, stretch.to));
                 let face = polygon(facet.label, outline);
+                let walls = piece.iter().filter(|s| matches!(s.along, Along::Wall(..)));
+                let inwards = -face.area / face.area.norm().max(f64::MIN_POSITIVE);
+                rim.extend(walls.filter_map(|stretch| self.above(solids, stretch, &inwards)));
                 part.volume += face.area.dot(&face.centre) / 3.0;
                 part.add_face(face);
                 if self.keeps_rings {
                     part.rings.push(ring(piece));
                 }
-                rim.extend(piece.iter().filter(|s| matches!(s.along, Along::Wall(..))));
             }
             if !rim.is_empty() {
                 self.roof(solids, &rim, &mut part);
@@ -156,12 +158,9 @@ impl<const D: usize> Whole<'_, D> {
 
     /// Closes a piece over the rim that the walls leave on the facets: a fan of triangles about a point that is on
     /// the surface, on the edge or at the corner, whichever the cell holds (Ju et al. 2002, doi:10.1145/566654.566586).
-    fn roof(&self, solids: &Solids<D>, rim: &[Stretch<D>], part: &mut Part<D>) {
+    fn roof(&self, solids: &Solids<D>, rim: &[RimStretch<D>], part: &mut Part<D>) {
         let apex = self.apex(solids, rim);
-        for stretch in rim {
-            let Along::Wall(body, facet) = stretch.along else {
-                continue;
-            };
+        for RimStretch { stretch, wall, .. } in rim {
             let area = 0.5 * cross(&(stretch.to - apex), &(stretch.from - apex));
             let centre = (apex + stretch.from + stretch.to) / 3.0;
             part.volume += area.dot(&centre) / 3.0;
@@ -169,8 +168,8 @@ impl<const D: usize> Whole<'_, D> {
                 part.rings.push(vec![apex, stretch.to, stretch.from]);
             }
             part.add_wall(PartWall {
-                body,
-                facet,
+                body: wall.0,
+                facet: wall.1,
                 area,
                 size: area.norm(),
                 centre,
@@ -178,38 +177,53 @@ impl<const D: usize> Whole<'_, D> {
         }
     }
 
-    fn apex(&self, solids: &Solids<D>, rim: &[Stretch<D>]) -> Vector<D> {
+    /// What lies over a stretch along the wall within the cell, which is the way `inwards` of it.
+    fn above(
+        &self,
+        solids: &Solids<D>,
+        stretch: &Stretch<D>,
+        inwards: &Vector<D>,
+    ) -> Option<RimStretch<D>> {
+        /// So far within the cell, in spacings, the wall is looked for: where a body's edge lies in the facet, both its faces are as near.
+        const WITHIN: f64 = 1e-6;
+        let place = stretch.middle() + inwards * (WITHIN * self.unit);
+        let (body, closest) = solids.closest(&(self.point + place))?;
+        Some(RimStretch {
+            stretch: *stretch,
+            wall: (body, closest.face),
+            place,
+            normal: closest.normal,
+            distance: closest.distance,
+        })
+    }
+
+    fn apex(&self, solids: &Solids<D>, rim: &[RimStretch<D>]) -> Vector<D> {
         /// Holds the point where walls do not: those that are a little round along an edge say little of where it is there.
         const PULL: f64 = 1e-3;
         /// The same where planes meet in a hollow, and say all: little beside what two do that turn by a degree.
         const SLIGHT: f64 = 1e-5;
         const FAR: f64 = 1.5;
-        let total: f64 = rim.iter().map(Stretch::length).sum();
-        let mean = rim.iter().fold(Vector::<D>::zeros(), |sum, stretch| {
-            sum + stretch.middle() * stretch.length()
+        let total: f64 = rim.iter().map(|s| s.stretch.length()).sum();
+        let mean = rim.iter().fold(Vector::<D>::zeros(), |sum, s| {
+            sum + s.stretch.middle() * s.stretch.length()
         }) / total.max(f64::MIN_POSITIVE);
         let foot = |place: &Vector<D>| {
             solids
                 .closest(&(self.point + place))
                 .map_or(*place, |(_, closest)| closest.point - self.point)
         };
-        if rim.iter().all(|stretch| stretch.along == rim[0].along) {
+        if rim.iter().all(|stretch| stretch.wall == rim[0].wall) {
             return foot(&mean);
         }
         let mut matrix = nalgebra::SMatrix::<f64, D, D>::zeros();
         let mut right = Vector::<D>::zeros();
-        let mut walls: Vec<(Along, Vector<D>, Vector<D>)> = Vec::new();
-        for stretch in rim {
-            let middle = stretch.middle();
-            if let Some((_, closest)) = solids.closest(&(self.point + middle)) {
-                walls.push((stretch.along, middle, closest.normal));
-                let weight = stretch.length() / total;
-                let height = closest.normal.dot(&(middle - mean)) - closest.distance;
-                matrix += closest.normal * closest.normal.transpose() * weight;
-                right += closest.normal * (weight * height);
-            }
+        for wall in rim {
+            let (normal, weight) = (wall.normal, wall.stretch.length() / total);
+            let height = normal.dot(&(wall.place - mean)) - wall.distance;
+            matrix += normal * normal.transpose() * weight;
+            right += normal * (weight * height);
         }
-        let pull = if are_planes_in_a_hollow(&walls) {
+        let pull = if are_planes_in_a_hollow(rim) {
             SLIGHT
         } else {
             PULL
@@ -225,16 +239,30 @@ impl<const D: usize> Whole<'_, D> {
     }
 }
 
-/// True of walls, each with a place on it and its normal there, that are planes and face each other.
-fn are_planes_in_a_hollow<const D: usize>(walls: &[(Along, Vector<D>, Vector<D>)]) -> bool {
+/// A stretch along the wall on a facet of a cell, and the wall over it within the cell.
+#[derive(Clone, Copy, Debug)]
+struct RimStretch<const D: usize> {
+    stretch: Stretch<D>,
+    /// Body and smooth face.
+    wall: (u32, u32),
+    /// Where the wall is looked for, from the cell's point.
+    place: Vector<D>,
+    /// Normal of the wall there.
+    normal: Vector<D>,
+    /// Height of the place over it.
+    distance: f64,
+}
+
+/// True of walls that are planes and face each other.
+fn are_planes_in_a_hollow<const D: usize>(walls: &[RimStretch<D>]) -> bool {
     const FLAT: f64 = 1e-6;
-    walls.iter().enumerate().all(|(k, (along, place, normal))| {
-        walls[..k].iter().all(|(other, there, facing)| {
-            if other == along {
-                (facing - normal).norm() < FLAT
+    walls.iter().enumerate().all(|(k, one)| {
+        walls[..k].iter().all(|other| {
+            if other.wall == one.wall {
+                (other.normal - one.normal).norm() < FLAT
             } else {
-                let arm = place - there;
-                arm.dot(facing) > 0.0 && arm.dot(normal) < 0.0
+                let arm = one.place - other.place;
+                arm.dot(&other.normal) > 0.0 && arm.dot(&one.normal) < 0.0
             }
         })
     })

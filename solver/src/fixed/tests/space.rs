@@ -1,4 +1,5 @@
-use aero_geometry::{Mesh, Placed, Placement, bodies};
+use aero_geometry::outline::Piece;
+use aero_geometry::{Mesh, Placed, Placement, Revolution, bodies};
 
 use super::*;
 use crate::fixed::rim::{closed, polygon};
@@ -53,6 +54,40 @@ fn cells_around_bodies_in_space_close_and_fill_the_gas() {
             assert!(miss.abs() < 4.0, "{name}: {miss}");
             let least = made.cells.volumes.iter().fold(f64::MAX, |a, v| a.min(*v));
             assert!(least > 0.3 * dx.powi(3), "{name}: {least}");
+        }
+    }
+}
+
+/// A spindle of eight facets around, four of whose edges lie in the faces of cells: both cells that one parts hold the same gas.
+#[test]
+fn cells_on_both_sides_of_an_edge_in_their_face_are_mirror_images() {
+    let dx = 1.0 / 12.0;
+    let at = Vector::<2>::new;
+    let spindle = Revolution::new(vec![
+        Piece::segment(at(0.61, 0.0), at(0.0, 0.22)),
+        Piece::segment(at(0.0, 0.22), at(-0.61, 0.0)),
+    ]);
+    let facets = spindle.unwrap().tessellate(8);
+    let made = Scene::new(
+        boxed(),
+        vec![Arc::new(Mesh::from_facets(facets).unwrap())],
+        dx,
+    )
+    .made();
+    let cells = made.cells.points.iter().zip(&made.cells.volumes);
+    let cut: Vec<_> = cells
+        .filter(|(_, v)| (*v / dx.powi(3) - 1.0).abs() > 1e-9)
+        .collect();
+    assert!(cut.len() > 200, "{}", cut.len());
+    for axis in 1..3 {
+        for (point, volume) in &cut {
+            let mut image = **point;
+            image[axis] = -image[axis];
+            let away = |place: &Vector<3>| (place - image).norm();
+            let nearest = cut.iter().min_by(|a, b| away(a.0).total_cmp(&away(b.0)));
+            let (place, there) = nearest.unwrap();
+            let off = [away(place) / dx, (*there - *volume).abs() / dx.powi(3)];
+            assert!(off[0] < 1e-4 && off[1] < 1e-4, "{point} {volume}: {off:?}");
         }
     }
 }
@@ -125,8 +160,10 @@ fn check_edges(
         let miss = [along * area * 0.01, gas * volume * 0.01].map(f64::abs);
         assert!(miss[0] < 0.5 * dx * edges, "{name}: {miss:?}");
         assert!(miss[1] < 0.25 * dx * dx * edges, "{name}: {miss:?}");
+        // What holds a roof's point moves it by a thousandth of its arm: below that volumes are right, cell by cell, and do not fall.
+        let held = 1e-4 * dx * dx * edges;
         assert!(
-            miss[0] < before[0] && miss[1] < before[1],
+            miss[0] < before[0] && miss[1] < before[1].max(held),
             "{name}: {miss:?} {before:?}"
         );
         before = miss;
