@@ -61,7 +61,6 @@ pub const QUARTER: Comparison<Part> = Comparison {
             published.cells(3).wm().with(Part::WholeFront).quick(),
             published.cells(4).with(Part::WholeFront),
             published.cells(4).wm().with(Part::WholeFront),
-            published.cells(4).with(Part::WholeFront).settled(),
         ]
     },
     settings: |v, _| match v.own {

@@ -59,7 +59,6 @@ pub const SPHERE: Comparison<Part> = Comparison {
             coarse.with(Part::Whole).cells(5).quick(),
             coarse.with(Part::Whole).cells(6),
             coarse.with(Part::Whole).cells(6).wm(),
-            coarse.with(Part::Whole).cells(6).settled(),
         ]
     },
     label: |v| {
