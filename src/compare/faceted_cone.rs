@@ -29,7 +29,7 @@ const PRESSURE: [f64; 2] = [2.0; 2];
 /// What particles show swings by 0.4 % from instant to instant: a mean over ten is judged.
 const FRAMES: &str = "output.frames=20";
 /// At the usual step gas moves by nine tenths of a spacing, always the same places beside the ghosts are met again, and which those are (the
-/// length of a step, a ghost moved by a hair) makes 1 % either way of what is shown at six cells to the radius, at half the step 0.3 % at
+/// length of a step, a ghost moved by a hair) makes 1 % either way of what is shown at six cells to the radius, at half the step 0.4 % at
 /// eight, and 0.1 % at ten.
 const STEP: &str = "scheme.cfl=0.25";
 /// Cells to the radius below which that is taken.
