@@ -46,7 +46,7 @@ impl Default for FixedPoints {
         Self {
             time: Time::default(),
             refine: Refine::default(),
-            cfl: 0.8,
+            cfl: 1.0,
             room: None,
         }
     }

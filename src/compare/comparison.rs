@@ -86,7 +86,7 @@ impl<P> Compare for Comparison<P> {
                     checks.extend(rows);
                     histories.extend(self.together.map(|_| (label, history)));
                 }
-                Err(error) => checks.push(failed(self.case, &label, error)?),
+                Err(error) => checks.push(failed(self.case, &label, error, checks.len())?),
             }
         }
         if let Some(together) = self.together {
@@ -130,15 +130,24 @@ impl<P> Comparison<P> {
     }
 }
 
-/// The row of a run that has none of its own; an error of anything but the flow stays one.
-fn failed(case: &str, label: &str, error: CompareError) -> Result<Check, CompareError> {
-    match error {
-        CompareError::Run { .. } | CompareError::Metric(_) => {
-            let what = format!("{label}: {error}");
-            Ok(Subject::new(case, &what, "a run to its end").unmeasured(0.0))
-        }
-        error => Err(error),
+/// The row of a run that has none of its own, after so many `rows` of others. An error of anything but the flow stays one; but a scene that
+/// is refused after others have been run, perhaps for an hour, takes no rows of theirs away.
+fn failed(
+    case: &str,
+    label: &str,
+    error: CompareError,
+    rows: usize,
+) -> Result<Check, CompareError> {
+    let is_of_one_run = match error {
+        CompareError::Run { .. } | CompareError::Metric(_) => true,
+        CompareError::Scene(_) => rows > 0,
+        _ => false,
+    };
+    if !is_of_one_run {
+        return Err(error);
     }
+    let what = format!("{label}: {error}");
+    Ok(Subject::new(case, &what, "a run to its end").unmeasured(0.0))
 }
 
 impl<'a, P> Flow<'a, P> {
@@ -213,7 +222,22 @@ fn file_name(label: &str) -> String {
 
 #[cfg(test)]
 mod tests {
+    use aero::scene::SceneError;
+
     use super::*;
+
+    #[test]
+    fn a_scene_that_is_refused_takes_no_rows_of_other_runs_away() {
+        let refused = || {
+            CompareError::Scene(SceneError::Value {
+                place: "scheme.motion".to_owned(),
+                message: "no such motion".to_owned(),
+            })
+        };
+        assert!(failed("wedge", "dx 1/16", refused(), 0).is_err());
+        let row = failed("wedge", "dx 1/16", refused(), 7).expect("a row that fails");
+        assert!(!row.pass && row.quantity.contains("no such motion"));
+    }
 
     #[test]
     fn files_are_called_by_the_words_of_their_label() {

@@ -112,7 +112,7 @@ pub struct SchemeEntry {
     pub skip_undisturbed: Option<bool>,
     /// Numbers in which pairs are computed; `double` unless given.
     pub precision: Option<PrecisionWord>,
-    /// Courant number; 0.5 unless given, 0.8 for fixed points.
+    /// Courant number; 0.5 unless given, 1 for fixed points.
     pub cfl: Option<Courant>,
     /// What carries the gas: particles that move with it, or points that stay; `with-the-gas` unless given.
     pub motion: Option<MotionWord>,

@@ -25,7 +25,7 @@ const SELDOM: u64 = 30;
 /// Part of the cells that are split above which it pays to have fewer.
 const IDLE: f64 = 0.1;
 
-/// There must be one where fewer are left than this: no wave crosses more than 0.8 of the smallest cells in a step.
+/// There must be one where fewer are left than this: no wave crosses more than one of the smallest cells in a step.
 const LEAST_AROUND: i32 = EVERY as i32;
 
 /// How the gas comes onto new cells.

@@ -5,6 +5,7 @@ use aero_geometry::Vector;
 use super::bent::{Layout, fans, press, turn};
 use super::cloven::{self, Cleaving};
 use super::cone_rings::press_rings;
+use super::drawing::Drawing;
 use super::energy::EnergyFlux;
 use super::equation_of_state::EquationOfState;
 use super::fluxes::{Passed, Through};
@@ -29,6 +30,8 @@ pub struct Exchange<'a, G, const D: usize> {
     pub energy: EnergyFlux,
     /// Least Mach number that gas counts by where it meets, see [`super::slow`].
     pub least_mach: f64,
+    /// How states are drawn out to the faces.
+    pub drawing: Drawing,
     /// Those to sum up.
     pub block: &'a Block<D>,
     /// The flow.
@@ -52,6 +55,7 @@ impl<'a, G, const D: usize> Exchange<'a, G, D> {
             points: self.points,
             energy: self.energy,
             least_mach: self.least_mach,
+            drawing: self.drawing,
             block: self.block,
             flow: self.flow,
             shocks: self.shocks,
@@ -93,7 +97,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
                 least_mach: self.least_mach,
                 block,
                 flow,
-                has_layers: rubbing.is_some(),
+                drawing: self.drawing,
                 keeps_fluxes: !fans.is_empty() || !shocks.is_empty(),
             },
         );

@@ -3,6 +3,7 @@
 use pulp::{Simd, WithSimd};
 
 use super::calmness::{smoothness, steepness};
+use super::drawing::Drawing;
 use super::energy::{EnergyFlux, carried};
 use super::equation_of_state::EquationOfState;
 use super::face_list::Join;
@@ -31,9 +32,8 @@ pub struct Through<'a, G, const D: usize> {
     pub block: &'a Block<D>,
     /// The flow.
     pub flow: Flow<'a, D>,
-    /// Whether layers are drawn as finely as they can be: gas meets in the middle of each face, also where that is not halfway between the
-    /// cells, and temperatures are straight across a cell rather than densities.
-    pub has_layers: bool,
+    /// How states are drawn out to the faces.
+    pub drawing: Drawing,
     /// Whether the flux through each face is asked for.
     pub keeps_fluxes: bool,
 }
@@ -59,9 +59,12 @@ impl<G: EquationOfState, const D: usize> WithSimd for Through<'_, G, D> {
         let mut fluxes = Vec::new();
         for faces in block.faces.chunks(S::F64_LANES) {
             let mut batch = Batch::new(simd, net, faces, flow);
-            batch.has_layers = self.has_layers;
-            if self.has_layers || self.least_mach < 1.0 {
+            batch.has_layers = self.drawing == Drawing::Layers;
+            if batch.has_layers || self.least_mach < 1.0 {
                 batch.find_skews(simd, net, faces);
+            }
+            if self.drawing == Drawing::Waves {
+                batch.find_evenness(simd, net, faces);
             }
             let flux = batch.flux(self.gas, self.energy, self.least_mach);
             let flux = stored(&flux);
@@ -87,8 +90,10 @@ struct Batch<S: Simd, const D: usize> {
     calmness: Lane<S>,
     area: [Lane<S>; D],
     apart: [Lane<S>; D],
-    /// See [`Through::has_layers`].
+    /// See [`Drawing::Layers`].
     has_layers: bool,
+    /// See [`Drawing::Waves`].
+    evenness: Option<Lane<S>>,
     /// From halfway between the cells to the faces' middles, where that counts.
     skew: Option<[Lane<S>; D]>,
 }
@@ -114,6 +119,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             area: [zero; D],
             apart: [zero; D],
             has_layers: false,
+            evenness: None,
             skew: None,
         };
         let mut calmness = [zero; 2];
@@ -149,6 +155,16 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         self.skew = Some(skew);
     }
 
+    /// Which faces are between even cells, where any is.
+    #[inline(always)]
+    fn find_evenness(&mut self, simd: S, net: &Net<D>, faces: &[Join]) {
+        let evenness =
+            |l: usize| net.face_shapes[faces[l.min(faces.len() - 1)].shape as usize].evenness;
+        if (0..faces.len()).any(|l| evenness(l) > 0.0) {
+            self.evenness = Some(gather(simd, evenness));
+        }
+    }
+
     /// Flux through the whole of each face.
     #[inline(always)]
     fn flux<G: EquationOfState>(
@@ -170,6 +186,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             smooth: steepness(self.calmness),
             order: self.calmness,
             has_layers: self.has_layers,
+            evenness: self.evenness,
         }
         .states();
         if let Some(skew) = &self.skew {

@@ -89,6 +89,7 @@ impl<const D: usize> Image<D> {
             smooth: steepness(calmness),
             order: calmness,
             has_layers: false,
+            evenness: None,
         }
         .states();
         inner

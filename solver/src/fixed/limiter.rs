@@ -3,6 +3,7 @@
 //! All are functions `phi(a, b)` of two differences, the one beyond a cell and the one across a face: `b` where both are equal,
 //! zero where they have opposite signs.
 
+use super::calmness::share;
 use super::real::Real;
 
 /// The mean, no more than twice the smaller one: monotonized central differences [van Leer 1977, J. Comput. Phys. 23, 276-299].
@@ -29,6 +30,18 @@ pub fn third<R: Real>(beyond: R, across: R) -> R {
 pub fn minmod<R: Real>(a: R, b: R) -> R {
     let smaller = a.select(a.min(b), a.max(b));
     (a * b).select(smaller, a.like(0.0))
+}
+
+/// How much of a wave that cells can follow there is in the differences beyond the cells on both sides of a face less the one across it, `a` and
+/// `b`: these have opposite signs where a wave bends the gas alike, and at a crest are as `cos(2 pi / n)` to one, `n` cells to a wave. Waves of
+/// six cells and shorter ones count for nothing, and those of fourteen and longer wholly; at a jump no two are alike, and next to none of it counts.
+#[inline(always)]
+pub fn wavy<R: Real>(a: R, b: R) -> R {
+    /// `cos(2 pi / 6)` and `cos(2 pi / 14)`.
+    const SHORT: f64 = 0.5;
+    const LONG: f64 = 0.900_968_867_902_419_1;
+    let larger = (a * a).max(b * b) + f64::MIN_POSITIVE;
+    share(-(a * b) / larger, SHORT, LONG)
 }
 
 #[cfg(test)]

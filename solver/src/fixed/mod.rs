@@ -33,10 +33,12 @@ mod cornered;
 mod crests;
 mod cut;
 mod cut_cell;
+mod drawing;
 mod edge;
 mod edges;
 mod energy;
 mod equation_of_state;
+mod even;
 mod exchange;
 mod face_list;
 mod fan;
@@ -299,6 +301,7 @@ impl<const D: usize> FixedSimulation<D> {
         let walls = net.blocks.iter_mut().flat_map(|block| &mut block.walls);
         walls.for_each(|wall| wall.least_mach = least);
         net.add_bends(cells, problem);
+        net.find_even_faces(problem);
         Ok(net)
     }
 

@@ -32,6 +32,8 @@ pub struct FaceShape<const D: usize> {
     pub size: f64,
     /// Area over distance, in the plane of rings the length of the face there: weight in the cells' gradients.
     pub weight: f64,
+    /// One where both cells are even, see [`super::even`]; zero elsewhere, and where nobody asks.
+    pub evenness: f64,
 }
 
 /// What a cell looks like.
@@ -199,6 +201,7 @@ impl<const D: usize> Net<D> {
                 skew: look.skew.into(),
                 size: look.area.norm(),
                 weight: f64::NAN,
+                evenness: 0.0,
             })
             .collect();
         let mut counts = vec![0; self.blocks.len()];

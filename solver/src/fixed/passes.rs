@@ -4,6 +4,7 @@ use aero_geometry::parallel::prelude::*;
 
 use super::cloven::{Cleaving, shocks};
 use super::columns::Columns;
+use super::drawing::drawing;
 use super::energy::EnergyFlux;
 use super::equation_of_state::AnyGas;
 use super::exchange::Exchange;
@@ -121,6 +122,7 @@ impl<const D: usize> FixedSimulation<D> {
     ) -> Vec<Conserved<D>> {
         let energy = EnergyFlux::of(&self.problem);
         let least_mach = least_mach(&self.problem);
+        let drawing = drawing(&self.problem);
         let is_axisymmetric = self.problem.domain.is_axisymmetric();
         let Self {
             arch,
@@ -181,6 +183,7 @@ impl<const D: usize> FixedSimulation<D> {
                         points,
                         energy,
                         least_mach,
+                        drawing,
                         block,
                         flow,
                         shocks,

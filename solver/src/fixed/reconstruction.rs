@@ -1,6 +1,6 @@
 //! The states on both sides of a face, from the cells' means and slopes.
 
-use super::limiter::{central, minmod, third};
+use super::limiter::{central, minmod, third, wavy};
 use super::real::Real;
 use super::state::{Primitive, scaled};
 
@@ -17,6 +17,8 @@ pub struct Neighbours<const D: usize, R> {
     pub order: R,
     /// Whether layers are drawn as finely as they can be: `p / rho` is straight in a cell, in place of the density, and slopes are of third order.
     pub has_layers: bool,
+    /// One where slopes are differences along a line of cells that are alike, zero elsewhere; none where waves are not followed.
+    pub evenness: Option<R>,
 }
 
 impl<const D: usize, R: Real> Neighbours<D, R> {
@@ -61,26 +63,35 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
     #[inline(always)]
     fn sides(&self, a: R, b: R, rise: R, other_rise: R) -> [R; 2] {
         let jump = b - a;
-        [
-            a + self.step(rise, jump) * 0.5,
-            b - self.step(other_rise, jump) * 0.5,
-        ]
+        let mut first = self.step(rise, jump, self.has_layers);
+        let mut second = self.step(other_rise, jump, self.has_layers);
+        if let Some(evenness) = self.evenness {
+            let bends = [(rise - jump) * 2.0, (other_rise - jump) * 2.0];
+            let free = wavy(bends[0], bends[1]) * self.smooth;
+            first = first + evenness * (self.fine_step(rise, jump, bends[0], free) - first);
+            second =
+                second + evenness * (self.fine_step(other_rise, jump, bends[1], free) - second);
+        }
+        [a + first * 0.5, b - second * 0.5]
+    }
+
+    /// A step of third order: limited, and as it is where the gas is `free` to bend, over the crests and troughs of waves.
+    #[inline(always)]
+    fn fine_step(&self, rise: R, jump: R, bend: R, free: R) -> R {
+        let limited = self.step(rise, jump, true);
+        limited + free * (jump + bend * (1.0 / 3.0) - limited)
     }
 
     #[inline(always)]
-    fn even(&self, beyond: R, jump: R) -> R {
-        if self.has_layers {
+    fn step(&self, rise: R, jump: R, is_fine: bool) -> R {
+        let beyond = rise * 2.0 - jump;
+        let careful = minmod(beyond, jump);
+        let mean = if is_fine {
             third(beyond, jump)
         } else {
             central(beyond, jump)
-        }
-    }
-
-    #[inline(always)]
-    fn step(&self, rise: R, jump: R) -> R {
-        let beyond = rise * 2.0 - jump;
-        let careful = minmod(beyond, jump);
-        careful + self.smooth * (self.even(beyond, jump) - careful)
+        };
+        careful + self.smooth * (mean - careful)
     }
 }
 

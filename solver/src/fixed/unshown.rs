@@ -131,7 +131,7 @@ mod tests {
         let blocks = blocks.iter().map(block).collect();
         let problem = stream(mach, [[-1.0, -1.0], [1.0, 1.0]], 1.0 / 16.0, blocks);
         let mut flow = FixedSimulation::new(problem).expect("a flow");
-        for _ in 0..20 {
+        for _ in 0..16 {
             flow.step(1.0).expect("a step");
         }
         flow

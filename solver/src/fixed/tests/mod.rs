@@ -39,6 +39,7 @@ mod tubes;
 mod vectors;
 mod viscous;
 mod wakes;
+mod waves;
 
 /// A box with open sides.
 fn domain<const D: usize>(low: [f64; D], high: [f64; D]) -> Domain<D> {
