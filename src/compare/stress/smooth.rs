@@ -1,8 +1,9 @@
-//! Flows without shocks, where all that is dissipated is error: two vortices that should stay as they
-//! are, and a shear layer that should roll up.
+//! Flows where all that is dissipated is error: two vortices that should stay as they are, a shear layer that should roll up, and waves that a
+//! shock has run through.
 
 use aero_solver::frame::Frame;
 use aero_validation::metrics::order::convergence_order;
+use aero_validation::reference;
 use aero_validation::table::{Check, Subject};
 
 use super::schemes::equations;
@@ -19,6 +20,15 @@ const ERROR_AT_256: f64 = 0.12;
 
 const VORTEX: Source = scene!("stress", "vortex");
 const GRESHO: Source = scene!("stress", "gresho");
+/// Cells to a unit, and the mean density error that rhoCentralFoam has there (`validation/points`), per cent.
+const PEER: [(u32, f64); 3] = [(20, 2.53), (40, 1.02), (80, 1.83)];
+/// Where the waves' density is known.
+const WINDOW: std::ops::Range<f64> = -4.5..5.0;
+
+/// Places in a cell that what is known is taken at.
+const SAMPLES: u32 = 32;
+
+const WAVES: Source = scene!("stress", "shu-osher");
 const SHEAR: Source = scene!("stress", "kelvin-helmholtz");
 
 /// Runs the vortices and the shear layer; there are no walls, so extrapolations play no part.
@@ -28,6 +38,9 @@ pub fn compare(context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
         checks.extend(vortex(scheme, context)?);
         checks.extend(gresho(scheme, context)?);
         checks.extend(shear(scheme, context)?);
+        if scheme.is_of_points() {
+            checks.extend(waves(scheme, context)?);
+        }
     }
     Ok(checks)
 }
@@ -104,6 +117,40 @@ fn shear(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareErr
         let row = growth.map(|growth| Row::informs(quantity, "it must grow", growth, 1.0));
         Ok(Vec::from_iter(row))
     })
+}
+
+/// The density of the waves, against the peer's at equal spacings.
+fn waves(scheme: Scheme, context: &Context<'_>) -> Result<Vec<Check>, CompareError> {
+    let table = reference::shu_osher();
+    let mut checks = Vec::new();
+    for (count, peer) in PEER {
+        let trial = Trial::new(WAVES, scheme)
+            .called(format!("{} N = {count}", scheme.laws()))
+            .with([format!("spacing={}", 1.0 / f64::from(count))]);
+        checks.extend(trial.compare(context, |outcome| {
+            let Some(outcome) = outcome else {
+                return Ok(Vec::new());
+            };
+            let gas = &outcome.gas;
+            let places = gas.position.iter().zip(&gas.density);
+            let mut sums = [0.0; 2];
+            for (place, density) in places.filter(|(place, _)| WINDOW.contains(&place[0])) {
+                // Cells hold means.
+                let known = (0..SAMPLES).map(|k| {
+                    let off = (f64::from(k) + 0.5) / f64::from(SAMPLES) - 0.5;
+                    let at = place[0] + off / f64::from(count);
+                    table.interpolate("x", "rho", at).unwrap_or(f64::NAN)
+                });
+                let known = known.sum::<f64>() / f64::from(SAMPLES);
+                sums[0] += (density - known).abs();
+                sums[1] += known;
+            }
+            let quantity = "mean density error, %";
+            let error = 100.0 * sums[0] / sums[1];
+            Ok(vec![Row::at_most(quantity, "rhoCentralFoam", error, peer)])
+        })?);
+    }
+    Ok(checks)
 }
 
 /// Amplitude of the seeded mode at the start by the sum of [`mode`]: 0.01, all over the height,
