@@ -1,12 +1,10 @@
 //! Where cells are even: each neighbour has one opposite that is as far away, as on a lattice. Slopes there are differences of means along a line,
 //! and a march draws them out to third order.
 
-use std::collections::HashMap;
-
-use foldhash::fast::FixedState;
+use aero_geometry::parallel::prelude::*;
 
 use super::drawing::{Drawing, drawing};
-use super::net::{Block, FaceShape, Net};
+use super::net::{BLOCK, Block, FaceShape, Net};
 use crate::problem::Problem;
 
 /// Part of the cube of a cell's reach that is left of what opposite neighbours cancel, up to which all of them have one.
@@ -47,23 +45,22 @@ impl<const D: usize> Net<D> {
         if drawing(problem) != Drawing::Waves {
             return;
         }
-        let is_even: Vec<bool> = self
-            .blocks
-            .iter()
-            .flat_map(|b| self.even_cells(b))
-            .collect();
-        let mut even_shapes: HashMap<u32, u32, FixedState> = HashMap::default();
+        let cells: Vec<Vec<bool>> = self.blocks.par_iter().map(|b| self.even_cells(b)).collect();
+        let is_even = |i: u32| cells[i as usize / BLOCK][i as usize % BLOCK];
         let Self {
             blocks,
             face_shapes,
             ..
         } = self;
+        // Number of the even look of each.
+        let mut even = vec![None; face_shapes.len()];
         for face in blocks.iter_mut().flat_map(|block| &mut block.faces) {
-            if is_even[face.i as usize] && is_even[face.j as usize] {
-                face.shape = *even_shapes.entry(face.shape).or_insert_with(|| {
+            if is_even(face.i) && is_even(face.j) {
+                let known = face.shape as usize;
+                face.shape = *even[known].get_or_insert_with(|| {
                     face_shapes.push(FaceShape {
                         evenness: 1.0,
-                        ..face_shapes[face.shape as usize]
+                        ..face_shapes[known]
                     });
                     face_shapes.len() as u32 - 1
                 });
