@@ -14,11 +14,11 @@ pub enum Drawing {
     Layers,
 }
 
-/// That of a problem.
-pub fn drawing<const D: usize>(problem: &Problem<D>) -> Drawing {
+/// That of a problem, whose flow may have begun to settle though it was to march.
+pub fn drawing<const D: usize>(problem: &Problem<D>, has_begun_to_settle: bool) -> Drawing {
     if problem.gas.is_viscous() {
         Drawing::Layers
-    } else if problem.method.settles() {
+    } else if has_begun_to_settle || problem.method.settles() {
         Drawing::Rest
     } else {
         Drawing::Waves

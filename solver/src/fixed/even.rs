@@ -42,7 +42,7 @@ impl<const D: usize> Around<D> {
 impl<const D: usize> Net<D> {
     /// Finds the faces between two even cells, where the `problem` has any use for them.
     pub(super) fn find_even_faces(&mut self, problem: &Problem<D>) {
-        if drawing(problem) != Drawing::Waves {
+        if drawing(problem, false) != Drawing::Waves {
             return;
         }
         let cells: Vec<Vec<bool>> = self.blocks.par_iter().map(|b| self.even_cells(b)).collect();

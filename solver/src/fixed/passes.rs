@@ -122,7 +122,7 @@ impl<const D: usize> FixedSimulation<D> {
     ) -> Vec<Conserved<D>> {
         let energy = EnergyFlux::of(&self.problem);
         let least_mach = least_mach(&self.problem);
-        let drawing = drawing(&self.problem);
+        let drawing = drawing(&self.problem, self.settling.has_begun());
         let is_axisymmetric = self.problem.domain.is_axisymmetric();
         let Self {
             arch,

@@ -76,6 +76,13 @@ pub struct Settling {
     pub(super) sweeps: Option<Sweeps>,
 }
 
+impl Settling {
+    /// True after the first iteration.
+    pub(super) fn has_begun(&self) -> bool {
+        self.counts.iterations > 0
+    }
+}
+
 /// How far it is.
 #[derive(Clone, Copy, Debug, Default, Serialize, Deserialize)]
 pub struct Counts {

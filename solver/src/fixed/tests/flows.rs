@@ -7,7 +7,6 @@ use aero_geometry::{Bounds, Placed, Placement, Shape, Vector, bodies};
 use super::lattice::problem;
 use crate::fixed::FixedSimulation;
 use crate::frame::Totals;
-use crate::method::{FixedPoints, Method, Time};
 use crate::problem::{Problem, Side, State};
 use crate::tests::slip_body;
 
@@ -38,10 +37,6 @@ fn nose(mach: f64, cells: f64) -> FixedSimulation<2> {
     let bounds = [[-1.75, 0.0], [0.25, 3.0]];
     let mut problem = stream(mach, bounds, 1.0 / cells, vec![nose]);
     problem.domain.sides[1][0] = Side::Symmetry;
-    problem.method = Method::Fixed(FixedPoints {
-        time: Time::Settle,
-        ..FixedPoints::default()
-    });
     FixedSimulation::new(problem).unwrap()
 }
 
