@@ -32,16 +32,29 @@ pub fn minmod<R: Real>(a: R, b: R) -> R {
     (a * b).select(smaller, a.like(0.0))
 }
 
-/// How much of a wave that cells can follow there is in the differences beyond the cells on both sides of a face less the one across it, `a` and
-/// `b`: these have opposite signs where a wave bends the gas alike, and at a crest are as `cos(2 pi / n)` to one, `n` cells to a wave. Waves of
-/// six cells and shorter ones count for nothing, and those of fourteen and longer wholly; at a jump no two are alike, and next to none of it counts.
+/// `cos(2 pi / n)` of waves of six cells, which count for nothing, and of fourteen: those and longer ones count wholly.
+const SHORT: f64 = 0.5;
+const LONG: f64 = 0.900_968_867_902_419_1;
+
+/// How much of a wave that cells can follow there is about a crest: `a` and `b` are the differences beyond the cells on both sides of a face less the
+/// one across it. These have opposite signs where a wave bends the gas alike, and at a crest are as `cos(2 pi / n)` to one, `n` cells to a wave; at a
+/// jump no two are alike, and next to none of it counts.
 #[inline(always)]
 pub fn wavy<R: Real>(a: R, b: R) -> R {
-    /// `cos(2 pi / 6)` and `cos(2 pi / 14)`.
-    const SHORT: f64 = 0.5;
-    const LONG: f64 = 0.900_968_867_902_419_1;
     let larger = (a * a).max(b * b) + f64::MIN_POSITIVE;
     share(-(a * b) / larger, SHORT, LONG)
+}
+
+/// The same on a wave's flanks, where the differences `beyond` both cells and the one `across` the face have one sign: anywhere on a wave of `n` cells
+/// the mean of the outer ones is `cos(2 pi / n)` of the one between. At the foot of a jump it is more, in its middle little. Towards crests,
+/// where the smaller one goes to zero, it counts less and less: switched there, it would make flows lean that have no side.
+#[inline(always)]
+pub fn rising<R: Real>(beyond: [R; 2], across: R) -> R {
+    let inverse = across / (across * across + f64::MIN_POSITIVE);
+    let [a, b] = [beyond[0] * inverse, beyond[1] * inverse];
+    let mean = (a + b) * 0.5;
+    let counted = share(mean, SHORT, LONG) * share(a.min(b), 0.0, SHORT);
+    (mean.like(1.0) - mean).select(counted, mean.like(0.0))
 }
 
 #[cfg(test)]
@@ -73,5 +86,49 @@ mod tests {
         assert_eq!(third(-9.0, -1.0), -2.0);
         assert_eq!(minmod(1.0, 3.0), 1.0);
         assert_eq!(minmod(-3.0, -1.0), -1.0);
+    }
+
+    /// Differences of `cos(x)` about a face at `place`, `count` cells to a wave.
+    fn differences(place: f64, count: f64) -> ([f64; 2], f64) {
+        let angle = std::f64::consts::TAU / count;
+        let [a, b, c, d] = [-1.5, -0.5, 0.5, 1.5].map(|k| (place + k * angle).cos());
+        ([b - a, d - c], c - b)
+    }
+
+    #[test]
+    fn waves_of_fourteen_cells_count_wholly_on_their_flanks_and_those_of_six_for_nothing() {
+        for place in [1.3, 1.6, 1.8, -1.4] {
+            let counted = [5.0, 6.0, 9.0, 14.0, 40.0].map(|count| {
+                let (beyond, across) = differences(place, count);
+                rising(beyond, across)
+            });
+            assert_eq!(counted[0], 0.0);
+            assert!(counted[1].abs() < 1e-12, "{counted:?}");
+            assert!(counted[2] > 0.3 && counted[2] < 0.7, "{counted:?}");
+            assert!(counted[3] > 1.0 - 1e-12, "{counted:?}");
+            assert_eq!(counted[4], 1.0);
+        }
+    }
+
+    #[test]
+    fn what_counts_fades_towards_crests() {
+        let near = [0.3, 0.44, 0.46].map(|place| {
+            let (beyond, across) = differences(place, 14.0);
+            rising(beyond, across)
+        });
+        assert!(
+            near[0] == 0.0 && near[1] == 0.0 && near[2] > 0.0 && near[2] < 0.1,
+            "{near:?}"
+        );
+    }
+
+    #[test]
+    fn neither_crests_nor_feet_of_jumps_nor_gas_at_rest_are_flanks() {
+        let (beyond, across) = differences(0.1, 14.0);
+        assert_eq!(rising(beyond, across), 0.0);
+        assert_eq!(rising([0.1, 0.9], 0.3), 0.0);
+        assert_eq!(rising([0.1, 0.1], 0.8), 0.0);
+        assert_eq!(rising([0.0, 0.0], 0.0), 0.0);
+        assert_eq!(rising([-1.0, -0.9], -1.0), rising([0.9, 1.0], 1.0));
     }
 }

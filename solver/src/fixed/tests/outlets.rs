@@ -80,12 +80,17 @@ fn what_comes_in_outlives_points_and_runs() {
     let mut flow = FixedSimulation::new(refined()).unwrap();
     let mut faces = flow.waves().len();
     let mut changes = 0;
+    // What a wave changes by in a step that leaves its faces as they are.
+    let mut usual = 0.0;
     while flow.time() < 12.0 {
         let before = flow.placed_waves();
         flow.step(12.0).unwrap();
         let after = flow.placed_waves();
         assert_eq!(after.len(), flow.waves().len());
         if after.len() == faces {
+            let pairs = before.iter().zip(&after);
+            let steps = pairs.map(|(old, new)| (old.1.back - new.1.back).abs());
+            usual = steps.fold(0.0, f64::max);
             continue;
         }
         (faces, changes) = (after.len(), changes + 1);
@@ -95,7 +100,8 @@ fn what_comes_in_outlives_points_and_runs() {
                 .iter()
                 .min_by(|a, b| away(a).total_cmp(&away(b)))
                 .unwrap();
-            assert!((old.back - wave.back).abs() < 0.012);
+            let step = (old.back - wave.back).abs();
+            assert!(step < 1.1 * usual + 0.004, "{step} {usual}");
         }
     }
     assert!(changes > 2, "{changes}");

@@ -46,10 +46,10 @@ fn waves_of_density_are_carried_with_third_order_and_keep_their_crests() {
     let errors = [10, 20, 40].map(error);
     let orders = [0, 1].map(|k| (errors[k] / errors[k + 1]).log2());
     assert!(orders.iter().all(|order| *order > 2.8), "{errors:?}");
-    assert!(errors[0] < 0.1, "{errors:?}");
+    assert!(errors[0] < 0.07, "{errors:?}");
     let (before, after) = carried(20, wave);
     let crest = |rho: &[f64]| rho.iter().fold(0.0_f64, |most, rho| most.max(*rho)) - 1.0;
-    assert!(crest(&after) > 0.98 * crest(&before), "{after:?}");
+    assert!(crest(&after) > 0.985 * crest(&before), "{after:?}");
 }
 
 /// What is too short for cells to follow, or is none, is not taken for a wave: nothing rings at a jump.
@@ -60,7 +60,25 @@ fn jumps_of_density_do_not_ring() {
     let least = after
         .iter()
         .fold(f64::INFINITY, |least, rho| least.min(*rho));
-    assert!(most < 2.01 && least > 0.99, "{least} {most}");
+    assert!(most < 2.001 && least > 0.999, "{least} {most}");
+}
+
+/// A sound that stands between two walls has no side to lean to. Between faces where the difference beyond is nothing but round-off, one that
+/// counted at once as soon as that had the right sign would lean by half a per cent of the sound.
+#[test]
+fn sound_between_walls_leans_to_no_side() {
+    let mut problem = problem([16], 1.0 / 16.0, [[WALL; 2]]);
+    problem.initial = field(|x: &Vector<1>| State {
+        density: 1.0 + 0.001 * (TAU * x[0]).cos(),
+        velocity: Vector::<1>::zeros(),
+        pressure: 1.0 / 1.4 + 0.001 * (TAU * x[0]).cos(),
+    });
+    let mut flow = on_cells(lattice(&problem), problem);
+    march(&mut flow, 2.0);
+    let rho = flow.frame().density;
+    let leans = rho.iter().zip(rho.iter().rev()).map(|(a, b)| (a - b).abs());
+    let most = leans.fold(0.0, f64::max);
+    assert!(most < 1e-6, "{most}");
 }
 
 fn on_cells<const D: usize>(cells: Cells<D>, problem: Problem<D>) -> FixedSimulation<D> {
