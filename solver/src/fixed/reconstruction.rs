@@ -4,9 +4,9 @@ use super::limiter::{central, minmod, rising, third, wavy};
 use super::real::Real;
 use super::state::{Primitive, scaled};
 
-/// Part of the gap between both sides of a face that is left where waves rise and fall, for the fluxes to damp. All of it, as upwinding of third order
-/// has, damps a wave of `k` radians a cell by `k^4 / 12`; what is left of it is about what that of fifth order, `k^6 / 60`, damps in waves of
-/// six cells, the shortest that count.
+/// Part of the gap in density between both sides of a face that is left where waves rise and fall, for the fluxes to damp. All of it, as upwinding
+/// of third order has, damps a wave of `k` radians a cell by `k^4 / 12`; what is left is about what that of fifth order, `k^6 / 60`, damps in
+/// waves of six cells, the shortest that count.
 const UPWINDING: f64 = 0.25;
 
 /// Two cells that share a face, and how much they change towards each other.
@@ -45,7 +45,12 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
             );
             [pressure[0] / cold, pressure[1] / hot]
         } else {
-            self.sides(first.density, second.density, a.density, b.density)
+            let [means, rises] = [[first.density, second.density], [a.density, b.density]];
+            self.closer(
+                self.sides(means[0], means[1], rises[0], rises[1]),
+                means,
+                rises,
+            )
         };
         let mut velocity = [first.velocity, second.velocity];
         for k in 0..D {
@@ -76,13 +81,21 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
             first = first + evenness * (self.fine_step(rise, jump, bends[0], free) - first);
             second =
                 second + evenness * (self.fine_step(other_rise, jump, bends[1], free) - second);
-            let gap = jump - (first + second) * 0.5;
-            let counted = rising([bends[0] + jump, bends[1] + jump], jump) * self.smooth;
-            let closed = gap * counted * evenness * (1.0 - UPWINDING);
-            first = first + closed;
-            second = second + closed;
         }
         [a + first * 0.5, b - second * 0.5]
+    }
+
+    /// Both `sides` of a variable whose waves the flow carries along, closer to one another where they rise and fall.
+    #[inline(always)]
+    fn closer(&self, sides: [R; 2], means: [R; 2], rises: [R; 2]) -> [R; 2] {
+        let Some(evenness) = self.evenness else {
+            return sides;
+        };
+        let jump = means[1] - means[0];
+        let beyond = [rises[0] * 2.0 - jump, rises[1] * 2.0 - jump];
+        let counted = rising(beyond, jump) * self.smooth * evenness;
+        let closed = (sides[1] - sides[0]) * counted * (0.5 * (1.0 - UPWINDING));
+        [sides[0] + closed, sides[1] - closed]
     }
 
     /// A step of third order: limited, and as it is where the gas is `free` to bend, over the crests and troughs of waves.
