@@ -95,7 +95,7 @@ fn rows(flow: &Flow<'_, Halves>) -> Result<Vec<Row>, CompareError> {
             0.0,
             [0.06, 0.03],
         )
-        .by_points(is_of_points, [0.06, 0.03]),
+        .by_points(is_of_points, [0.02, 0.02]),
         Row::informs(
             "Cp, mean departure / Cp behind the leading edge",
             THEORY,
@@ -109,7 +109,7 @@ fn rows(flow: &Flow<'_, Halves>) -> Result<Vec<Row>, CompareError> {
             theory.drag_coefficient()?,
             [1.3, 5.0],
         )
-        .by_points(is_of_points, [2.0, 5.0]),
+        .by_points(is_of_points, [2.0, 1.0]),
     ];
     let unbalanced = match flow.variant.own {
         Halves::Upper => ROUND_OFF,

@@ -10,7 +10,8 @@ use super::equation_of_state::EquationOfState;
 use super::face_list::Join;
 use super::fan::Fan;
 use super::hll::Jump;
-use super::net::{Block, FaceShape, Net};
+use super::net::{BLOCK, Block, FaceShape, Net};
+use super::quiet::Rest;
 use super::slopes::Flow;
 use super::state::{Conserved, Primitive, dot};
 use super::walls::Wall;
@@ -54,21 +55,37 @@ pub struct Layout<'a, const D: usize> {
     pub block: &'a Block<D>,
     /// The points of all cells.
     pub points: &'a [Vector<D>],
+    /// Which blocks rest.
+    pub rests: &'a [Rest<D>],
+}
+
+impl<const D: usize> Layout<'_, D> {
+    /// True of a `face` to a cell that sleeps. No law of waves counts there: the cell would know nothing of what came through.
+    pub fn is_to_sleepers(&self, face: &Join) -> bool {
+        let mut cells = [face.i, face.j].into_iter();
+        cells.any(|i| self.rests[i as usize / BLOCK].sleeps)
+    }
 }
 
 /// Adds to what the cells of a block gain what the faces around its bends let through more than the `fluxes` so far, face by face, and to these.
 pub fn turn<G: EquationOfState, const D: usize>(
     gas: &G,
     fans: &[Standing<'_, D>],
-    Layout { net, block, points }: Layout<'_, D>,
+    layout: Layout<'_, D>,
     flow: Flow<'_, D>,
     cells: &mut [Conserved<D>],
     fluxes: &mut [Conserved<D>],
 ) {
+    let Layout {
+        net, block, points, ..
+    } = layout;
     let start = block.cells.start;
     for standing in fans {
         for &number in &standing.around.faces {
             let face = &block.faces[number as usize];
+            if layout.is_to_sleepers(face) {
+                continue;
+            }
             let shape = &net.face_shapes[face.shape as usize];
             let bent = standing.bend.face(points, face, shape);
             let flux = &mut fluxes[number as usize];

@@ -130,15 +130,19 @@ pub fn shocks<'a, G: EquationOfState, const D: usize>(
 pub fn part<G: EquationOfState, const D: usize>(
     gas: &G,
     shocks: &[Cleaving<'_, D>],
-    Layout { net, block, .. }: Layout<'_, D>,
+    layout: Layout<'_, D>,
     flow: Flow<'_, D>,
     cells: &mut [Conserved<D>],
     fluxes: &mut [Conserved<D>],
 ) {
+    let Layout { net, block, .. } = layout;
     let start = block.cells.start;
     for cleaving in shocks {
         for seen in &cleaving.root.faces {
             let face = &block.faces[seen.number as usize];
+            if layout.is_to_sleepers(face) {
+                continue;
+            }
             let size = net.face_shapes[face.shape as usize].size;
             let flux = &mut fluxes[seen.number as usize];
             let pair = [face.i as usize, face.j as usize];

@@ -12,6 +12,7 @@ use super::fluxes::{Passed, Through};
 use super::gains::Gains;
 use super::kink::hold;
 use super::net::{Block, Net};
+use super::quiet::Rest;
 use super::slopes::{Flow, Slopes};
 use super::state::Conserved;
 use super::viscous::{Rubbing, WallShare};
@@ -26,6 +27,8 @@ pub struct Exchange<'a, G, const D: usize> {
     pub net: &'a Net<D>,
     /// The points of all cells.
     pub points: &'a [Vector<D>],
+    /// Which blocks rest.
+    pub rests: &'a [Rest<D>],
     /// How energy goes through them.
     pub energy: EnergyFlux,
     /// Least Mach number that gas counts by where it meets, see [`super::slow`].
@@ -53,6 +56,7 @@ impl<'a, G, const D: usize> Exchange<'a, G, D> {
             gas,
             net: self.net,
             points: self.points,
+            rests: self.rests,
             energy: self.energy,
             least_mach: self.least_mach,
             drawing: self.drawing,
@@ -73,6 +77,7 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
             gas,
             net,
             points,
+            rests,
             block,
             flow,
             shocks,
@@ -101,7 +106,12 @@ impl<G: EquationOfState, const D: usize> Exchange<'_, G, D> {
                 keeps_fluxes: !fans.is_empty() || !shocks.is_empty(),
             },
         );
-        let layout = Layout { net, block, points };
+        let layout = Layout {
+            net,
+            block,
+            points,
+            rests,
+        };
         turn(gas, &fans, layout, flow, &mut cells, &mut fluxes);
         cloven::part(gas, shocks, layout, flow, &mut cells, &mut fluxes);
         let rubbed = rubbing.map(|rubbing| {

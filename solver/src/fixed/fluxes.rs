@@ -11,7 +11,7 @@ use super::gather::{gather, gather_state, stored};
 use super::hll::Jump;
 use super::net::{Block, Net};
 use super::real::{Lane, MAX_LANES, Real};
-use super::reconstruction::{Neighbours, moved, rise};
+use super::reconstruction::{Aside, Neighbours, rise};
 use super::slopes::Flow;
 use super::slow::meeting;
 use super::state::{Conserved, Primitive, dot, scaled};
@@ -60,7 +60,7 @@ impl<G: EquationOfState, const D: usize> WithSimd for Through<'_, G, D> {
         for faces in block.faces.chunks(S::F64_LANES) {
             let mut batch = Batch::new(simd, net, faces, flow);
             batch.has_layers = self.drawing == Drawing::Layers;
-            if batch.has_layers || self.least_mach < 1.0 {
+            if self.drawing != Drawing::Waves || self.least_mach < 1.0 {
                 batch.find_skews(simd, net, faces);
             }
             if self.drawing == Drawing::Waves {
@@ -177,7 +177,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         let share = size.like(1.0) / size;
         let normal = scaled(&self.area, share);
         let smooth = smoothness(self.calmness);
-        let mut sides = Neighbours {
+        let cells = Neighbours {
             means: self.states,
             rises: [
                 rise(&self.slopes[0], &self.apart),
@@ -187,10 +187,18 @@ impl<S: Simd, const D: usize> Batch<S, D> {
             order: self.calmness,
             has_layers: self.has_layers,
             evenness: self.evenness,
-        }
-        .states();
+        };
+        let mut sides = cells.states();
         if let Some(skew) = &self.skew {
-            moved(&mut sides, &self.slopes, skew, smooth);
+            let is_mean = self.has_layers || least_mach < 1.0;
+            let aside = Aside {
+                slopes: &self.slopes,
+                skew,
+                part: dot(&self.apart, &self.apart)
+                    / (dot(skew, skew) + size.like(f64::MIN_POSITIVE)),
+                is_mean,
+            };
+            sides = aside.moved(sides, &cells, smooth);
         }
         if least_mach < 1.0 {
             meeting(gas, &mut sides, &normal, least_mach);

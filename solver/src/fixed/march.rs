@@ -106,6 +106,7 @@ impl<const D: usize> FixedSimulation<D> {
         for stage in STAGES {
             let time = start + stage.at * step;
             if stage.at > 0.0 {
+                self.wake_more();
                 self.give(time);
                 self.find_slopes();
             }

@@ -17,7 +17,15 @@ use super::sides::Side;
 use super::walls::Wall;
 
 /// Cells of a block.
-pub const BLOCK: usize = 512;
+pub const BLOCK: usize = 128;
+
+/// Among cells of a block, a bit for each.
+pub type Among = u128;
+
+/// The cell of a block that is the `k`th in it.
+pub const fn one_of(k: usize) -> Among {
+    1 << k
+}
 
 /// What a face looks like.
 #[derive(Clone, Copy, Debug)]
@@ -64,8 +72,17 @@ pub struct Block<const D: usize> {
     pub roots: Vec<Root<D>>,
     /// Walls ahead of sharp concave bends and of blunt edges.
     pub kinks: Vec<Kink<D>>,
-    /// Blocks with cells at most two faces away, this one among them.
-    pub nearby: Vec<u32>,
+    /// What other blocks have at most two faces away.
+    pub nearby: Vec<Near>,
+}
+
+/// The cells of another block that lie near one.
+#[derive(Clone, Copy, Debug)]
+pub struct Near {
+    /// The other block.
+    pub block: u32,
+    /// Which of its cells.
+    pub cells: Among,
 }
 
 /// All cells and faces.
@@ -223,10 +240,10 @@ impl<const D: usize> Net<D> {
         }
     }
 
-    /// Blocks at most two faces away.
+    /// What lies at most two faces away from each block.
     fn find_nearby(&mut self) {
         let block_of = |i: u32| i / BLOCK as u32;
-        // Which blocks cells have faces to, other than their own.
+        // Cells with faces to other blocks than their own, and those blocks.
         let mut beside: Vec<[u32; 2]> = Vec::new();
         for (number, block) in (0..).zip(&self.blocks) {
             for face in &block.faces {
@@ -239,20 +256,32 @@ impl<const D: usize> Net<D> {
         }
         beside.sort_unstable();
         beside.dedup();
-        for (number, block) in (0..).zip(&mut self.blocks) {
-            let mut near = vec![number];
+        // Blocks, and the cells that lie around them.
+        let mut around: Vec<[u32; 2]> = beside.iter().map(|&[cell, block]| [block, cell]).collect();
+        for block in &self.blocks {
+            let first = |i: usize| beside.partition_point(|[cell, _]| (*cell as usize) < i);
+            let own = &beside[first(block.cells.start)..first(block.cells.end)];
             for face in &block.faces {
-                let ends = [face.i, face.j];
-                for i in ends.into_iter().filter(|&i| block_of(i) != number) {
-                    near.push(block_of(i));
-                    let first = beside.partition_point(|[cell, _]| *cell < i);
-                    let beyond = beside[first..].iter().take_while(|[cell, _]| *cell == i);
-                    near.extend(beyond.map(|[_, block]| *block));
+                for [i, j] in [[face.i, face.j], [face.j, face.i]] {
+                    let first = own.partition_point(|[cell, _]| *cell < i);
+                    let next = own[first..].iter().take_while(|[cell, _]| *cell == i);
+                    around.extend(
+                        next.filter(|[_, next]| block_of(j) != *next)
+                            .map(|[_, next]| [*next, j]),
+                    );
                 }
             }
-            near.sort_unstable();
-            near.dedup();
-            block.nearby = near;
+        }
+        around.sort_unstable();
+        around.dedup();
+        let nearby = around.chunk_by(|[a, i], [b, j]| a == b && block_of(*i) == block_of(*j));
+        for near in nearby {
+            let [block, first] = near[0];
+            let cells = near.iter().map(|&[_, i]| one_of(i as usize % BLOCK));
+            self.blocks[block as usize].nearby.push(Near {
+                block: block_of(first),
+                cells: cells.fold(0, |all, one| all | one),
+            });
         }
     }
 }

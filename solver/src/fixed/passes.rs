@@ -10,7 +10,7 @@ use super::equation_of_state::AnyGas;
 use super::exchange::Exchange;
 use super::gains::Gains;
 use super::gradients::slopes;
-use super::net::{BLOCK, Net};
+use super::net::{Among, BLOCK, Net};
 use super::quiet::Quiet;
 use super::reach::bound;
 use super::slopes::Flow;
@@ -150,6 +150,7 @@ impl<const D: usize> FixedSimulation<D> {
             points,
             is_axisymmetric,
         });
+        let rests = quiet.blocks.as_slice();
         // Gas that rubs sticks to walls: no shock stands at their bends.
         let mut standing: Vec<Vec<Cleaving<'_, D>>> = net
             .blocks
@@ -181,6 +182,7 @@ impl<const D: usize> FixedSimulation<D> {
                         gas: &*gas,
                         net: &*net,
                         points,
+                        rests,
                         energy,
                         least_mach,
                         drawing,
@@ -249,7 +251,9 @@ impl<const D: usize> FixedSimulation<D> {
                         });
                     found.min_energy = found.min_energy.min(energy);
                 }
-                quiet.is_quiet = stream.as_ref().is_some_and(|stream| stream.is_in(states));
+                quiet.disturbed = stream
+                    .as_ref()
+                    .map_or(Among::MAX, |stream| stream.disturbed(states));
                 found
             })
             .collect();

@@ -9,6 +9,9 @@ use super::state::{Primitive, scaled};
 /// waves of six cells, the shortest that count.
 const UPWINDING: f64 = 0.25;
 
+/// Slopes that are off what they say of the other cell by one over this part of what they say in all are not believed beside the line between both.
+const NOT_BORNE_OUT: f64 = 6.0;
+
 /// Two cells that share a face, and how much they change towards each other.
 #[derive(Clone, Copy, Debug)]
 pub struct Neighbours<const D: usize, R> {
@@ -118,30 +121,84 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
     }
 }
 
-/// Moves the states on both sides of a face from halfway between two cells to the face's middle, by the mean of the cells' `slopes`, so that
-/// they stay as far apart as they are: linear states flow through every face as they should, askew ones too. Not in shocks, nor where density or
-/// pressure would not be positive.
-#[inline(always)]
-pub fn moved<R: Real, const D: usize>(
-    sides: &mut [Primitive<D, R>; 2],
-    slopes: &[[Primitive<D, R>; D]; 2],
-    skew: &[R; D],
-    smooth: R,
-) {
-    let half = smooth * 0.5;
-    let [a, b] = [rise(&slopes[0], skew), rise(&slopes[1], skew)];
-    let zero = smooth.like(0.0);
-    let density = half * (a.density + b.density);
-    let pressure = half * (a.pressure + b.pressure);
-    let least = (sides[0].density.min(sides[1].density) + density)
-        .min(sides[0].pressure.min(sides[1].pressure) + pressure);
-    for side in sides {
-        side.density = side.density + least.select(density, zero);
-        side.pressure = side.pressure + least.select(pressure, zero);
-        for k in 0..D {
-            let more = half * (a.velocity[k] + b.velocity[k]);
-            side.velocity[k] = side.velocity[k] + least.select(more, zero);
+/// From halfway between two cells to the middle of their face.
+pub struct Aside<'a, const D: usize, R> {
+    /// How the gas changes in both cells.
+    pub slopes: &'a [[Primitive<D, R>; D]; 2],
+    /// To there.
+    pub skew: &'a [R; D],
+    /// From the first to the second cell over the length of `skew`, squared.
+    pub part: R,
+    /// Whether the mean of both cells' slopes counts, whatever they are; the smaller one otherwise, and as far as the difference of both cells bears it out.
+    pub is_mean: bool,
+}
+
+impl<const D: usize, R: Real> Aside<'_, D, R> {
+    /// Moves the states on both `sides` of the face that `cells` look at to its middle, both alike, so that they stay as far apart as they are: linear states flow
+    /// through every face as they should, askew ones too. Not in shocks, nor where density or pressure would not be positive.
+    #[inline(always)]
+    pub fn moved(
+        &self,
+        mut sides: [Primitive<D, R>; 2],
+        cells: &Neighbours<D, R>,
+        smooth: R,
+    ) -> [Primitive<D, R>; 2] {
+        let ways = [
+            rise(&self.slopes[0], self.skew),
+            rise(&self.slopes[1], self.skew),
+        ];
+        let [(a, b), (rise_a, rise_b)] = [(&ways[0], &ways[1]), (&cells.rises[0], &cells.rises[1])];
+        let [first, second] = &cells.means;
+        let zero = smooth.like(0.0);
+        let density = smooth
+            * self.way(
+                [a.density, b.density],
+                [rise_a.density, rise_b.density],
+                second.density - first.density,
+            );
+        let pressure = smooth
+            * self.way(
+                [a.pressure, b.pressure],
+                [rise_a.pressure, rise_b.pressure],
+                second.pressure - first.pressure,
+            );
+        let least = (sides[0].density.min(sides[1].density) + density)
+            .min(sides[0].pressure.min(sides[1].pressure) + pressure);
+        let density = least.select(density, zero);
+        let pressure = least.select(pressure, zero);
+        for side in &mut sides {
+            side.density = side.density + density;
+            side.pressure = side.pressure + pressure;
         }
+        for k in 0..D {
+            let more = smooth
+                * self.way(
+                    [a.velocity[k], b.velocity[k]],
+                    [rise_a.velocity[k], rise_b.velocity[k]],
+                    second.velocity[k] - first.velocity[k],
+                );
+            let more = least.select(more, zero);
+            for side in &mut sides {
+                side.velocity[k] = side.velocity[k] + more;
+            }
+        }
+        sides
+    }
+
+    /// What of `ways` to the middle of the face counts, given what slopes say that a variable `rises` by to the other cell, and the `jump` to there. Slopes that
+    /// see a shock beside the face say what is not there.
+    #[inline(always)]
+    fn way(&self, ways: [R; 2], rises: [R; 2], jump: R) -> R {
+        if self.is_mean {
+            return (ways[0] + ways[1]) * 0.5;
+        }
+        let borne_out = |way: R, rise: R| {
+            let off = (rise - jump).max(jump - rise) * NOT_BORNE_OUT;
+            let size = (way * way * self.part + rise * rise).sqrt() + off.like(f64::MIN_POSITIVE);
+            (off.like(1.0) - off / size).max(off.like(0.0))
+        };
+        let [a, b] = ways;
+        minmod(a * borne_out(a, rises[0]), b * borne_out(b, rises[1]))
     }
 }
 

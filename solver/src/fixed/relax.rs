@@ -12,8 +12,9 @@ use super::columns::Columns;
 use super::equation_of_state::EquationOfState;
 use super::net::BLOCK;
 use super::order::Link;
+use super::quiet::Rest;
 use super::state::{Conserved, Primitive, dot, scaled};
-use super::sweeps::Sweeps;
+use super::sweeps::{Level, Sweeps};
 use super::viscous::add_reaches;
 use super::{FixedSimulation, Fluid};
 use crate::Failure;
@@ -33,7 +34,7 @@ const CHUNK: usize = 64;
 /// The linear system of a step: `D_i = L_i (1/2 + 1/(2 c))`, `L_i` the sum of wave speed times area, and neighbours.
 struct System<'a> {
     sweeps: &'a Sweeps,
-    /// `L_i`, place by place.
+    /// `L_i` of each cell that is awake, in the order of their places.
     reaches: &'a [f64],
     /// Speed of sound of each cell that is awake, by its number.
     sounds: &'a [f64],
@@ -67,7 +68,7 @@ impl<const D: usize> FixedSimulation<D> {
         self.find_slopes();
         self.exchange(|_, part, gains| part.before.copy_from_slice(&gains.cells));
         self.add_steady_source();
-        let sweeps = self.settling.sweeps.take().unwrap_or_else(|| {
+        let mut sweeps = self.settling.sweeps.take().unwrap_or_else(|| {
             let stream = &self.problem.free_stream.velocity;
             Sweeps::new(&self.net, |i| {
                 if stream.norm_squared() > 0.0 {
@@ -77,6 +78,9 @@ impl<const D: usize> FixedSimulation<D> {
                 }
             })
         });
+        let is_awake = |rest: &Rest<D>| rest.is_awake;
+        let awake: Vec<bool> = self.quiet.blocks.iter().map(is_awake).collect();
+        sweeps.wake(&awake);
         let sounds = self.sounds();
         let reaches = self.reaches(&sweeps, &sounds);
         let residual = self.residual(&sweeps, &reaches);
@@ -86,15 +90,13 @@ impl<const D: usize> FixedSimulation<D> {
             sounds: &sounds,
             share: 0.5 + 0.5 / courant,
         });
-        for (change, &i) in changes.iter().zip(sweeps.cells()) {
-            let i = i as usize;
-            if self.is_awake(i) {
-                if let Some(start) = start {
-                    self.columns.held[i] = start[i / BLOCK][i % BLOCK];
-                }
-                let change = Conserved::ZERO.plus(parts(i / BLOCK), change);
-                self.columns.held[i] = self.changed(i, &change);
+        for &place in sweeps.awake() {
+            let i = sweeps.cell(place as usize);
+            if let Some(start) = start {
+                self.columns.held[i] = start[i / BLOCK][i % BLOCK];
             }
+            let change = Conserved::ZERO.plus(parts(i / BLOCK), &changes[place as usize]);
+            self.columns.held[i] = self.changed(i, &change);
         }
         self.settling.sweeps = Some(sweeps);
         match self.find_states() {
@@ -107,21 +109,24 @@ impl<const D: usize> FixedSimulation<D> {
     /// first sweeps leave of the system is worth others; a flow that began near its end has all its cells from the first step on, and is
     /// there in fewer steps for one more sweep.
     fn solved(&self, system: &System<'_>) -> Vec<Conserved<D>> {
-        let mut changes = vec![Conserved::ZERO; system.reaches.len()];
-        let levels = || system.sweeps.levels();
-        for places in levels() {
-            self.relax(system, places, Sweep::First, &mut changes);
+        let mut changes = vec![Conserved::ZERO; system.sweeps.len()];
+        let levels: Vec<Level> = system.sweeps.levels().collect();
+        let most = levels.iter().map(|level| level.awake.len()).max();
+        let mut room = vec![Conserved::ZERO; most.unwrap_or(0)];
+        let mut relax = |level, sweep| self.relax(system, level, sweep, &mut changes, &mut room);
+        for level in &levels {
+            relax(level, Sweep::First);
         }
-        for places in levels().rev() {
-            self.relax(system, places, Sweep::Back, &mut changes);
+        for level in levels.iter().rev() {
+            relax(level, Sweep::Back);
         }
         if self.is_slow() {
-            for places in levels().chain(levels().rev()) {
-                self.relax(system, places, Sweep::Again, &mut changes);
+            for level in levels.iter().chain(levels.iter().rev()) {
+                relax(level, Sweep::Again);
             }
         } else if self.settling.is_near {
-            for places in levels() {
-                self.relax(system, places, Sweep::Again, &mut changes);
+            for level in &levels {
+                relax(level, Sweep::Again);
             }
         }
         changes
@@ -133,57 +138,60 @@ impl<const D: usize> FixedSimulation<D> {
     fn relax(
         &self,
         system: &System<'_>,
-        places: Range<usize>,
+        level: &Level,
         sweep: Sweep,
         changes: &mut [Conserved<D>],
+        room: &mut [Conserved<D>],
     ) {
-        let Range { start, end } = places;
-        let (before, rest) = changes.split_at_mut(start);
-        let (level, after) = rest.split_at_mut(end - start);
-        let (before, after) = (&*before, &*after);
-        let each = level.par_iter_mut().enumerate().with_min_len(CHUNK);
-        each.for_each(|(k, change)| {
-            let place = start + k;
+        let Range { start, end } = level.places;
+        let known = &*changes;
+        let awake = &system.sweeps.awake()[level.awake.clone()];
+        let room = &mut room[..awake.len()];
+        let reaches = &system.reaches[level.awake.clone()];
+        let pairs = awake.par_iter().zip(reaches).with_min_len(CHUNK);
+        let each = pairs.map(|(&place, &reach)| {
+            let place = place as usize;
             let i = system.sweeps.cell(place);
-            if !self.is_awake(i) {
-                return;
-            }
-            let known = system.sweeps.links(place).iter().filter_map(|link| {
+            let links = system.sweeps.links(place).iter();
+            let beside = links.filter_map(|link| {
                 let at = link.place as usize;
-                match sweep {
-                    Sweep::First => before.get(at),
-                    Sweep::Back => after.get(at.wrapping_sub(end)),
-                    Sweep::Again => before.get(at).or_else(|| after.get(at - end)),
-                }
-                .map(|change| (link, change))
+                let is_known = match sweep {
+                    Sweep::First => at < start,
+                    Sweep::Back => at >= end,
+                    Sweep::Again => true,
+                };
+                is_known.then(|| (link, &known[at]))
             });
-            let beside = self.neighbours(known, system.sounds);
-            let over = 1.0 / (system.share * system.reaches[place]);
-            *change = match sweep {
-                Sweep::Back => change.plus(-0.5 * over, &beside),
+            let beside = self.neighbours(beside, system.sounds);
+            let over = 1.0 / (system.share * reach);
+            match sweep {
+                Sweep::Back => known[place].plus(-0.5 * over, &beside),
                 _ => Conserved::ZERO.plus(over, &self.columns.before[i].plus(-0.5, &beside)),
-            };
-        });
-    }
-
-    fn is_awake(&self, i: usize) -> bool {
-        self.quiet.blocks[i / BLOCK].is_awake
-    }
-
-    /// Speed of sound of each cell that is awake.
-    fn sounds(&self) -> Vec<f64> {
-        let cells = self.columns.states.par_iter().enumerate();
-        let sound = |(i, state): (usize, &Primitive<D>)| {
-            if self.is_awake(i) {
-                self.sound(state)
-            } else {
-                0.0
             }
-        };
-        cells.with_min_len(CHUNK).map(sound).collect()
+        });
+        each.zip(&mut *room).for_each(|(change, at)| *at = change);
+        for (&place, change) in awake.iter().zip(room) {
+            changes[place as usize] = *change;
+        }
     }
 
-    /// Sum of wave speed times area over all faces of each cell that is awake, place by place.
+    /// Speed of sound of each cell that is awake, by its number.
+    fn sounds(&self) -> Vec<f64> {
+        let mut sounds = vec![0.0; self.columns.states.len()];
+        let blocks = sounds.par_chunks_mut(BLOCK).zip(&self.quiet.blocks);
+        let states = self.columns.states.par_chunks(BLOCK);
+        blocks
+            .zip(states)
+            .filter(|((_, rest), _)| rest.is_awake)
+            .for_each(|((sounds, _), states)| {
+                for (sound, state) in sounds.iter_mut().zip(states) {
+                    *sound = self.sound(state);
+                }
+            });
+        sounds
+    }
+
+    /// Sum of wave speed times area over all faces of each cell that is awake, in the order of their places.
     fn reaches(&self, sweeps: &Sweeps, sounds: &[f64]) -> Vec<f64> {
         let mut ends = vec![0.0; self.columns.held.len()];
         for (block, rest) in self.net.blocks.iter().zip(&self.quiet.blocks) {
@@ -207,21 +215,17 @@ impl<const D: usize> FixedSimulation<D> {
                 add_reaches(viscous, &self.net, block, states, viscosities, add);
             }
         }
-        let places = sweeps.cells().par_iter().enumerate().with_min_len(CHUNK);
-        let reach = |(place, &i): (usize, &u32)| {
-            let i = i as usize;
-            if !self.is_awake(i) {
-                return 1.0;
-            }
-            let state = &self.columns.states[i];
-            let sound = sounds[i];
+        let reach = |&place: &u32| {
+            let i = sweeps.cell(place as usize);
+            let (state, sound) = (&self.columns.states[i], sounds[i]);
             let mut sum = ends[i];
-            for link in sweeps.links(place) {
+            for link in sweeps.links(place as usize) {
                 let shape = &self.net.face_shapes[link.shape()];
                 sum += dot(&state.velocity, &shape.area).abs() + sound * shape.size;
             }
             sum
         };
+        let places = sweeps.awake().par_iter().with_min_len(CHUNK);
         places.map(reach).collect()
     }
 
@@ -234,20 +238,14 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Mean over the cells that are awake of how much of its mass each gains while a wave crosses it.
     fn residual(&self, sweeps: &Sweeps, reaches: &[f64]) -> f64 {
-        let (mut sum, mut count) = (0.0, 0.0);
-        for (&i, reach) in sweeps.cells().iter().zip(reaches) {
-            let i = i as usize;
-            if self.is_awake(i) {
-                let part = self.columns.before[i].mass / (self.columns.held[i].mass * reach);
-                sum += part * part;
-                count += 1.0;
-            }
+        let mut sum = 0.0;
+        for (&place, reach) in sweeps.awake().iter().zip(reaches) {
+            let i = sweeps.cell(place as usize);
+            let part = self.columns.before[i].mass / (self.columns.held[i].mass * reach);
+            sum += part * part;
         }
-        if count > 0.0 {
-            f64::sqrt(sum / count)
-        } else {
-            0.0
-        }
+        let count = reaches.len().max(1) as f64;
+        f64::sqrt(sum / count)
     }
 
     /// `sum (dF_j.A_ij - lambda_j A_ij dU_j)` over the neighbours with `known` changes.

@@ -99,10 +99,10 @@ impl<const D: usize> FixedSimulation<D> {
 
     /// Conserved totals of the gas now.
     pub fn totals(&self) -> Totals {
-        let mut sum = Conserved::ZERO;
-        for (i, held) in self.columns.held.iter().enumerate() {
-            sum = sum.plus(self.net.cell(i).volume, held);
-        }
+        let nothing = Conserved::ZERO;
+        let sum = self
+            .holdings()
+            .fold(nothing, |sum, own| sum.plus(1.0, &own.sum));
         self.totals_of(&sum)
     }
 
@@ -125,12 +125,35 @@ impl<const D: usize> FixedSimulation<D> {
     pub fn mass_and_centre(&self) -> (f64, [f64; 3]) {
         let mut mass = 0.0;
         let mut moment = Vector::<D>::zeros();
-        for (i, (point, held)) in self.points.iter().zip(&self.columns.held).enumerate() {
-            let share = held.mass * self.net.cell(i).volume;
-            mass += share;
-            moment += point * share;
+        for own in self.holdings() {
+            mass += own.sum.mass;
+            moment += own.moment;
         }
         (self.around() * mass, pad(&(moment / mass)).into())
+    }
+
+    /// What blocks hold, in their order.
+    fn holdings(&self) -> impl Iterator<Item = Holding<D>> {
+        let blocks = self.net.blocks.iter().zip(&self.quiet.blocks);
+        blocks.map(|(block, rest)| {
+            if rest.is_awake {
+                self.holding(block)
+            } else {
+                rest.holding
+            }
+        })
+    }
+
+    /// What `block` holds.
+    pub(super) fn holding(&self, block: &Block<D>) -> Holding<D> {
+        let mut holding = Holding::NOTHING;
+        for i in block.cells.clone() {
+            let volume = self.net.cell(i).volume;
+            let held = &self.columns.held[i];
+            holding.sum = holding.sum.plus(volume, held);
+            holding.moment += self.points[i] * (volume * held.mass);
+        }
+        holding
     }
 
     /// Counts and extremes.
@@ -148,6 +171,23 @@ impl<const D: usize> FixedSimulation<D> {
             min_energy: self.tally.min_energy,
         }
     }
+}
+
+/// What a block of cells holds, per radian about an axis.
+#[derive(Clone, Copy, Debug)]
+pub struct Holding<const D: usize> {
+    /// All of it.
+    pub sum: Conserved<D>,
+    /// The moment of its mass.
+    pub moment: Vector<D>,
+}
+
+impl<const D: usize> Holding<D> {
+    /// Nothing.
+    pub const NOTHING: Self = Self {
+        sum: Conserved::ZERO,
+        moment: Vector::<D>::from_array_storage(nalgebra::ArrayStorage([[0.0; D]])),
+    };
 }
 
 /// Faces whose first cell is in this block: each face once, over all blocks.

@@ -6,7 +6,7 @@
 use std::ops::Range;
 
 use super::face_list::Join;
-use super::net::Net;
+use super::net::{BLOCK, Net};
 use super::order::{Link, levels};
 
 /// Cells in the order of the flow, with their neighbours.
@@ -22,6 +22,21 @@ pub struct Sweeps {
     /// Where the links of the cell at each place start.
     starts: Vec<u32>,
     links: Vec<Link>,
+    /// Places of the cells that are awake, in their order.
+    awake: Vec<u32>,
+    /// Where each level starts among them, and where the last one ends.
+    awake_levels: Vec<usize>,
+    /// The blocks that these are of.
+    awake_blocks: Vec<bool>,
+}
+
+/// The cells of a level that are awake.
+#[derive(Clone, Debug)]
+pub struct Level {
+    /// Which they are among all that are awake.
+    pub awake: Range<usize>,
+    /// First and last place of the level.
+    pub places: Range<usize>,
 }
 
 impl Sweeps {
@@ -85,6 +100,9 @@ impl Sweeps {
             order,
             levels,
             links: Vec::new(),
+            awake: Vec::new(),
+            awake_levels: Vec::new(),
+            awake_blocks: Vec::new(),
         }
     }
 
@@ -93,9 +111,31 @@ impl Sweeps {
         self.order[place] as usize
     }
 
-    /// The cells, place by place.
-    pub fn cells(&self) -> &[u32] {
-        &self.order
+    /// Cells.
+    pub fn len(&self) -> usize {
+        self.order.len()
+    }
+
+    /// Says which blocks are awake.
+    pub fn wake(&mut self, blocks: &[bool]) {
+        if blocks == self.awake_blocks {
+            return;
+        }
+        self.awake_blocks = blocks.to_vec();
+        self.awake.clear();
+        self.awake_levels.clear();
+        for ends in self.levels.windows(2) {
+            self.awake_levels.push(self.awake.len());
+            let is_awake = |&place: &usize| blocks[self.order[place] as usize / BLOCK];
+            let places = (ends[0]..ends[1]).filter(is_awake);
+            self.awake.extend(places.map(|place| place as u32));
+        }
+        self.awake_levels.push(self.awake.len());
+    }
+
+    /// Places of the cells that are awake, in their order.
+    pub fn awake(&self) -> &[u32] {
+        &self.awake
     }
 
     /// Neighbours of the cell at `place`.
@@ -103,9 +143,13 @@ impl Sweeps {
         &self.links[self.starts[place] as usize..self.starts[place + 1] as usize]
     }
 
-    /// First and last place of each level, in their order.
-    pub fn levels(&self) -> impl DoubleEndedIterator<Item = Range<usize>> {
-        self.levels.windows(2).map(|ends| ends[0]..ends[1])
+    /// The levels, in their order.
+    pub fn levels(&self) -> impl DoubleEndedIterator<Item = Level> {
+        let ends = self.levels.windows(2).zip(self.awake_levels.windows(2));
+        ends.map(|(places, awake)| Level {
+            awake: awake[0]..awake[1],
+            places: places[0]..places[1],
+        })
     }
 }
 
@@ -142,11 +186,13 @@ mod tests {
         let cells = lattice(&problem);
         let x: Vec<f64> = cells.points.iter().map(|point| point[0]).collect();
         let flow = FixedSimulation::on(cells, problem).unwrap();
-        let sweeps = Sweeps::new(&flow.net, |i| x[i]);
+        let mut sweeps = Sweeps::new(&flow.net, |i| x[i]);
+        sweeps.wake(&vec![true; flow.net.blocks.len()]);
         let mut level_of = vec![0; x.len()];
-        for (level, places) in sweeps.levels().enumerate() {
-            for &i in &sweeps.order[places] {
-                level_of[i as usize] = level;
+        for (number, level) in sweeps.levels().enumerate() {
+            assert_eq!(level.awake, level.places);
+            for &i in &sweeps.order[level.places] {
+                level_of[i as usize] = number;
             }
         }
         for (place, &i) in sweeps.order.iter().enumerate() {
@@ -160,5 +206,8 @@ mod tests {
         }
         // One for each column, and one more for every other cell of it.
         assert_eq!(sweeps.levels().count(), 8);
+        sweeps.wake(&vec![false; flow.net.blocks.len()]);
+        assert!(sweeps.awake().is_empty());
+        assert!(sweeps.levels().all(|level| level.awake.is_empty()));
     }
 }

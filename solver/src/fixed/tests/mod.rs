@@ -32,6 +32,7 @@ pub(super) mod ridges;
 mod room;
 mod sheared;
 mod sides;
+mod sleep;
 mod slow_streams;
 mod space;
 mod tips;
