@@ -191,13 +191,7 @@ impl<S: Simd, const D: usize> Batch<S, D> {
         let mut sides = cells.states();
         if let Some(skew) = &self.skew {
             let is_mean = self.has_layers || least_mach < 1.0;
-            let aside = Aside {
-                slopes: &self.slopes,
-                skew,
-                part: dot(&self.apart, &self.apart)
-                    / (dot(skew, skew) + size.like(f64::MIN_POSITIVE)),
-                is_mean,
-            };
+            let aside = Aside::new(&self.slopes, &self.apart, skew, is_mean);
             sides = aside.moved(sides, &cells, smooth);
         }
         if least_mach < 1.0 {

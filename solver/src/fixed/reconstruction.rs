@@ -2,15 +2,18 @@
 
 use super::limiter::{central, minmod, rising, third, wavy};
 use super::real::Real;
-use super::state::{Primitive, scaled};
+use super::state::{Primitive, dot, scaled};
 
 /// Part of the gap in density between both sides of a face that is left where waves rise and fall, for the fluxes to damp. All of it, as upwinding
 /// of third order has, damps a wave of `k` radians a cell by `k^4 / 12`; what is left is about what that of fifth order, `k^6 / 60`, damps in
 /// waves of six cells, the shortest that count.
 const UPWINDING: f64 = 0.25;
 
-/// Slopes that are off what they say of the other cell by one over this part of what they say in all are not believed beside the line between both.
+/// Slopes that are off in what they say of the other cell by one over this, in parts of what they say in all, are not believed beside the line between both cells.
 const NOT_BORNE_OUT: f64 = 6.0;
+
+/// A face this part of the distance between its cells, squared, beside the line between them lies on it.
+const ON_THE_LINE: f64 = 1e-20;
 
 /// Two cells that share a face, and how much they change towards each other.
 #[derive(Clone, Copy, Debug)]
@@ -124,16 +127,33 @@ impl<const D: usize, R: Real> Neighbours<D, R> {
 /// From halfway between two cells to the middle of their face.
 pub struct Aside<'a, const D: usize, R> {
     /// How the gas changes in both cells.
-    pub slopes: &'a [[Primitive<D, R>; D]; 2],
+    slopes: &'a [[Primitive<D, R>; D]; 2],
     /// To there.
-    pub skew: &'a [R; D],
-    /// From the first to the second cell over the length of `skew`, squared.
-    pub part: R,
+    skew: &'a [R; D],
+    /// Distance of the cells over the length of `skew`, squared.
+    part: R,
     /// Whether the mean of both cells' slopes counts, whatever they are; the smaller one otherwise, and as far as the difference of both cells bears it out.
-    pub is_mean: bool,
+    is_mean: bool,
 }
 
-impl<const D: usize, R: Real> Aside<'_, D, R> {
+impl<'a, const D: usize, R: Real> Aside<'a, D, R> {
+    /// That by `skew` of a face whose cells are so far `apart`.
+    #[inline(always)]
+    pub fn new(
+        slopes: &'a [[Primitive<D, R>; D]; 2],
+        apart: &[R; D],
+        skew: &'a [R; D],
+        is_mean: bool,
+    ) -> Self {
+        let away = dot(apart, apart);
+        Self {
+            slopes,
+            skew,
+            part: away / (dot(skew, skew) + away * ON_THE_LINE),
+            is_mean,
+        }
+    }
+
     /// Moves the states on both `sides` of the face that `cells` look at to its middle, both alike, so that they stay as far apart as they are: linear states flow
     /// through every face as they should, askew ones too. Not in shocks, nor where density or pressure would not be positive.
     #[inline(always)]

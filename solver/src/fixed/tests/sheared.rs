@@ -99,18 +99,20 @@ fn a_shear_neither_gathers_nor_thins_where_two_spacings_meet() {
         ..FixedPoints::default()
     });
     let marching = Method::Fixed(FixedPoints::default());
-    for (gas, method, speed) in [
-        (gas(1e-3, 0.72), marching, 1.0),
-        (Gas::ideal(1.4), settling, 0.6),
-        (Gas::ideal(1.4), settling, 3.0),
+    // The last in another unit of length.
+    for (gas, method, speed, unit) in [
+        (gas(1e-3, 0.72), marching, 1.0, 1.0),
+        (Gas::ideal(1.4), settling, 0.6, 1.0),
+        (Gas::ideal(1.4), settling, 3.0, 1.0),
+        (Gas::ideal(1.4), settling, 3.0, 1e3),
     ] {
-        let square = domain([-1.0, -1.0], [1.0, 1.0]);
-        let scene = Scene::new(square.clone(), Vec::new(), 0.125);
-        let levels = around(&scene, Vector::<2>::new(-0.1, 0.05), 2, 2);
+        let square = domain([-unit; 2], [unit; 2]);
+        let scene = Scene::new(square.clone(), Vec::new(), 0.125 * unit);
+        let levels = around(&scene, Vector::<2>::new(-0.1, 0.05) * unit, 2, 2);
         let cells = scene.made_with(&levels).cells;
         let skew = cells.faces.iter().map(|face| face.skew.norm());
-        assert!(skew.fold(0.0, f64::max) > 0.01);
-        let mut problem = problem::<2>([16; 2], 0.125, [[Side::FreeStream; 2]; 2]);
+        assert!(skew.fold(0.0, f64::max) > 0.01 * unit);
+        let mut problem = problem::<2>([16; 2], 0.125 * unit, [[Side::FreeStream; 2]; 2]);
         problem.domain = square;
         problem.gas = gas;
         problem.method = method;
@@ -121,7 +123,7 @@ fn a_shear_neither_gathers_nor_thins_where_two_spacings_meet() {
         };
         problem.initial = field(move |x: &Vector<2>| State {
             density: 1.0,
-            velocity: [speed + 0.5 * x[1], 0.25].into(),
+            velocity: [speed + 0.5 * x[1] / unit, 0.25].into(),
             pressure: 1.0,
         });
         let mut flow = FixedSimulation::on(cells, problem.clone()).unwrap();
@@ -131,7 +133,7 @@ fn a_shear_neither_gathers_nor_thins_where_two_spacings_meet() {
         for (i, gain) in flow.columns.before.iter().enumerate() {
             if is_inside(&problem, &flow.points[i], 2.0) {
                 seen += 1;
-                let rate = gain.mass / flow.net.cell(i).volume;
+                let rate = gain.mass / flow.net.cell(i).volume * unit;
                 assert!(rate.abs() < 1e-12, "{speed} {:?} {rate:e}", flow.points[i]);
             }
         }
